@@ -1,0 +1,34 @@
+#pragma once
+
+#include <signorini/contact/obstacle.h>
+
+namespace Signorini
+{
+  // Each shape is a class of its own file; nobody needs to know more of it than how to make one.
+
+  /// Half space behind a point, with its outward normal.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_plane();
+
+  /// Sphere (2D: circular cylinder), pressed from outside, or a spherical seat.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_sphere();
+
+  /// Circular cylinder about an axis; in 2D the axis is z.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_cylinder();
+
+  /// Paraboloid of revolution (2D: parabola) with a radius of curvature at the apex; the gap is measured
+  /// along the axis, as in Hertz' theory.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_paraboloid();
+
+  /// Any surface, given by the gap along a fixed normal.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_gap_function();
+} // namespace Signorini

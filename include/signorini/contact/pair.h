@@ -1,0 +1,24 @@
+#pragma once
+
+#include <signorini/parameters/expression.h>
+
+#include <string>
+
+namespace Signorini
+{
+  class Section;
+
+  /// Two surfaces that may touch: the slave, where contact is integrated, and the master, which is
+  /// the boundary of another body or an obstacle.
+  template <int dim>
+  struct ContactPair
+  {
+    std::string name, slave, master;
+    std::string slave_place, master_place; ///< in the scene file
+    std::string initial_gap     = "from geometry"; ///< or "closed", or a formula of the coordinates
+    double      search_distance = 0;               ///< 0: a tenth of the extent of the scene
+
+    void
+    declare(Section &section);
+  };
+} // namespace Signorini

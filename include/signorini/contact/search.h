@@ -1,0 +1,75 @@
+#pragma once
+
+#include <signorini/contact/face_patch.h>
+#include <signorini/contact/projection.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /// The place on a master surface that belongs to a slave point.
+  template <int dim>
+  struct Partner
+  {
+    dealii::Point<dim>     position;
+    dealii::Tensor<1, dim> normal;   ///< outward unit normal of the master there
+    double                 distance; ///< closest point distance
+    dealii::Point<dim>
+           face_center; ///< identity of the face: breaks ties alike on any number of ranks
+    double stiffness;   ///< E/h of the master cell (force / length^3)
+    /// Value of a displacement's normal component there as a combination of degrees of freedom:
+    /// n . u(position) = sum_j coefficient_j d_j, hanging nodes already resolved.
+    std::vector<std::pair<dealii::types::global_dof_index, double>> row;
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &position &normal &distance &face_center &stiffness &row;
+    }
+  };
+
+  /// The master side of one contact pair on this rank: the faces of locally owned cells. Supplies
+  /// what the search cannot know: a face's row of shape functions and stiffness.
+  template <int dim>
+  struct MasterFaces
+  {
+    std::vector<FacePatch<dim>> patches;
+    /// Fill `row` and `stiffness` of a partner on face i at parameter xi; position and normal are
+    /// set.
+    std::function<void(unsigned int i, const dealii::Point<dim - 1> &xi, Partner<dim> &partner)>
+      complete;
+  };
+
+  /// What one call of find_partners did on this rank; `projections` counts those for other ranks'
+  /// points as well.
+  struct SearchStatistics
+  {
+    unsigned long points = 0, points_sent = 0, projections = 0, fallbacks = 0;
+  };
+
+  /// For each slave point of this rank the closest place on the master surface of all ranks, if
+  /// there is one within `reach`, facing the point (slave_normal . master_normal < -0.1) and not
+  /// beyond the rim of the surface. Collective.
+  ///
+  /// Points travel to the faces: every rank announces one bounding box of its master faces, points
+  /// inside the inflated box go there, are projected on the faces that an R-tree yields in the
+  /// order of distance, and the answers come back. No rank ever sees faces of another.
+  ///
+  /// Ties (a point that projects on the common edge of two faces) are broken by the face whose
+  /// center is lexicographically smaller, so that the result does not depend on the partition; but
+  /// a face that the point lies above goes before one whose rim it overhangs.
+  template <int dim>
+  std::vector<std::optional<Partner<dim>>>
+  find_partners(const std::vector<dealii::Point<dim>>     &points,
+                const std::vector<dealii::Tensor<1, dim>> &slave_normals,
+                const MasterFaces<dim>                    &master,
+                double                                     reach,
+                MPI_Comm                                   comm,
+                SearchStatistics                          *statistics = nullptr);
+} // namespace Signorini

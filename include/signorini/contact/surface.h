@@ -1,0 +1,50 @@
+#pragma once
+
+#include <signorini/contact/obstacle.h>
+#include <signorini/contact/pair.h>
+#include <signorini/contact/search.h>
+#include <signorini/elasticity/elasticity.h>
+
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  using SparseRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+  /// A quadrature point of a slave face with its partner on the master.
+  template <int dim>
+  struct ContactPoint
+  {
+    dealii::Point<dim>     position;
+    dealii::Tensor<1, dim> normal;    ///< unit, out of the master
+    double                 weight;    ///< area that the point stands for
+    double                 gap;       ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
+    double                 stiffness; ///< E/h of slave and master in series [force/length^3]
+    SparseRow              row;       ///< (u^S - u^M).n = sum row . d, hanging nodes resolved
+    /// Trace shape functions at the point: (first degree of freedom of the node, value), hanging
+    /// nodes resolved.
+    SparseRow shape;
+  };
+
+  /// The contact points of one pair on this rank (of locally owned slave faces) that have a
+  /// partner.
+  template <int dim>
+  struct ContactSurface
+  {
+    std::vector<ContactPoint<dim>> points;
+    /// (shape, weight) of points without a partner: what nodes at the rim of contact lose.
+    std::vector<std::pair<SparseRow, double>> unpaired;
+    SearchStatistics                          statistics;
+    unsigned int                              faces = 0;
+  };
+
+  /// Integrate the slave with n_points Gauss points a direction and find the partners. Collective.
+  /// @param obstacle null if the master is a boundary of a body
+  template <int dim>
+  ContactSurface<dim>
+  make_contact_surface(const Elasticity<dim>  &elasticity,
+                       const ContactPair<dim> &pair,
+                       const Obstacle<dim>    *obstacle,
+                       unsigned int            n_points);
+} // namespace Signorini

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <signorini/elasticity/boundary_conditions.h>
+#include <signorini/elasticity/material.h>
+#include <signorini/mesh/mesh.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <map>
+
+namespace Signorini
+{
+  /// Stiffness matrix of one cell, thesis (38).
+  template <int dim>
+  class StiffnessKernel
+  {
+  public:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    StiffnessKernel(const dealii::Mapping<dim> &mapping, const dealii::FESystem<dim> &fe);
+
+    void
+    assemble(const Cell &cell, const Material &material, dealii::FullMatrix<double> &cell_matrix);
+
+  private:
+    const dealii::FESystem<dim> &fe;
+    // The gradients of the scalar element serve all components.
+    dealii::FEValues<dim> values;
+  };
+
+  /// Load vector of one cell: body forces, tractions and pressures, thesis (39).
+  template <int dim>
+  class LoadKernel
+  {
+  public:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    LoadKernel(const Mesh<dim> &             mesh,
+               const dealii::FESystem<dim> & fe,
+               const std::vector<Load<dim>> &loads,
+               double                        t);
+
+    /// Returns false, and a zero vector, if nothing acts on the cell.
+    bool
+    assemble(const Cell &cell, dealii::Vector<double> &cell_load);
+
+  private:
+    void
+    add_body_force(const Cell &cell, const Load<dim> &load, dealii::Vector<double> &cell_load);
+    void
+    add_traction(const Cell &cell, unsigned int face, const Load<dim> &load, dealii::Vector<double> &cell_load);
+
+    const dealii::FESystem<dim> &fe;
+    const double                 t;
+    dealii::FEValues<dim>        values;
+    dealii::FEFaceValues<dim>    face_values;
+
+    std::map<unsigned int, std::vector<const Load<dim> *>>             by_body;
+    std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>> by_boundary;
+  };
+} // namespace Signorini

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <signorini/mesh/generator.h>
+#include <signorini/parameters/expression.h>
+
+namespace Signorini
+{
+  /// What the scene says about the mesh of one body.
+  template <int dim>
+  struct BodyMesh
+  {
+    std::string                         type = "box";
+    std::shared_ptr<MeshGenerator<dim>> generator;
+    VectorExpression<dim>               transformation; ///< empty: none
+    unsigned int                        refinements = 0;
+
+    void
+    declare(Section &section);
+  };
+} // namespace Signorini

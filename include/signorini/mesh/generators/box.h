@@ -1,0 +1,41 @@
+#pragma once
+
+#include <signorini/mesh/generators/named_surface.h>
+
+namespace Signorini
+{
+  /// A rectangle or cuboid along the axes, with cells that may grow geometrically along each axis.
+  /// Boundaries: left, right (low and high x); 2D: bottom, top (y); 3D: front, back (y), bottom,
+  /// top (z).
+  template <int dim>
+  class BoxMesh : public MeshGenerator<dim>
+  {
+  public:
+    BoxMesh();
+
+    void
+    declare(Section &section) override;
+
+    std::vector<std::string>
+    boundaries() const override;
+
+    CoarseMesh<dim>
+    generate() const override;
+
+    bool
+    curved() const override
+    {
+      return false;
+    }
+
+  private:
+    std::vector<NamedSurface<dim>>
+    surfaces() const;
+
+    std::string               corners;
+    std::vector<unsigned int> subdivisions;
+    std::vector<double>       grading;
+
+    dealii::Point<dim> low, high; ///< what `corners` says
+  };
+} // namespace Signorini

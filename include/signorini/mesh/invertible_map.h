@@ -1,0 +1,46 @@
+#pragma once
+
+#include <signorini/parameters/expression.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// A map x = F(X) given by formulas, and its inverse by Newton's method.
+  template <int dim>
+  class InvertibleMap
+  {
+  public:
+    /// `points` are spread over the region where the map is used: the inverse starts from that one
+    /// whose image is closest, which also settles which of several solutions is meant. Throws
+    /// SceneError if F leaves components free or is not finite there.
+    InvertibleMap(const VectorExpression<dim> &F, const std::vector<dealii::Point<dim>> &points);
+
+    dealii::Point<dim>
+    value(const dealii::Point<dim> &X) const;
+
+    /// dF/dX, by central differences.
+    dealii::Tensor<2, dim>
+    gradient(const dealii::Point<dim> &X) const;
+
+    /// Throws std::runtime_error if there is no X near the points.
+    dealii::Point<dim>
+    inverse(const dealii::Point<dim> &x) const;
+
+  private:
+    struct Pair
+    {
+      dealii::Point<dim> image, X;
+    };
+
+    const Pair &
+    nearest(const dealii::Point<dim> &x) const;
+
+    VectorExpression<dim> F;
+    std::vector<Pair>     pairs; ///< in the order of the first coordinate of the image
+    double                X_size = 0, x_size = 0;
+  };
+} // namespace Signorini

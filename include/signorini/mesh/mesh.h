@@ -1,0 +1,142 @@
+#pragma once
+
+#include <signorini/mesh/body_mesh.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/distributed/tria_base.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/grid/tria.h>
+
+namespace Signorini
+{
+  /// A part of space in which cells are refined before the first solution.
+  template <int dim>
+  struct RefinementZone
+  {
+    std::string     name;
+    Expression<dim> where{"1"}; ///< refined where positive (at a vertex or the center of the cell)
+    std::vector<std::string> bodies; ///< empty: all
+    std::string              place;  ///< of the bodies in the scene file
+    unsigned int             times = 1;
+
+    void
+    declare(Section &section);
+  };
+
+  template <int dim>
+  struct MeshSettings
+  {
+    std::string                      distribution        = "p4est";
+    unsigned int                     refinements         = 0;
+    unsigned int                     contact_refinements = 0;
+    unsigned int                     geometry_degree     = 0; ///< 0: 1 if all is straight, else 2
+    std::vector<RefinementZone<dim>> zones;
+
+    void
+    declare(Section &section);
+  };
+
+  /// The bodies' meshes, apart from each other, in one distributed triangulation. Material ids
+  /// count the bodies; boundary ids count the entries of boundaries().
+  template <int dim>
+  class Mesh
+  {
+  public:
+    /// @param bodies mesh of each body, and its name
+    /// @param contact_surfaces boundaries ("body.boundary") that take part in contact, in pairs
+    /// (slave, master); the master is empty for an obstacle.
+    Mesh(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
+         const MeshSettings<dim>                                  &settings,
+         const std::vector<std::pair<std::string, std::string>>   &contact_surfaces,
+         MPI_Comm                                                  comm);
+
+    const dealii::parallel::DistributedTriangulationBase<dim> &
+    triangulation() const
+    {
+      return *tria;
+    }
+
+    /// Needed to refine; the distribution METIS has a fixed mesh and refuses.
+    dealii::parallel::DistributedTriangulationBase<dim> &
+    triangulation()
+    {
+      return *tria;
+    }
+
+    const dealii::Mapping<dim> &
+    mapping() const
+    {
+      return *my_mapping;
+    }
+
+    unsigned int
+    geometry_degree() const
+    {
+      return degree;
+    }
+
+    MPI_Comm
+    communicator() const
+    {
+      return tria->get_communicator();
+    }
+
+    /// Bounding box of the vertices of one body, or of all. Collective.
+    dealii::BoundingBox<dim>
+    extent(unsigned int body = dealii::numbers::invalid_unsigned_int) const;
+
+    /// Diagonal of the bounding box of all bodies. Collective.
+    double
+    size() const;
+
+    unsigned int
+    n_bodies() const
+    {
+      return names.size();
+    }
+
+    const std::string &
+    body_name(unsigned int body) const
+    {
+      return names[body];
+    }
+
+    /// Boundary id of "body.boundary". Throws SceneError naming the boundaries there are.
+    dealii::types::boundary_id
+    boundary_id(const std::string &name) const;
+
+    const std::vector<std::string> &
+    boundaries() const
+    {
+      return boundary_names;
+    }
+
+  private:
+    CoarseMesh<dim>
+    merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies);
+    void
+    create(dealii::Triangulation<dim> &triangulation, const CoarseMesh<dim> &coarse) const;
+    void
+    refine_initially(
+      dealii::Triangulation<dim>                               &triangulation,
+      const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
+      const MeshSettings<dim>                                  &settings,
+      const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const;
+
+    std::vector<std::string> names, boundary_names;
+    unsigned int             degree = 1;
+
+    std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;
+    std::unique_ptr<dealii::Mapping<dim>>                                my_mapping;
+  };
+
+  /// Partition a serial triangulation by METIS into `n_parts`, so that cells that face each other
+  /// across a contact pair stay together where possible: such pairs are edges of the graph as
+  /// neighbours are.
+  template <int dim>
+  void
+  partition_by_metis(
+    dealii::Triangulation<dim> &triangulation,
+    unsigned int                n_parts,
+    const std::vector<std::pair<dealii::types::boundary_id, dealii::types::boundary_id>> &pairs);
+} // namespace Signorini

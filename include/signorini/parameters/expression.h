@@ -1,0 +1,74 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace dealii
+{
+  template <int dim>
+  class FunctionParser;
+}
+
+namespace Signorini
+{
+  /// A scalar function of the coordinates x, y (z in 3D) and the time t, given by a formula of muParser;
+  /// the constant `pi` is known. A formula that cannot be read throws SceneError on construction.
+  template <int dim>
+  class Expression
+  {
+  public:
+    Expression(const std::string &formula = "0");
+
+    double
+    value(const dealii::Point<dim> &p, double t = 0) const;
+
+    const std::string &
+    formula() const
+    {
+      return text;
+    }
+
+  private:
+    std::string                                  text;
+    std::shared_ptr<dealii::FunctionParser<dim>> parser;
+  };
+
+  /// One expression a component, separated by `;`. A component may be `free`: then it is not prescribed.
+  template <int dim>
+  class VectorExpression
+  {
+  public:
+    /// The empty text leaves all components free.
+    VectorExpression(const std::string &text = "");
+
+    bool
+    prescribed(unsigned int component) const
+    {
+      return components[component].has_value();
+    }
+
+    /// True if no component is prescribed.
+    bool
+    empty() const;
+
+    /// The components at p; free ones are zero.
+    dealii::Tensor<1, dim>
+    value(const dealii::Point<dim> &p, double t = 0) const;
+
+    std::string
+    text() const;
+
+  private:
+    std::array<std::optional<Expression<dim>>, dim> components;
+  };
+
+  /// Value of a formula in named constants, e.g. evaluate("2*a", {{"a", 3}}). Throws SceneError.
+  double
+  evaluate(const std::string &formula, const std::map<std::string, double> &constants);
+} // namespace Signorini

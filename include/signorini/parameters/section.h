@@ -1,0 +1,171 @@
+#pragma once
+
+#include <signorini/parameters/expression.h>
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/point.h>
+
+#include <iosfwd>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// Closed or half-open range of a number; the text of it goes into the error message.
+  struct Range
+  {
+    double      low            = -std::numeric_limits<double>::infinity();
+    double      high           = std::numeric_limits<double>::infinity();
+    bool        low_is_allowed = true, high_is_allowed = true;
+
+    bool
+    contains(double x) const;
+    std::string
+    text() const;
+  };
+
+  const Range positive{0, std::numeric_limits<double>::infinity(), false, true};
+  const Range non_negative{0, std::numeric_limits<double>::infinity(), true, true};
+
+  /// One section of the scene file, seen by the structs that live in it. Each struct has one function
+  /// `declare(Section &)` in which it binds its members: key, member (its value is the default), one
+  /// sentence of documentation with the unit. The same function serves to read a scene, to write the
+  /// resolved scene, and to write the commented template.
+  class Section
+  {
+  public:
+    /// Reading: values in `raw` overwrite the members; what is absent keeps its default.
+    explicit Section(RawSection &raw, const std::string &path = "");
+
+    /// Writing: `comments` adds the documentation of each key.
+    Section(std::ostream &out, bool comments, unsigned int indentation = 0);
+
+    template <typename T>
+    void
+    add(const std::string &key, T &value, const std::string &help, const Range &range = {});
+
+    /// A word out of a list.
+    void
+    add_choice(const std::string &key, std::string &value, const std::vector<std::string> &choices, const std::string &help);
+
+    /// A fixed subsection: body(section) declares what is in it.
+    template <typename Body>
+    void
+    add_section(const std::string &name, const std::string &help, Body body)
+    {
+      if (reading())
+        {
+          RawSection   nothing;
+          RawSection * child = open(name);
+          Section      section(child ? *child : nothing, path_of(name));
+          body(section);
+          section.close();
+        }
+      else
+        {
+          Section section = begin(name, help);
+          body(section);
+          end();
+        }
+    }
+
+    /// Items that the user names: first `Names = a, b`, then one subsection a name. T has a member
+    /// `std::string name` and a function declare(Section &).
+    template <typename T>
+    void
+    add_named(const std::string &name, std::vector<T> &items, const std::string &help)
+    {
+      add_section(name, help, [&](Section &list) {
+        std::vector<std::string> names;
+        for (const T &item : items)
+          names.push_back(item.name);
+        list.add("Names", names, "the names, separated by commas; each has its subsection");
+        if (list.reading())
+          {
+            list.check_names(names);
+            items.clear();
+            items.resize(names.size());
+            for (unsigned int i = 0; i < names.size(); ++i)
+              items[i].name = names[i];
+          }
+        for (T &item : items)
+          list.add_section(item.name, "", [&](Section &s) { item.declare(s); });
+      });
+    }
+
+    bool
+    reading() const
+    {
+      return raw != nullptr;
+    }
+
+    /// Where and how a key of this section was set, for messages about its value:
+    /// "scene.prm:12: Bodies/block/Mesh = ball". Works while reading.
+    std::string
+    place_of(const std::string &key) const;
+
+    /// Throws SceneError("PLACE: what").
+    [[noreturn]] void
+    fail(const std::string &key, const std::string &what) const;
+
+    const std::string &
+    path() const
+    {
+      return my_path;
+    }
+
+    /// Reading: complain about keys and subsections that nobody asked for.
+    void
+    close();
+
+  private:
+    std::string
+    path_of(const std::string &name) const;
+    RawSection *
+    open(const std::string &name);
+    Section
+    begin(const std::string &name, const std::string &help);
+    void
+    end();
+    void
+    check_names(const std::vector<std::string> &names) const;
+    void
+    write(const std::string &key, const std::string &value, const std::string &help);
+
+    RawSection * raw = nullptr;
+    std::string  my_path;
+
+    std::ostream *out         = nullptr;
+    bool          comments    = false;
+    unsigned int  indentation = 0;
+
+    std::vector<std::string> known_keys, known_sections;
+  };
+
+  /// A formula for a number is welcome wherever a number is: `set Poisson's ratio = 1/3`.
+  void
+  from_text(const std::string &text, double &value);
+  void
+  from_text(const std::string &text, unsigned int &value);
+  void
+  from_text(const std::string &text, bool &value);
+  void
+  from_text(const std::string &text, std::string &value);
+  void
+  from_text(const std::string &text, std::vector<std::string> &value);
+  void
+  from_text(const std::string &text, std::vector<double> &value);
+  void
+  from_text(const std::string &text, std::vector<unsigned int> &value);
+  template <int dim>
+  void
+  from_text(const std::string &text, dealii::Point<dim> &value);
+  template <int dim>
+  void
+  from_text(const std::string &text, Expression<dim> &value);
+  template <int dim>
+  void
+  from_text(const std::string &text, VectorExpression<dim> &value);
+} // namespace Signorini

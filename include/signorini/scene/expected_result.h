@@ -1,0 +1,31 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  class Section;
+
+  /// What the scene's author knows about the answer: the program compares and reports it, and
+  /// its exit code says whether it holds.
+  struct ExpectedResult
+  {
+    std::string              name;
+    std::vector<std::string> quantities; ///< "F = pairs/interface/force/1"
+    std::string              value, reference = "0";
+    double                   tolerance = 0.01, absolute_tolerance = 0;
+    std::string              source;
+
+    void
+    declare(Section &section);
+  };
+
+  /// Compare with the results of the last load step; print a table; add it to the results under
+  /// "expected". Returns true if all hold. Throws SceneError where a quantity does not exist.
+  bool
+  compare(const std::vector<ExpectedResult> &expected, nlohmann::ordered_json &results, std::ostream &out);
+} // namespace Signorini

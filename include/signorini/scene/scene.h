@@ -1,0 +1,91 @@
+#pragma once
+
+#include <signorini/accuracy/refinement.h>
+#include <signorini/contact/method.h>
+#include <signorini/contact/obstacle.h>
+#include <signorini/contact/pair.h>
+#include <signorini/elasticity/boundary_conditions.h>
+#include <signorini/elasticity/material.h>
+#include <signorini/mesh/mesh.h>
+#include <signorini/output/settings.h>
+#include <signorini/scene/expected_result.h>
+#include <signorini/solve/newton.h>
+
+namespace Signorini
+{
+  /// An elastic body: a mesh and a material.
+  template <int dim>
+  struct Body
+  {
+    std::string   name;
+    BodyMesh<dim> mesh;
+    Material      material;
+
+    void
+    declare(Section &section);
+  };
+
+  /// The method by which contact is imposed, and how its surfaces are integrated.
+  struct ContactSettings
+  {
+    std::string                                                        method = "Lagrange multiplier";
+    std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>> methods; ///< all, each with its keys
+    unsigned int                                                       quadrature_points = 0;
+
+    ContactSettings();
+
+    const ContactMethod &
+    chosen() const;
+
+    void
+    declare(Section &section);
+  };
+
+  struct LoadSteps
+  {
+    double       end_time = 1;
+    unsigned int number   = 1;
+
+    void
+    declare(Section &section);
+  };
+
+  /// All that the user said, in the order of the scene file, which is the order of the data.
+  template <int dim>
+  struct Scene
+  {
+    std::string title;
+    std::string name; ///< of the scene file, without folder and .prm
+
+    std::vector<Body<dim>>        bodies;
+    std::vector<Obstacle<dim>>    obstacles;
+    std::vector<Support<dim>>     supports;
+    std::vector<Load<dim>>        loads;
+    std::vector<ContactPair<dim>> pairs;
+    MeshSettings<dim>             mesh;
+    unsigned int                  degree = 1;
+    ContactSettings               contact;
+    RefinementSettings            refinement;
+    LoadSteps                     load_steps;
+    NewtonSettings                newton;
+    LinearSolverSettings          solver;
+    OutputSettings<dim>           output;
+    std::vector<ExpectedResult>   expected;
+
+    void
+    declare(Section &section);
+
+    /// Everything that can be wrong before a mesh is made: names that do not exist, choices that
+    /// contradict each other. Throws SceneError.
+    void
+    check() const;
+
+    /// The obstacle that is a pair's master, or null.
+    const Obstacle<dim> *
+    obstacle_of(const ContactPair<dim> &pair) const;
+
+    /// A scene with one item of each kind, for the template.
+    static Scene
+    example();
+  };
+} // namespace Signorini

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <signorini/output/results.h>
+#include <signorini/output/writer.h>
+#include <signorini/scene/scene.h>
+
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
+
+#include <memory>
+
+namespace Signorini
+{
+  /// Exit codes of the program.
+  enum ExitCode
+  {
+    solved        = 0,
+    internal_error = 1,
+    bad_scene     = 2, ///< or bad command line
+    not_converged = 3,
+    missed        = 4 ///< solved, but an expected result of the scene is missed
+  };
+
+  /// One run: scene -> mesh -> solve -> estimate -> refine -> load history -> results.
+  template <int dim>
+  class Simulation
+  {
+  public:
+    Simulation(const Scene<dim> &scene, MPI_Comm comm);
+
+    /// Print what will be solved, and solve nothing.
+    void
+    preflight();
+
+    ExitCode
+    run();
+
+  private:
+    // In the order in which they happen.
+    void
+    set_up();
+    void
+    report_set_up();
+    void
+    build_contact();
+    bool
+    solve(double t);
+    void
+    refine_mesh();
+    void
+    run_load_history();
+    void
+    record_step(unsigned int step, double t);
+    ExitCode
+    finish();
+
+    const Scene<dim>           scene;
+    const MPI_Comm             comm;
+    dealii::ConditionalOStream out;
+    dealii::TimerOutput        timer;
+    dealii::Timer              clock;
+
+    std::unique_ptr<Mesh<dim>>       mesh;
+    std::unique_ptr<Elasticity<dim>> elasticity;
+    std::vector<ContactSurface<dim>> surfaces;
+    std::unique_ptr<GapOperator>     contact;
+    std::unique_ptr<Newton>          newton;
+
+    LA::Vector displacement, pressure;
+
+    std::unique_ptr<Writer<dim>> writer;
+    NewtonReport                 report;
+    Json                         results;
+  };
+} // namespace Signorini

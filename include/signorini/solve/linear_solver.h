@@ -1,0 +1,66 @@
+#pragma once
+
+#include <signorini/solve/preconditioner.h>
+
+#include <deal.II/base/timer.h>
+
+#include <stdexcept>
+
+namespace Signorini
+{
+  class Section;
+
+  /// The solution could not be found. All ranks throw it alike.
+  class SolverFailure : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  struct LinearSolverSettings
+  {
+    std::string  preconditioner     = "contact filter";
+    std::string  krylov             = "auto";
+    std::string  direct_solver      = "auto";
+    double       reduction          = 1e-6;
+    unsigned int maximum_iterations = 1000;
+
+    void
+    declare(Section &section);
+  };
+
+  /// Solves the contact systems of one mesh. The multigrid hierarchy is built once; what changes with
+  /// the active set is what the preconditioner keeps on the surface.
+  class LinearSolver
+  {
+  public:
+    /// @param modes rigid-body modes for AMG
+    LinearSolver(const LinearSolverSettings &            settings,
+                 const ContactSystem &                   system,
+                 const std::vector<std::vector<double>> &modes,
+                 unsigned int                            dim,
+                 dealii::TimerOutput &                   timer);
+
+    /// The system's active set has changed.
+    void
+    update();
+
+    /// Solve from a zero start until the residual has fallen by the reduction of the settings, or below the
+    /// absolute tolerance. Returns the number of iterations; throws SolverFailure.
+    unsigned int
+    solve(LA::BlockVector &x, const LA::BlockVector &rhs, double absolute_tolerance);
+
+    unsigned int
+    v_cycles() const
+    {
+      return amg ? amg->v_cycles() : 0;
+    }
+
+  private:
+    const LinearSolverSettings      settings;
+    const ContactSystem &           system;
+    dealii::TimerOutput &           timer;
+    std::unique_ptr<AMG>            amg;
+    std::unique_ptr<Preconditioner> preconditioner;
+  };
+} // namespace Signorini

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <signorini/contact/method.h>
+#include <signorini/solve/linear_solver.h>
+
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  struct NewtonSettings
+  {
+    unsigned int maximum_steps = 40;
+    double       tolerance     = 1e-10;
+
+    void
+    declare(Section &section);
+  };
+
+  struct NewtonStep
+  {
+    unsigned int active = 0, changes = 0, krylov_iterations = 0;
+    double       residual = 0, gap_residual = 0, damping = 1;
+  };
+
+  struct NewtonReport
+  {
+    bool                    converged = false;
+    std::string             reason; ///< why not
+    std::vector<NewtonStep> steps;
+  };
+
+  /// Semismooth Newton method for K u = f + B^T W p with the contact law between p and the gap: since all
+  /// else is linear, it is the primal-dual active set strategy (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13
+  /// (2003) 865). Lives as long as the mesh does.
+  ///
+  /// Globalised: methods without multipliers minimise a convex energy, along which each step is
+  /// searched exactly (it costs vectors of the surface only). Methods with multipliers watch for cycles of the
+  /// active set and then change one point at a time, the worst.
+  class Newton
+  {
+  public:
+    Newton(const NewtonSettings &                   settings,
+           const LinearSolverSettings &             linear_settings,
+           const ContactMethod &                    method,
+           const LA::SparseMatrix &                 stiffness,
+           const dealii::AffineConstraints<double> &constraints,
+           const GapOperator &                      contact,
+           const std::vector<std::vector<double>> & modes,
+           unsigned int                             dim,
+           dealii::TimerOutput &                    timer);
+
+    /// @param f load vector with prescribed displacements eliminated
+    /// @param u in: start, with the prescribed displacements of this step; out: solution
+    /// @param p pressure at the contact points, in: start, out: solution
+    NewtonReport
+    solve(const LA::Vector &f, LA::Vector &u, LA::Vector &p, dealii::ConditionalOStream &out);
+
+    unsigned int
+    v_cycles() const
+    {
+      return linear_solver.v_cycles();
+    }
+
+    /// The active set that belongs to the last solution: 1 or 0.
+    const LA::Vector &
+    active() const
+    {
+      return active_set;
+    }
+
+    /// Names of the contact points that changed in the last steps, for messages.
+    std::string
+    chattering_points() const;
+
+  private:
+    void
+    update_active_set(const LA::Vector &gap, LA::Vector &p, NewtonStep &step);
+    void
+    keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p_before, LA::Vector &p);
+    bool
+    seen_before();
+    LA::Vector
+    residual(const LA::Vector &f, const LA::Vector &u, const LA::Vector &p);
+    double
+    line_search(const LA::Vector &r, const LA::Vector &gap, const LA::Vector &p, const LA::Vector &du) const;
+
+    const NewtonSettings                     settings;
+    const ContactMethod &                    method;
+    const LA::SparseMatrix &                 K;
+    const dealii::AffineConstraints<double> &constraints;
+    const GapOperator &                      contact;
+    ContactSystem                            system;
+    LinearSolver                             linear_solver;
+
+    LA::Vector         active_set, last_active_set, changes;
+    std::set<uint64_t> history;
+    bool               cautious    = false;
+    double             force_scale = 0;
+  };
+} // namespace Signorini

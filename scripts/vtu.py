@@ -1,0 +1,97 @@
+"""Read the VTU files of the program, without VTK: only NumPy and the standard library are needed."""
+
+import base64
+import zlib
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+# Corners of a cell by its VTK type: quadrilaterals and hexahedra, plain (9, 12) or Lagrange cells of higher order
+# (70, 72). The latter begin with their corners as well, and corners suffice for a picture.
+CORNERS = {9: 4, 70: 4, 12: 8, 72: 8}
+
+
+@dataclass
+class Mesh:
+    points: np.ndarray  # (n, 3), reference positions; each cell has its own copies of its points
+    cells: np.ndarray  # (m, 4) in 2D or (m, 8) in 3D, indices of points in VTK's order
+    fields: dict  # name -> (n,) or (n, components)
+
+    @property
+    def dimension(self):
+        return 2 if self.cells.shape[1] == 4 else 3
+
+    def field(self, name):
+        """The field of that name; 'von Mises' and 'von_mises' are the same name."""
+        plain = {key.lower().replace(" ", "_"): key for key in self.fields}
+        try:
+            return self.fields[plain[name.lower().replace(" ", "_")]]
+        except KeyError:
+            raise SystemExit(f"There is no field '{name}'; there are: {', '.join(sorted(self.fields))}.") from None
+
+
+def read(path):
+    """The mesh in a .vtu, in all pieces of a .pvtu, or in the last step of a .pvd file."""
+    path = Path(path)
+    root = ElementTree.parse(path).getroot()
+    if root.get("type") == "Collection":
+        return read(path.parent / root.findall("Collection/DataSet")[-1].get("file"))
+    if root.get("type") == "PUnstructuredGrid":
+        return merge([read(path.parent / piece.get("Source")) for piece in root.iter("Piece")])
+    return merge([read_piece(piece, root) for piece in root.iter("Piece")])
+
+
+def merge(meshes):
+    # A rank without cells writes an empty piece, which lacks most arrays.
+    meshes = [mesh for mesh in meshes if len(mesh.cells)] or meshes[:1]
+    first_point = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
+    return Mesh(
+        points=np.concatenate([mesh.points for mesh in meshes]),
+        cells=np.concatenate([mesh.cells + first for mesh, first in zip(meshes, first_point)]),
+        fields={name: np.concatenate([mesh.fields[name] for mesh in meshes]) for name in meshes[0].fields},
+    )
+
+
+def read_piece(piece, root):
+    if int(piece.get("NumberOfCells")) == 0:
+        return Mesh(np.empty((0, 3)), np.empty((0, 4), int), {})
+    arrays = {array.get("Name"): read_array(array, root) for array in piece.find("Cells")}
+    starts = np.concatenate([[0], arrays["offsets"][:-1].astype(int)])
+    cells = arrays["connectivity"].astype(int)[starts[:, None] + np.arange(CORNERS[arrays["types"][0]])]
+
+    points = read_array(piece.find("Points")[0], root)
+    fields = {array.get("Name"): read_array(array, root) for array in piece.findall("PointData/DataArray")}
+    for array in piece.findall("CellData/DataArray"):  # cells do not share points, so this loses nothing
+        values = read_array(array, root)
+        fields[array.get("Name")] = at_points = np.zeros((len(points), *values.shape[1:]))
+        at_points[cells] = values[:, None]
+
+    corners = np.unique(cells)
+    if len(corners) < len(points):
+        points, fields = points[corners], {name: values[corners] for name, values in fields.items()}
+        cells = np.searchsorted(corners, cells)
+    return Mesh(points, cells, fields)
+
+
+def read_array(array, root):
+    """One DataArray, as text or as zlib-compressed blocks in base64."""
+    number = np.dtype(array.get("type").lower())
+    text = "".join((array.text or "").split()) if array.get("format") == "binary" else array.text or ""
+    if array.get("format") != "binary":
+        values = np.array(text.split(), number)
+    else:
+        # The header (number of blocks, size of a block, size of the last block, compressed size of each block) is
+        # encoded apart from the blocks, so it ends at a multiple of four characters.
+        word = np.dtype(root.get("header_type", "UInt32").lower())
+        n_blocks = int(np.frombuffer(base64.b64decode(text[:12]), word, 1)[0])
+        length = -(-(3 + n_blocks) * word.itemsize // 3) * 4
+        sizes = np.frombuffer(base64.b64decode(text[:length]), word)[3:]
+        data, blocks, start = base64.b64decode(text[length:]), [], 0
+        for size in sizes.astype(int):
+            blocks.append(zlib.decompress(data[start : start + size]))
+            start += size
+        values = np.frombuffer(b"".join(blocks), number)
+    components = int(array.get("NumberOfComponents", 1))
+    return values.reshape(-1, components) if components > 1 else values

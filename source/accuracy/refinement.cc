@@ -1,0 +1,96 @@
+#include <signorini/accuracy/refinement.h>
+#include <signorini/parameters/section.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/distributed/grid_refinement.h>
+#include <deal.II/distributed/solution_transfer.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/numerics/error_estimator.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  void
+  RefinementSettings::declare(Section &section)
+  {
+    section.add("Refinement cycles", cycles, "how often the mesh is refined and the scene solved again");
+    section.add_choice("Strategy",
+                       strategy,
+                       {"estimator", "global"},
+                       "estimator: where stress jumps between cells; global: everywhere");
+    section.add("Refine fraction", refine_fraction, "share of the cells that are refined", Range{0, 1});
+    section.add("Coarsen fraction", coarsen_fraction, "share of the cells that are coarsened", Range{0, 1});
+    section.add("Maximum cells", maximum_cells, "no refinement beyond", positive);
+    if (refine_fraction + coarsen_fraction > 1)
+      section.fail("Refine fraction", "plus Coarsen fraction must not exceed 1");
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    Vector<float>
+    estimate(const Elasticity<dim> &elasticity, const LA::Vector &displacement)
+    {
+      Vector<float> error(elasticity.mesh().triangulation().n_active_cells());
+      KellyErrorEstimator<dim>::estimate(elasticity.mesh().mapping(),
+                                         elasticity.dof_handler(),
+                                         QGauss<dim - 1>(elasticity.degree() + 1),
+                                         {},
+                                         elasticity.with_ghosts(displacement),
+                                         error);
+      for (const auto &cell : elasticity.mesh().triangulation().active_cell_iterators())
+        if (cell->is_locally_owned())
+          error[cell->active_cell_index()] *= std::sqrt(elasticity.material(cell->material_id()).youngs_modulus);
+      return error;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  refine(const RefinementSettings &       settings,
+         Mesh<dim> &                      mesh,
+         Elasticity<dim> &                elasticity,
+         const LA::Vector &               displacement,
+         const std::vector<LA::Vector *> &vectors)
+  {
+    auto &triangulation = dynamic_cast<parallel::distributed::Triangulation<dim> &>(mesh.triangulation());
+    const Vector<float> error = estimate(elasticity, displacement);
+    if (settings.strategy == "global")
+      triangulation.set_all_refine_flags();
+    else
+      parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
+        triangulation, error, settings.refine_fraction, settings.coarsen_fraction, settings.maximum_cells);
+
+    std::vector<LA::Vector>         ghosted;
+    std::vector<const LA::Vector *> in;
+    for (const LA::Vector *v : vectors)
+      ghosted.push_back(elasticity.with_ghosts(*v));
+    for (const LA::Vector &v : ghosted)
+      in.push_back(&v);
+    parallel::distributed::SolutionTransfer<dim, LA::Vector> transfer(elasticity.dof_handler());
+    triangulation.prepare_coarsening_and_refinement();
+    transfer.prepare_for_coarsening_and_refinement(in);
+    triangulation.execute_coarsening_and_refinement();
+
+    elasticity.setup();
+    std::vector<LA::Vector *> out = vectors;
+    for (LA::Vector *v : out)
+      *v = elasticity.zero_vector();
+    transfer.interpolate(out);
+    return std::sqrt(Utilities::MPI::sum(error.norm_sqr(), mesh.communicator()));
+  }
+
+
+
+  template double
+  refine(const RefinementSettings &, Mesh<2> &, Elasticity<2> &, const LA::Vector &, const std::vector<LA::Vector *> &);
+  template double
+  refine(const RefinementSettings &, Mesh<3> &, Elasticity<3> &, const LA::Vector &, const std::vector<LA::Vector *> &);
+} // namespace Signorini

@@ -1,0 +1,177 @@
+#include <signorini/contact/local_faces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double same          = 1e-9; // of a face's diameter: equal distances, equal centers
+    constexpr double rim_tolerance = 1e-6; // of a face's diameter: rounding of matching rims
+    constexpr double widest_wedge  = 0.3;  // tangential over normal distance
+    constexpr double facing_cosine = -0.1;
+
+    template <int dim>
+    bool
+    center_is_smaller(const Candidate<dim> &a, const Candidate<dim> &b)
+    {
+      const double tolerance = std::max(a.tolerance, b.tolerance);
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double difference = a.partner.face_center[d] - b.partner.face_center[d];
+          if (std::abs(difference) > tolerance)
+            return difference < 0;
+        }
+      return false;
+    }
+
+    template <int dim>
+    std::vector<BoundingBox<dim>>
+    boxes_of(const std::vector<FacePatch<dim>> &patches)
+    {
+      std::vector<BoundingBox<dim>> boxes;
+      boxes.reserve(patches.size());
+      for (const FacePatch<dim> &patch : patches)
+        boxes.push_back(patch.box());
+      return boxes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  distance(const Point<dim> &x, const BoundingBox<dim> &box)
+  {
+    const auto &[lower, upper] = box.get_boundary_points();
+    double square              = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double outside = std::max({lower[d] - x[d], 0., x[d] - upper[d]});
+        square += outside * outside;
+      }
+    return std::sqrt(square);
+  }
+
+
+
+  // The nearest candidate. Being as near as another is no transitive relation, therefore the
+  // least distance comes first. Among equals a face that the point lies above goes before one
+  // that it overhangs: over a convex edge the two faces see the point under different angles.
+  template <int dim>
+  const Candidate<dim> *
+  nearest(const std::vector<Candidate<dim>> &candidates)
+  {
+    double least = std::numeric_limits<double>::max();
+    for (const Candidate<dim> &c : candidates)
+      least = std::min(least, c.partner.distance);
+
+    const Candidate<dim> *best = nullptr;
+    for (const Candidate<dim> &c : candidates)
+      if (c.partner.distance <= least + c.tolerance)
+        if (best == nullptr || c.overhangs < best->overhangs ||
+            (c.overhangs == best->overhangs && center_is_smaller(c, *best)))
+          best = &c;
+    return best;
+  }
+
+
+
+  template <int dim>
+  LocalFaces<dim>::LocalFaces(const MasterFaces<dim> &master, SearchStatistics &statistics)
+    : master(master)
+    , statistics(statistics)
+    , boxes(boxes_of(master.patches))
+    , tree(pack_rtree_of_indices(boxes))
+  {
+    for (const FacePatch<dim> &patch : master.patches)
+      {
+        if (rank_box.empty)
+          rank_box.box = patch.box();
+        rank_box.box.merge_with(patch.box());
+        rank_box.empty     = false;
+        rank_box.tolerance = std::max(rank_box.tolerance, same * patch.diameter());
+      }
+  }
+
+
+
+  template <int dim>
+  std::optional<Candidate<dim>>
+  LocalFaces<dim>::candidate(const Query<dim> &query, const unsigned int face)
+  {
+    const FacePatch<dim> &patch      = master.patches[face];
+    const Projection<dim> projection = project(query.point, patch);
+    ++statistics.projections;
+    if (!projection.converged_by_newton)
+      ++statistics.fallbacks;
+
+    Candidate<dim> c;
+    c.partner.normal = patch.normal(projection.xi);
+    if (!(projection.distance <= query.limit) || !(query.normal * c.partner.normal < facing_cosine))
+      return {};
+    c.partner.position    = projection.position;
+    c.partner.distance    = projection.distance;
+    c.partner.face_center = patch.center();
+    c.partner.stiffness   = 0;
+    c.tolerance           = same * patch.diameter();
+    c.face                = face;
+    c.xi                  = projection.xi;
+
+    // In the interior of a face the offset is zero. At a convex edge of a faceted surface the
+    // points of the wedge above it belong to no face; they are ours. What is farther out is
+    // beside the body.
+    const double offset = projection.tangential_offset;
+    const double above  = std::abs((query.point - projection.position) * c.partner.normal);
+    c.overhangs = offset > rim_tolerance * patch.diameter() && offset > widest_wedge * above;
+    return c;
+  }
+
+
+
+  template <int dim>
+  std::optional<Candidate<dim>>
+  LocalFaces<dim>::find(const Query<dim> &query)
+  {
+    if (boxes.empty()) // of which boost would not ask for the nearest
+      return {};
+    candidates.clear();
+    double     limit = query.limit;
+    const auto next  = boost::geometry::index::nearest(query.point, tree.size());
+    for (auto face = tree.qbegin(next); face != tree.qend(); ++face)
+      {
+        if (distance(query.point, boxes[*face]) > limit)
+          break;
+        if (std::optional<Candidate<dim>> c = candidate(query, *face))
+          {
+            limit = std::min(limit, c->partner.distance + rank_box.tolerance);
+            candidates.push_back(std::move(*c));
+          }
+      }
+
+    const Candidate<dim> *best = nearest(candidates);
+    if (best == nullptr)
+      return {};
+    Candidate<dim> result = *best;
+    if (!result.overhangs)
+      master.complete(result.face, result.xi, result.partner);
+    return result;
+  }
+
+
+
+  template class LocalFaces<2>;
+  template double
+  distance<2>(const Point<2> &, const BoundingBox<2> &);
+  template const Candidate<2> *
+  nearest<2>(const std::vector<Candidate<2>> &);
+  template class LocalFaces<3>;
+  template double
+  distance<3>(const Point<3> &, const BoundingBox<3> &);
+  template const Candidate<3> *
+  nearest<3>(const std::vector<Candidate<3>> &);
+} // namespace Signorini

@@ -1,0 +1,90 @@
+#include <signorini/contact/method.h>
+#include <signorini/contact/methods/lagrange_multiplier.h>
+#include <signorini/contact/methods/penalty.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <functional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Maker = std::function<std::shared_ptr<ContactMethod>()>;
+
+    // The registry: one line a method.
+    const std::vector<std::pair<std::string, Maker>> registry = {
+      {"penalty", [] { return std::make_shared<Penalty>(); }},
+      {"Lagrange multiplier", [] { return std::make_shared<LagrangeMultiplier>(); }}};
+  } // namespace
+
+
+
+  const std::vector<std::string> &
+  method_names()
+  {
+    static const std::vector<std::string> names = [] {
+      std::vector<std::string> list;
+      for (const auto &entry : registry)
+        list.push_back(entry.first);
+      return list;
+    }();
+    return names;
+  }
+
+
+
+  std::shared_ptr<ContactMethod>
+  ContactMethod::create(const std::string &name)
+  {
+    for (const auto &[known, make] : registry)
+      if (known == name)
+        return make();
+    AssertThrow(false, ExcMessage("unknown contact method " + name));
+    return nullptr;
+  }
+
+
+
+  unsigned int
+  apply_contact_law(const ContactMethod &method,
+                    const GapOperator &  contact,
+                    const LA::Vector &   gap,
+                    LA::Vector &         pressure,
+                    LA::Vector &         active)
+  {
+    const bool   multipliers = method.has_multipliers();
+    const double factor      = method.factor();
+    unsigned int n_active    = 0;
+    for (const auto i : contact.weight.locally_owned_elements())
+      {
+        const double predicted = multipliers ? pressure(i) : 0.;
+        const double bracket   = predicted - factor * contact.stiffness(i) * gap(i);
+        const bool   touches   = bracket > 0 && contact.weight(i) > 0;
+        active(i)              = touches ? 1. : 0.;
+        pressure(i)            = touches ? (multipliers ? predicted : bracket) : 0.;
+        n_active += touches;
+      }
+    active.compress(VectorOperation::insert);
+    pressure.compress(VectorOperation::insert);
+    return Utilities::MPI::sum(n_active, active.get_mpi_communicator());
+  }
+
+
+
+  ContactConditions
+  contact_conditions(const LA::Vector &gap, const LA::Vector &pressure)
+  {
+    std::array<double, 3> worst{{0, 0, 0}};
+    for (const auto i : gap.locally_owned_elements())
+      {
+        worst[0] = std::max(worst[0], -gap(i));
+        worst[1] = std::max(worst[1], -pressure(i));
+        worst[2] = std::max(worst[2], std::abs(gap(i) * pressure(i)));
+      }
+    const MPI_Comm comm = gap.get_mpi_communicator();
+    return {Utilities::MPI::max(worst[0], comm), Utilities::MPI::max(worst[1], comm), Utilities::MPI::max(worst[2], comm)};
+  }
+} // namespace Signorini

@@ -1,0 +1,62 @@
+#include <signorini/contact/obstacles/shapes.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Cylinder : public ObstacleShape<dim>
+    {
+    public:
+      Cylinder()
+      {
+        axis[dim - 1] = 1;
+      }
+
+      void
+      declare(Section &section) override
+      {
+        section.add("Center", center, "a point of the axis [length]");
+        if (dim == 3)
+          section.add("Axis", axis, "direction of the axis, any length");
+        section.add("Radius", radius, "[length]", positive);
+        section.add("Hollow", hollow, "yes: the body is inside, in a bore");
+        if (axis.norm() == 0)
+          section.fail("Axis", "must not be zero");
+      }
+
+      ObstaclePlace<dim>
+      closest(const Point<dim> &x) const override
+      {
+        Tensor<1, dim> r = x - center;
+        if (dim == 3)
+          r -= (r * axis) / axis.norm_square() * axis;
+        const double distance = r.norm();
+        AssertThrow(distance > 0,
+                    ExcMessage("a contact point lies on the axis of a cylindrical obstacle: it has no closest point"));
+        const Tensor<1, dim> n = r / distance;
+        return hollow ? ObstaclePlace<dim>{radius - distance, -n} : ObstaclePlace<dim>{distance - radius, n};
+      }
+
+    private:
+      Point<dim> center, axis;
+      double     radius = 1;
+      bool       hollow = false;
+    };
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_cylinder()
+  {
+    return std::make_unique<Cylinder<dim>>();
+  }
+
+  template std::unique_ptr<ObstacleShape<2>>
+  make_cylinder();
+  template std::unique_ptr<ObstacleShape<3>>
+  make_cylinder();
+} // namespace Signorini

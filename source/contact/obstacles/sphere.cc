@@ -1,0 +1,53 @@
+#include <signorini/contact/obstacles/shapes.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Sphere : public ObstacleShape<dim>
+    {
+    public:
+      void
+      declare(Section &section) override
+      {
+        section.add("Center", center, "[length]");
+        section.add("Radius", radius, "[length]", positive);
+        section.add("Hollow", hollow, "yes: the body is inside, in a spherical seat");
+      }
+
+      ObstaclePlace<dim>
+      closest(const Point<dim> &x) const override
+      {
+        const Tensor<1, dim> r        = x - center;
+        const double         distance = r.norm();
+        Tensor<1, dim>       n        = r;
+        if (distance > 0)
+          n /= distance;
+        else
+          n[dim - 1] = 1; // in the very center all directions are alike
+        return hollow ? ObstaclePlace<dim>{radius - distance, -n} : ObstaclePlace<dim>{distance - radius, n};
+      }
+
+    private:
+      Point<dim> center;
+      double     radius = 1;
+      bool       hollow = false;
+    };
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_sphere()
+  {
+    return std::make_unique<Sphere<dim>>();
+  }
+
+  template std::unique_ptr<ObstacleShape<2>>
+  make_sphere();
+  template std::unique_ptr<ObstacleShape<3>>
+  make_sphere();
+} // namespace Signorini

@@ -1,0 +1,40 @@
+#include <signorini/contact/pair.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  template <int dim>
+  void
+  ContactPair<dim>::declare(Section &section)
+  {
+    section.add("Slave", slave, "BODY.BOUNDARY; contact is integrated over it: take the finer or softer side");
+    section.add("Master", master, "BODY.BOUNDARY, or the name of an obstacle");
+    section.add("Initial gap",
+                initial_gap,
+                "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z [length]");
+    section.add("Search distance",
+                search_distance,
+                "points that are farther apart at the start never touch; 0: a tenth of the size of the scene [length]",
+                non_negative);
+    if (!section.reading())
+      return;
+    slave_place  = section.place_of("Slave");
+    master_place = section.place_of("Master");
+    if (slave.empty())
+      section.fail("Slave", "is needed");
+    if (master.empty())
+      section.fail("Master", "is needed");
+    if (initial_gap != "from geometry" && initial_gap != "closed")
+      try
+        {
+          Expression<dim>{initial_gap};
+        }
+      catch (const SceneError &error)
+        {
+          section.fail("Initial gap", std::string(error.what()) + "; or write 'from geometry' or 'closed'");
+        }
+  }
+
+  template struct ContactPair<2>;
+  template struct ContactPair<3>;
+} // namespace Signorini

@@ -1,0 +1,234 @@
+#include <signorini/elasticity/elasticity.h>
+#include <signorini/elasticity/expression_function.h>
+#include <signorini/elasticity/kernel.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+#include <deal.II/numerics/vector_tools_boundary.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Elasticity<dim>::Elasticity(const Mesh<dim> &                mesh,
+                              const std::vector<Material> &    materials,
+                              const std::vector<Support<dim>> &supports,
+                              const std::vector<Load<dim>> &   loads,
+                              const unsigned int               degree)
+    : my_mesh(mesh)
+    , materials(materials)
+    , my_supports(supports)
+    , loads(loads)
+    , fe(FE_Q<dim>(degree), dim)
+    , dofs(mesh.triangulation())
+  {}
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::setup()
+  {
+    dofs.distribute_dofs(fe);
+    locally_owned = dofs.locally_owned_dofs();
+    DoFTools::extract_locally_relevant_dofs(dofs, locally_relevant);
+
+    hanging.reinit(locally_relevant);
+    DoFTools::make_hanging_node_constraints(dofs, hanging);
+    hanging.close();
+
+    make_constraints(0);
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::set_time(const double t)
+  {
+    if (t != time)
+      make_constraints(t);
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::make_constraints(const double t)
+  {
+    time = t;
+    all_constraints.reinit(locally_relevant);
+    all_constraints.merge(hanging);
+    for (const Support<dim> &support : my_supports)
+      {
+        const DisplacementFunction<dim> displacement(support.displacement, t);
+        ComponentMask                   mask(dim, false);
+        for (unsigned int d = 0; d < dim; ++d)
+          mask.set(d, support.displacement.prescribed(d));
+        for (const std::string &boundary : support.boundaries)
+          VectorTools::interpolate_boundary_values(my_mesh.mapping(),
+                                                   dofs,
+                                                   my_mesh.boundary_id(boundary),
+                                                   displacement,
+                                                   all_constraints,
+                                                   mask);
+      }
+    all_constraints.close();
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::assemble()
+  {
+    TrilinosWrappers::SparsityPattern sparsity(locally_owned,
+                                               locally_owned,
+                                               locally_relevant,
+                                               my_mesh.communicator());
+    DoFTools::make_sparsity_pattern(
+      dofs, sparsity, all_constraints, false, Utilities::MPI::this_mpi_process(my_mesh.communicator()));
+    sparsity.compress();
+    matrix.reinit(sparsity);
+
+    StiffnessKernel<dim>                 kernel(my_mesh.mapping(), fe);
+    FullMatrix<double>                   cell_matrix(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
+          cell->get_dof_indices(indices);
+          all_constraints.distribute_local_to_global(cell_matrix, indices, matrix);
+        }
+    matrix.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  Elasticity<dim>::load() const
+  {
+    LA::Vector           f = zero_vector();
+    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe);
+    LoadKernel<dim>      load_kernel(my_mesh, fe, loads, time);
+
+    const unsigned int                   n = fe.n_dofs_per_cell();
+    FullMatrix<double>                   cell_matrix(n);
+    Vector<double>                       cell_load(n);
+    std::vector<types::global_dof_index> indices(n);
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(indices);
+          const bool loaded = load_kernel.assemble(cell, cell_load);
+          const bool moved  = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+            return all_constraints.is_inhomogeneously_constrained(i);
+          });
+          // Only these few cells need their matrix again: K of the others stays untouched.
+          if (moved)
+            kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
+          if (moved)
+            all_constraints.distribute_local_to_global(cell_load, indices, f, cell_matrix);
+          else if (loaded)
+            all_constraints.distribute_local_to_global(cell_load, indices, f);
+        }
+    f.compress(VectorOperation::add);
+    all_constraints.set_zero(f);
+    return f;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  Elasticity<dim>::lift() const
+  {
+    LA::Vector u = zero_vector();
+    distribute(u);
+    return u;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  Elasticity<dim>::with_ghosts(const LA::Vector &u) const
+  {
+    LA::Vector ghosted(locally_owned, locally_relevant, my_mesh.communicator());
+    ghosted = u;
+    return ghosted;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  Elasticity<dim>::reactions(const LA::Vector &u, const LA::Vector &contact_force) const
+  {
+    // Unconstrained residual: internal forces - loads, hanging nodes resolved.
+    const LA::Vector     ghosted  = with_ghosts(u);
+    LA::Vector           residual = zero_vector();
+    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe);
+    LoadKernel<dim>      load_kernel(my_mesh, fe, loads, time);
+
+    const unsigned int                   n = fe.n_dofs_per_cell();
+    FullMatrix<double>                   cell_matrix(n);
+    Vector<double>                       cell_force(n), cell_load(n), values(n);
+    std::vector<types::global_dof_index> indices(n);
+    Tensor<1, dim>                       total_load;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(indices);
+          const bool loaded    = load_kernel.assemble(cell, cell_load);
+          const bool supported = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+            return all_constraints.is_constrained(i);
+          });
+          for (unsigned int i = 0; loaded && i < n; ++i)
+            total_load[fe.system_to_component_index(i).first] += cell_load[i];
+          if (!supported && !loaded)
+            continue;
+          kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
+          cell->get_dof_values(ghosted, values);
+          cell_matrix.vmult(cell_force, values);
+          if (loaded)
+            cell_force -= cell_load;
+          hanging.distribute_local_to_global(cell_force, indices, residual);
+        }
+    residual.compress(VectorOperation::add);
+    residual -= contact_force;
+
+    std::vector<Tensor<1, dim>> result;
+    for (const Support<dim> &support : my_supports)
+      {
+        std::set<types::boundary_id> ids;
+        for (const std::string &boundary : support.boundaries)
+          ids.insert(my_mesh.boundary_id(boundary));
+        Tensor<1, dim> force;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (support.displacement.prescribed(d))
+            {
+              ComponentMask mask(dim, false);
+              mask.set(d, true);
+              for (const auto i : DoFTools::extract_boundary_dofs(dofs, mask, ids) & locally_owned)
+                if (all_constraints.is_constrained(i) && !hanging.is_constrained(i))
+                  force[d] += residual(i);
+            }
+        result.push_back(Utilities::MPI::sum(force, my_mesh.communicator()));
+      }
+    result.push_back(Utilities::MPI::sum(total_load, my_mesh.communicator()));
+    return result;
+  }
+
+
+
+  template class Elasticity<2>;
+  template class Elasticity<3>;
+} // namespace Signorini

@@ -1,0 +1,162 @@
+#include <signorini/mesh/generator.h>
+#include <signorini/mesh/generators/box.h>
+#include <signorini/mesh/generators/disc.h>
+#include <signorini/mesh/generators/file.h>
+#include <signorini/mesh/generators/ring.h>
+#include <signorini/mesh/generators/shell.h>
+#include <signorini/mesh/generators/sphere.h>
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Boundary faces stay, as do interior objects that have a manifold; the rest says nothing.
+    template <typename Object>
+    void
+    keep_what_matters(std::vector<Object> &objects, const bool are_faces)
+    {
+      // In 3D, the boundary id of a line means nothing to us, and "none" never contradicts.
+      if (!are_faces)
+        for (Object &object : objects)
+          object.boundary_id = numbers::internal_face_boundary_id;
+      objects.erase(std::remove_if(objects.begin(),
+                                   objects.end(),
+                                   [](const Object &object) {
+                                     return object.boundary_id ==
+                                              numbers::internal_face_boundary_id &&
+                                            object.manifold_id == numbers::flat_manifold_id;
+                                   }),
+                    objects.end());
+    }
+
+
+
+    template <typename Face>
+    void
+    check_names(const std::vector<Face> &faces, const unsigned int n_names)
+    {
+      for (const Face &face : faces)
+        AssertThrow(face.boundary_id == numbers::internal_face_boundary_id ||
+                      face.boundary_id < n_names,
+                    ExcInternalError("A mesh generator left a boundary face without a name."));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  CoarseMesh<dim>
+  CoarseMesh<dim>::from_triangulation(const Triangulation<dim>       &triangulation,
+                                      const std::vector<std::string> &boundaries)
+  {
+    Assert(triangulation.n_levels() == 1, ExcInternalError());
+    CoarseMesh<dim> mesh;
+    mesh.boundaries = boundaries;
+    std::tie(mesh.vertices, mesh.cells, mesh.faces) =
+      GridTools::get_coarse_mesh_description(triangulation);
+    keep_what_matters(mesh.faces.boundary_lines, dim == 2);
+    keep_what_matters(mesh.faces.boundary_quads, dim == 3);
+    if (dim == 2)
+      check_names(mesh.faces.boundary_lines, boundaries.size());
+    else
+      check_names(mesh.faces.boundary_quads, boundaries.size());
+
+    std::map<types::manifold_id, types::manifold_id> new_ids{
+      {numbers::flat_manifold_id, numbers::flat_manifold_id}};
+    mesh.map_manifold_ids([&](const types::manifold_id id) {
+      const auto [entry, is_new] = new_ids.insert({id, mesh.manifolds.size()});
+      if (is_new)
+        mesh.manifolds[entry->second] = triangulation.get_manifold(id).clone();
+      return entry->second;
+    });
+    return mesh;
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    using Maker = std::unique_ptr<MeshGenerator<dim>> (*)();
+
+    template <int dim, typename Generator>
+    std::unique_ptr<MeshGenerator<dim>>
+    make()
+    {
+      return std::make_unique<Generator>();
+    }
+
+    template <int dim>
+    using Registry = std::vector<std::pair<std::string, Maker<dim>>>;
+
+    template <int dim>
+    Registry<dim>
+    registry();
+
+    template <>
+    Registry<2>
+    registry<2>()
+    {
+      return {{"box", make<2, BoxMesh<2>>},
+              {"disc", make<2, DiscMesh>},
+              {"ring", make<2, RingMesh<2>>},
+              {"file", make<2, FileMesh<2>>}};
+    }
+
+    template <>
+    Registry<3>
+    registry<3>()
+    {
+      return {{"box", make<3, BoxMesh<3>>},
+              {"ring", make<3, RingMesh<3>>},
+              {"sphere", make<3, SphereMesh>},
+              {"shell", make<3, ShellMesh>},
+              {"file", make<3, FileMesh<3>>}};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  generator_names()
+  {
+    std::vector<std::string> names;
+    for (const auto &entry : registry<dim>())
+      names.push_back(entry.first);
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<MeshGenerator<dim>>
+  MeshGenerator<dim>::create(const std::string &name)
+  {
+    for (const auto &[known, maker] : registry<dim>())
+      if (known == name)
+        return maker();
+    throw SceneError("there is no mesh '" + name + "' in " + std::to_string(dim) + "D; there are " +
+                     join(generator_names<dim>()));
+  }
+
+
+
+  template struct CoarseMesh<2>;
+  template struct CoarseMesh<3>;
+  template class MeshGenerator<2>;
+  template class MeshGenerator<3>;
+  template std::vector<std::string>
+  generator_names<2>();
+  template std::vector<std::string>
+  generator_names<3>();
+} // namespace Signorini

@@ -1,0 +1,163 @@
+#include <signorini/mesh/generators/box.h>
+#include <signorini/parameters/section.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <array>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Point<dim>
+    point_from(const std::vector<double> &coordinates)
+    {
+      if (coordinates.size() != dim)
+        throw SceneError("each corner must have " + std::to_string(dim) + " coordinates");
+      Point<dim> p;
+      for (unsigned int d = 0; d < dim; ++d)
+        p[d] = coordinates[d];
+      return p;
+    }
+
+
+
+    /// Throws SceneError without a place.
+    template <int dim>
+    std::array<Point<dim>, 2>
+    corners_from(const std::string &text)
+    {
+      const std::vector<std::string> parts = split(text, ':');
+      if (parts.size() != 2)
+        throw SceneError("must be two points, separated by a colon");
+      std::array<Point<dim>, 2> corners;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          std::vector<double> coordinates;
+          from_text(parts[i], coordinates);
+          corners[i] = point_from<dim>(coordinates);
+        }
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!(corners[0][d] < corners[1][d]))
+          throw SceneError("each coordinate of the second corner must be the larger one");
+      return corners;
+    }
+
+
+
+    /// n steps that add up to the length, each q times the one before it, the last `ratio` times
+    /// the first.
+    std::vector<double>
+    steps(const double length, const unsigned int n, const double ratio)
+    {
+      const double        q = n > 1 ? std::pow(ratio, 1. / (n - 1)) : 1;
+      std::vector<double> result(n, 1.);
+      double              sum = 1;
+      for (unsigned int i = 1; i < n; ++i)
+        sum += result[i] = q * result[i - 1];
+      for (double &step : result)
+        step *= length / sum;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  BoxMesh<dim>::BoxMesh()
+    : corners(dim == 2 ? "0,0 : 1,1" : "0,0,0 : 1,1,1")
+    , subdivisions(dim, 1)
+    , grading(dim, 1.)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      high[d] = 1;
+  }
+
+
+
+  template <int dim>
+  void
+  BoxMesh<dim>::declare(Section &section)
+  {
+    const std::string an_axis = "one number an axis";
+    section.add("Corners",
+                corners,
+                "lowest and highest corner [length]; boundaries: " + join(boundaries()));
+    section.add("Subdivisions", subdivisions, "coarse cells along each axis: " + an_axis, {1});
+    section.add("Grading",
+                grading,
+                "length of the last cell (at the high end of the axis) over that of the first, "
+                "geometric between: above 1, cells are fine at the low end: " +
+                  an_axis,
+                positive);
+    if (!section.reading())
+      return;
+    try
+      {
+        const auto points = corners_from<dim>(corners);
+        low               = points[0];
+        high              = points[1];
+      }
+    catch (const SceneError &error)
+      {
+        section.fail("Corners", error.what());
+      }
+    if (subdivisions.size() != dim)
+      section.fail("Subdivisions", "must have " + std::to_string(dim) + " numbers");
+    if (grading.size() != dim)
+      section.fail("Grading", "must have " + std::to_string(dim) + " numbers");
+  }
+
+
+
+  template <int dim>
+  std::vector<NamedSurface<dim>>
+  BoxMesh<dim>::surfaces() const
+  {
+    std::vector<std::pair<std::string, std::string>> names{{"left", "right"}};
+    if (dim == 3)
+      names.push_back({"front", "back"});
+    names.push_back({"bottom", "top"});
+
+    const double                   size = low.distance(high);
+    std::vector<NamedSurface<dim>> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        result.push_back(plane<dim>(names[d].first, d, low[d], size));
+        result.push_back(plane<dim>(names[d].second, d, high[d], size));
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  BoxMesh<dim>::boundaries() const
+  {
+    return names_of(surfaces());
+  }
+
+
+
+  template <int dim>
+  CoarseMesh<dim>
+  BoxMesh<dim>::generate() const
+  {
+    std::vector<std::vector<double>> step_sizes;
+    for (unsigned int d = 0; d < dim; ++d)
+      step_sizes.push_back(steps(high[d] - low[d], subdivisions[d], grading[d]));
+    Triangulation<dim> triangulation;
+    GridGenerator::subdivided_hyper_rectangle(triangulation, step_sizes, low, high);
+    return with_boundaries(triangulation, surfaces());
+  }
+
+
+
+  template class BoxMesh<2>;
+  template class BoxMesh<3>;
+} // namespace Signorini

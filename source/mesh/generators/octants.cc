@@ -1,0 +1,91 @@
+#include <signorini/mesh/generators/octants.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <deque>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Point<dim>
+    turned(Point<dim> p, const Turn &turn)
+    {
+      for (unsigned int i = 0; i < turn.quarters; ++i)
+        {
+          const double x = p[0];
+          p[0]           = -p[1];
+          p[1]           = x;
+        }
+      if (turn.upside_down)
+        for (unsigned int d = 1; d < dim; ++d)
+          p[d] = -p[d];
+      return p;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  join_copies(const Triangulation<dim> &first,
+              const std::vector<Turn>  &turns,
+              Triangulation<dim>       &whole)
+  {
+    std::deque<Triangulation<dim>>          copies;
+    std::vector<const Triangulation<dim> *> pointers;
+    for (const Turn &turn : turns)
+      {
+        copies.emplace_back();
+        copies.back().copy_triangulation(first);
+        GridTools::transform([&](const Point<dim> &p) { return turned(p, turn); }, copies.back());
+        pointers.push_back(&copies.back());
+      }
+    GridGenerator::merge_triangulations(pointers, whole);
+    whole.set_all_manifold_ids(numbers::flat_manifold_id);
+    whole.reset_all_manifolds();
+  }
+
+
+
+  std::vector<Turn>
+  turns_of_ball_part(const std::string &part)
+  {
+    // Three quarters, and then upside down, take x, y, z >= 0 to x, y >= 0 and z <= 0.
+    std::vector<Turn> turns{{3, true}};
+    if (part != "lower quarter")
+      for (unsigned int quarters = 0; quarters < 3; ++quarters)
+        turns.push_back({quarters, true});
+    if (part == "full")
+      for (unsigned int quarters = 0; quarters < 4; ++quarters)
+        turns.push_back({quarters, false});
+    return turns;
+  }
+
+
+
+  std::vector<NamedSurface<3>>
+  cuts_of_ball_part(const std::string &part, const Point<3> &center, const double radius)
+  {
+    std::vector<NamedSurface<3>> cuts;
+    if (part != "full")
+      cuts.push_back(plane<3>("top", 2, center[2], radius));
+    if (part == "lower quarter")
+      {
+        cuts.push_back(plane<3>("symmetry_x", 0, center[0], radius));
+        cuts.push_back(plane<3>("symmetry_y", 1, center[1], radius));
+      }
+    return cuts;
+  }
+
+
+
+  template void
+  join_copies(const Triangulation<2> &, const std::vector<Turn> &, Triangulation<2> &);
+  template void
+  join_copies(const Triangulation<3> &, const std::vector<Turn> &, Triangulation<3> &);
+} // namespace Signorini

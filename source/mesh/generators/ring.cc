@@ -1,0 +1,190 @@
+#include <signorini/mesh/generators/ring.h>
+#include <signorini/parameters/section.h>
+
+#include <deal.II/grid/manifold_lib.h>
+
+#include <array>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The part between two angles, in units of a right angle.
+    struct Sector
+    {
+      unsigned int first, quarters;
+    };
+
+    const std::map<std::string, Sector> sectors{{"full", {0, 4}},
+                                                {"half", {0, 2}},
+                                                {"lower half", {2, 2}},
+                                                {"quarter", {0, 1}}};
+
+    /// cos and sin, exact at the right angles, so that cuts lie where they should.
+    std::array<double, 2>
+    direction(const Sector &sector, const unsigned int j, const unsigned int n)
+    {
+      const unsigned int    steps = sector.quarters * j; // n of them make a right angle
+      const double          angle = numbers::PI_2 * (steps % n) / n;
+      std::array<double, 2> d{{steps % n ? std::cos(angle) : 1., steps % n ? std::sin(angle) : 0.}};
+      for (unsigned int turn = 0; turn < sector.first + steps / n; ++turn)
+        d = {{-d[1], d[0]}};
+      return d;
+    }
+
+
+
+    /// Numbering of cells and vertices: through the thickness, then around, then along the height.
+    template <int dim>
+    struct Grid
+    {
+      unsigned int through, around, layers; ///< cells; in 2D, one layer
+      bool         closed;
+
+      unsigned int
+      vertex(const unsigned int i, const unsigned int j, const unsigned int k) const
+      {
+        const unsigned int n_around = closed ? around : around + 1;
+        return (k * n_around + j % n_around) * (through + 1) + i;
+      }
+
+      template <typename PointAt>
+      std::vector<Point<dim>>
+      vertices(const PointAt &point_at) const
+      {
+        std::vector<Point<dim>> result;
+        for (unsigned int k = 0; k <= (dim == 3 ? layers : 0); ++k)
+          for (unsigned int j = 0; j <= (closed ? around - 1 : around); ++j)
+            for (unsigned int i = 0; i <= through; ++i)
+              result.push_back(point_at(i, j, k));
+        return result;
+      }
+
+      std::vector<CellData<dim>>
+      cells() const
+      {
+        std::vector<CellData<dim>> result;
+        for (unsigned int k = 0; k < layers; ++k)
+          for (unsigned int j = 0; j < around; ++j)
+            for (unsigned int i = 0; i < through; ++i)
+              {
+                result.emplace_back();
+                for (unsigned int v = 0; v < result.back().vertices.size(); ++v)
+                  result.back().vertices[v] = vertex(i + v % 2, j + (v / 2) % 2, k + v / 4);
+              }
+        return result;
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  RingMesh<dim>::declare(Section &section)
+  {
+    section.add("Center",
+                center,
+                dim == 2 ? "center of the circles [length]" :
+                           "lower end of the axis, which is parallel to z [length]");
+    section.add("Inner radius", inner_radius, "radius of the boundary `inner` [length]", positive);
+    section.add("Outer radius", outer_radius, "radius of the boundary `outer` [length]", positive);
+    section.add_choice(
+      "Part",
+      part,
+      {"full", "half", "lower half", "quarter"},
+      "of the whole; half: y >= cy, lower half: y <= cy, both cut at `symmetry_y`; "
+      "quarter: x >= cx and y >= cy, cut at `symmetry_x` too");
+    section.add("Cells around", cells_around, "coarse cells along the arc of the part", {1});
+    section.add("Cells through", cells_through, "coarse cells through the thickness", {1});
+    if (dim == 3)
+      {
+        section.add("Height", height, "from `bottom` to `top` [length]", positive);
+        section.add("Layers", layers, "coarse cells along the height", {1});
+      }
+    if (!section.reading())
+      return;
+    if (inner_radius >= outer_radius)
+      section.fail("Inner radius", "must be smaller than the outer one");
+    if (cells_around < sectors.at(part).quarters)
+      section.fail("Cells around", "there must be at least one cell in 90 degrees");
+  }
+
+
+
+  template <int dim>
+  NamedSurface<dim>
+  RingMesh<dim>::round_surface(const std::string &name, const double radius) const
+  {
+    // Distances are those from the axis.
+    const auto flat   = [](const Point<dim> &p) { return Point<2>(p[0], p[1]); };
+    const auto circle = sphere(name, flat(center), radius);
+    return {name, [=](const Point<dim> &p) { return circle.contains(flat(p)); }, nullptr};
+  }
+
+
+
+  template <int dim>
+  std::vector<NamedSurface<dim>>
+  RingMesh<dim>::surfaces() const
+  {
+    std::vector<NamedSurface<dim>> result{round_surface("inner", inner_radius),
+                                          round_surface("outer", outer_radius)};
+    if (part == "quarter")
+      result.push_back(plane<dim>("symmetry_x", 0, center[0], outer_radius));
+    if (part != "full")
+      result.push_back(plane<dim>("symmetry_y", 1, center[1], outer_radius));
+    if (dim == 3)
+      {
+        result.push_back(plane<dim>("bottom", dim - 1, center[dim - 1], height));
+        result.push_back(plane<dim>("top", dim - 1, center[dim - 1] + height, height));
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  RingMesh<dim>::boundaries() const
+  {
+    return names_of(surfaces());
+  }
+
+
+
+  template <int dim>
+  CoarseMesh<dim>
+  RingMesh<dim>::generate() const
+  {
+    const Sector    sector = sectors.at(part);
+    const Grid<dim> grid{cells_through, cells_around, dim == 3 ? layers : 1, part == "full"};
+    const auto point_at = [&](const unsigned int i, const unsigned int j, const unsigned int k) {
+      const double r = inner_radius + (outer_radius - inner_radius) * i / cells_through;
+      const auto   d = direction(sector, j, cells_around);
+      Point<dim>   p = center;
+      p[0] += r * d[0];
+      p[1] += r * d[1];
+      if (dim == 3)
+        p[dim - 1] += height * k / layers;
+      return p;
+    };
+
+    Triangulation<dim> triangulation;
+    triangulation.create_triangulation(grid.vertices(point_at), grid.cells(), SubCellData());
+    triangulation.set_all_manifold_ids(0);
+    if constexpr (dim == 2)
+      triangulation.set_manifold(0, SphericalManifold<2>(center));
+    else
+      triangulation.set_manifold(0, CylindricalManifold<3>(Tensor<1, 3>({0, 0, 1}), center));
+    return with_boundaries(triangulation, surfaces());
+  }
+
+
+
+  template class RingMesh<2>;
+  template class RingMesh<3>;
+} // namespace Signorini

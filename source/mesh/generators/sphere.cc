@@ -1,0 +1,53 @@
+#include <signorini/mesh/generators/octants.h>
+#include <signorini/mesh/generators/sphere.h>
+#include <signorini/parameters/section.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  void
+  SphereMesh::declare(Section &section)
+  {
+    section.add("Center", center, "center (cx, cy, cz) of the ball [length]");
+    section.add("Radius", radius, "radius [length]", positive);
+    section.add_choice("Part", part, ball_parts, ball_part_help + "; boundary `sphere`");
+  }
+
+
+
+  std::vector<NamedSurface<3>>
+  SphereMesh::surfaces() const
+  {
+    std::vector<NamedSurface<3>> result{sphere("sphere", center, radius)};
+    result[0].manifold = std::make_shared<SphericalManifold<3>>(center);
+    for (const auto &cut : cuts_of_ball_part(part, center, radius))
+      result.push_back(cut);
+    return result;
+  }
+
+
+
+  std::vector<std::string>
+  SphereMesh::boundaries() const
+  {
+    return names_of(surfaces());
+  }
+
+
+
+  CoarseMesh<3>
+  SphereMesh::generate() const
+  {
+    Triangulation<3> octant, triangulation;
+    GridGenerator::quarter_hyper_ball(octant);
+    join_copies(octant, turns_of_ball_part(part), triangulation);
+    GridTools::scale(radius, triangulation);
+    GridTools::shift(center, triangulation);
+    return with_boundaries(triangulation, surfaces());
+  }
+} // namespace Signorini

@@ -1,0 +1,157 @@
+#include <signorini/mesh/invertible_map.h>
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    bool
+    is_finite(const Tensor<1, dim> &v)
+    {
+      return std::isfinite(v.norm());
+    }
+
+
+
+    template <int dim>
+    std::string
+    text(const Point<dim> &p)
+    {
+      std::ostringstream out;
+      out << '(' << p << ')';
+      return out.str();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  InvertibleMap<dim>::InvertibleMap(const VectorExpression<dim>   &F,
+                                    const std::vector<Point<dim>> &points)
+    : F(F)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (!F.prescribed(d))
+        throw SceneError("the transformation '" + F.text() +
+                         "' leaves a component free; give all " + std::to_string(dim));
+    for (const Point<dim> &X : points)
+      {
+        pairs.push_back({value(X), X});
+        if (!is_finite(pairs.back().image))
+          throw SceneError("the transformation '" + F.text() + "' has no value at " + text(X));
+        X_size = std::max(X_size, X.distance(points[0]));
+        x_size = std::max(x_size, pairs.back().image.norm());
+      }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) {
+      return a.image[0] < b.image[0];
+    });
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  InvertibleMap<dim>::value(const Point<dim> &X) const
+  {
+    return Point<dim>(F.value(X));
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  InvertibleMap<dim>::gradient(const Point<dim> &X) const
+  {
+    // Truncation of order h^2 against rounding of order 1e-16/h; Newton needs no more.
+    const double   h = 1e-5 * X_size;
+    Tensor<2, dim> gradient;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const Tensor<1, dim> step  = h * Point<dim>::unit_vector(d);
+        Point<dim>           ahead = X + step, behind = X - step;
+        // At the rim of where the formulas have a value, one side must do.
+        if (!is_finite(value(ahead)))
+          ahead = X;
+        if (!is_finite(value(behind)))
+          behind = X;
+        const Tensor<1, dim> column = (value(ahead) - value(behind)) / (ahead[d] - behind[d]);
+        for (unsigned int i = 0; i < dim; ++i)
+          gradient[i][d] = column[i];
+      }
+    return gradient;
+  }
+
+
+
+  template <int dim>
+  const typename InvertibleMap<dim>::Pair &
+  InvertibleMap<dim>::nearest(const Point<dim> &x) const
+  {
+    // Sweep to both sides until the first coordinate alone is too far away.
+    const auto start =
+      std::lower_bound(pairs.begin(), pairs.end(), x[0], [](const Pair &p, double x0) {
+        return p.image[0] < x0;
+      });
+    auto   best     = start == pairs.end() ? start - 1 : start;
+    double distance = x.distance(best->image);
+    for (auto p = start; p != pairs.end() && p->image[0] - x[0] < distance; ++p)
+      if (x.distance(p->image) < distance)
+        {
+          best     = p;
+          distance = x.distance(p->image);
+        }
+    for (auto p = start; p != pairs.begin() && x[0] - (p - 1)->image[0] < distance; --p)
+      if (x.distance((p - 1)->image) < distance)
+        {
+          best     = p - 1;
+          distance = x.distance(best->image);
+        }
+    return *best;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  InvertibleMap<dim>::inverse(const Point<dim> &x) const
+  {
+    const Pair    &start    = nearest(x);
+    Point<dim>     X        = start.X;
+    Tensor<1, dim> residual = x - start.image;
+    for (unsigned int step = 0; step < 50 && residual.norm() > 1e-14 * x_size; ++step)
+      {
+        const Tensor<1, dim> direction = invert(gradient(X)) * residual;
+        // Shorten the step until it helps; at the level of rounding, none does.
+        double         factor = 1;
+        Tensor<1, dim> next   = x - value(X + direction);
+        while (!(next.norm() < residual.norm()) && factor > 1e-3)
+          {
+            factor /= 2;
+            next = x - value(X + factor * direction);
+          }
+        if (!(next.norm() < residual.norm()))
+          break;
+        X += factor * direction;
+        residual = next;
+      }
+    if (residual.norm() > 1e-11 * x_size)
+      throw std::runtime_error(
+        "The transformation '" + F.text() +
+        "' cannot be inverted: no point near the mesh goes to " + text(x) +
+        ". Is it one to one, also a little outside of the mesh? A finer coarse "
+        "mesh may help.");
+    return X;
+  }
+
+
+
+  template class InvertibleMap<2>;
+  template class InvertibleMap<3>;
+} // namespace Signorini

@@ -1,0 +1,234 @@
+#include <signorini/mesh/transformed_manifold.h>
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  TransformedManifold<dim>::TransformedManifold(std::shared_ptr<const InvertibleMap<dim>> map,
+                                                std::shared_ptr<const Manifold<dim>>      base)
+    : map(std::move(map))
+    , base(base ? std::move(base) : std::make_shared<FlatManifold<dim>>())
+  {}
+
+
+
+  template <int dim>
+  std::unique_ptr<Manifold<dim>>
+  TransformedManifold<dim>::clone() const
+  {
+    return std::make_unique<TransformedManifold<dim>>(map, base);
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<dim>>
+  TransformedManifold<dim>::before_map(const Points &points) const
+  {
+    std::vector<Point<dim>> result;
+    for (const Point<dim> &x : points)
+      result.push_back(map->inverse(x));
+    return result;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  TransformedManifold<dim>::get_intermediate_point(const Point<dim> &p1,
+                                                   const Point<dim> &p2,
+                                                   const double      w) const
+  {
+    return map->value(base->get_intermediate_point(map->inverse(p1), map->inverse(p2), w));
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  TransformedManifold<dim>::get_new_point(const Points                  &surrounding,
+                                          const ArrayView<const double> &weights) const
+  {
+    const std::vector<Point<dim>> X = before_map(surrounding);
+    return map->value(base->get_new_point(make_array_view(X), weights));
+  }
+
+
+
+  template <int dim>
+  void
+  TransformedManifold<dim>::get_new_points(const Points           &surrounding,
+                                           const Table<2, double> &weights,
+                                           ArrayView<Point<dim>>   new_points) const
+  {
+    const std::vector<Point<dim>> X = before_map(surrounding);
+    base->get_new_points(make_array_view(X), weights, new_points);
+    for (Point<dim> &p : new_points)
+      p = map->value(p);
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  TransformedManifold<dim>::project_to_manifold(const Points     &surrounding,
+                                                const Point<dim> &candidate) const
+  {
+    const std::vector<Point<dim>> X = before_map(surrounding);
+    return map->value(base->project_to_manifold(make_array_view(X), map->inverse(candidate)));
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  TransformedManifold<dim>::get_tangent_vector(const Point<dim> &x1, const Point<dim> &x2) const
+  {
+    const Point<dim> X1 = map->inverse(x1);
+    return map->gradient(X1) * base->get_tangent_vector(X1, map->inverse(x2));
+  }
+
+
+
+  namespace
+  {
+    template <int structdim>
+    std::vector<CellData<structdim>> &
+    list(SubCellData &faces)
+    {
+      if constexpr (structdim == 1)
+        return faces.boundary_lines;
+      else
+        return faces.boundary_quads;
+    }
+
+
+
+    /// Put objects with the given vertices into the list if they are not there yet.
+    template <int structdim>
+    class Completion
+    {
+    public:
+      explicit Completion(SubCellData &faces)
+        : objects(list<structdim>(faces))
+      {
+        for (const auto &object : objects)
+          known.insert(sorted(object.vertices));
+      }
+
+      void
+      add(const std::vector<unsigned int> &vertices)
+      {
+        if (!known.insert(sorted(vertices)).second)
+          return;
+        objects.emplace_back();
+        objects.back().vertices    = vertices;
+        objects.back().boundary_id = numbers::internal_face_boundary_id;
+      }
+
+    private:
+      static std::vector<unsigned int>
+      sorted(std::vector<unsigned int> vertices)
+      {
+        std::sort(vertices.begin(), vertices.end());
+        return vertices;
+      }
+
+      std::vector<CellData<structdim>>   &objects;
+      std::set<std::vector<unsigned int>> known;
+    };
+
+
+
+    /// List all faces and lines, so that all can get manifold ids.
+    template <int dim>
+    void
+    complete_faces(CoarseMesh<dim> &mesh)
+    {
+      Completion<dim - 1> faces(mesh.faces);
+      Completion<1>       lines(mesh.faces);
+      for (const auto &cell : mesh.cells)
+        {
+          for (const unsigned int f : GeometryInfo<dim>::face_indices())
+            {
+              std::vector<unsigned int> vertices;
+              for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_face; ++v)
+                vertices.push_back(cell.vertices[GeometryInfo<dim>::face_to_cell_vertices(f, v)]);
+              faces.add(vertices);
+            }
+          for (unsigned int l = 0; dim == 3 && l < GeometryInfo<dim>::lines_per_cell; ++l)
+            lines.add({cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 0)],
+                       cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)]});
+        }
+    }
+
+
+
+    template <int dim>
+    void
+    check_orientation(const CoarseMesh<dim> &mesh, const std::string &formulas)
+    {
+      for (const auto &cell : mesh.cells)
+        {
+          Point<dim>     corners[GeometryInfo<dim>::vertices_per_cell];
+          Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
+          for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+            corners[v] = mesh.vertices[cell.vertices[v]];
+          GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
+          for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+            if (!(volumes[v] > 0))
+              {
+                std::ostringstream place;
+                place << corners[v];
+                throw SceneError("the transformation '" + formulas +
+                                 "' folds or mirrors the cell that comes to lie at (" +
+                                 place.str() + ")");
+              }
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  transform(CoarseMesh<dim> &mesh, const VectorExpression<dim> &F)
+  {
+    const auto map = std::make_shared<InvertibleMap<dim>>(F, mesh.vertices);
+    for (Point<dim> &vertex : mesh.vertices)
+      vertex = map->value(vertex);
+    check_orientation(mesh, F.text());
+
+    complete_faces(mesh);
+    const auto                                       former = std::move(mesh.manifolds);
+    std::map<types::manifold_id, types::manifold_id> new_ids;
+    mesh.manifolds.clear();
+    mesh.map_manifold_ids([&](const types::manifold_id id) {
+      const auto [entry, is_new] = new_ids.insert({id, new_ids.size()});
+      if (is_new)
+        {
+          const auto base               = former.find(id);
+          mesh.manifolds[entry->second] = std::make_shared<TransformedManifold<dim>>(
+            map, base == former.end() ? nullptr : base->second);
+        }
+      return entry->second;
+    });
+  }
+
+
+
+  template class TransformedManifold<2>;
+  template class TransformedManifold<3>;
+  template void
+  transform(CoarseMesh<2> &, const VectorExpression<2> &);
+  template void
+  transform(CoarseMesh<3> &, const VectorExpression<3> &);
+} // namespace Signorini

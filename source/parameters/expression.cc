@@ -1,0 +1,148 @@
+#include <signorini/parameters/expression.h>
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/function_parser.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// First line of what muParser says.
+    std::string
+    reason(const std::exception &exception)
+    {
+      const std::string text  = exception.what();
+      const auto        start = text.find("Message:");
+      if (start == std::string::npos)
+        return "it cannot be evaluated";
+      return trim(text.substr(start + 8, text.find('\n', start) - start - 8));
+    }
+
+    template <int dim>
+    std::shared_ptr<FunctionParser<dim>>
+    compile(const std::string &formula)
+    {
+      auto parser = std::make_shared<FunctionParser<dim>>(1);
+      try
+        {
+          parser->initialize(FunctionParser<dim>::default_variable_names() + ",t",
+                             formula,
+                             {{"pi", numbers::PI}},
+                             true);
+          // muParser reads the formula at the first evaluation.
+          parser->set_time(0.5);
+          parser->value(Point<dim>());
+        }
+      catch (const std::exception &exception)
+        {
+          throw SceneError("'" + formula + "' is not a formula in " +
+                           FunctionParser<dim>::default_variable_names() + ",t: " + reason(exception));
+        }
+      return parser;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Expression<dim>::Expression(const std::string &formula)
+    : text(formula)
+    , parser(compile<dim>(formula))
+  {}
+
+
+
+  template <int dim>
+  double
+  Expression<dim>::value(const Point<dim> &p, const double t) const
+  {
+    if (parser->get_time() != t)
+      parser->set_time(t);
+    return parser->value(p);
+  }
+
+
+
+  template <int dim>
+  VectorExpression<dim>::VectorExpression(const std::string &text)
+  {
+    const std::vector<std::string> parts = split(text, ';');
+    if (parts.empty())
+      return;
+    if (parts.size() != dim)
+      throw SceneError("'" + text + "' has " + std::to_string(parts.size()) + " components, separated by ';', but " +
+                       std::to_string(dim) + " are needed (write 'free' for one that is not prescribed)");
+    for (unsigned int d = 0; d < dim; ++d)
+      if (parts[d] != "free")
+        components[d] = Expression<dim>(parts[d]);
+  }
+
+
+
+  template <int dim>
+  bool
+  VectorExpression<dim>::empty() const
+  {
+    for (const auto &component : components)
+      if (component)
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  VectorExpression<dim>::value(const Point<dim> &p, const double t) const
+  {
+    Tensor<1, dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (components[d])
+        result[d] = components[d]->value(p, t);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::string
+  VectorExpression<dim>::text() const
+  {
+    if (empty())
+      return "";
+    std::vector<std::string> parts;
+    for (const auto &component : components)
+      parts.push_back(component ? component->formula() : "free");
+    return join(parts, "; ");
+  }
+
+
+
+  double
+  evaluate(const std::string &formula, const std::map<std::string, double> &constants)
+  {
+    try
+      {
+        std::map<std::string, double> all = constants;
+        all.emplace("pi", numbers::PI);
+        FunctionParser<1> parser(1);
+        parser.initialize("unused_variable", formula, all);
+        return parser.value(Point<1>());
+      }
+    catch (const std::exception &exception)
+      {
+        throw SceneError("'" + formula + "' cannot be evaluated: " + reason(exception));
+      }
+  }
+
+
+
+  template class Expression<2>;
+  template class Expression<3>;
+  template class VectorExpression<2>;
+  template class VectorExpression<3>;
+} // namespace Signorini

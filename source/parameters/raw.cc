@@ -1,0 +1,250 @@
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+
+namespace Signorini
+{
+  std::string
+  trim(const std::string &text)
+  {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string::npos)
+      return "";
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+  }
+
+
+
+  std::vector<std::string>
+  split(const std::string &text, const char separator)
+  {
+    std::vector<std::string> parts;
+    if (trim(text).empty())
+      return parts;
+    for (std::size_t begin = 0; begin <= text.size();)
+      {
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
+        parts.push_back(trim(text.substr(begin, end - begin)));
+        begin = end + 1;
+      }
+    return parts;
+  }
+
+
+
+  std::string
+  join(const std::vector<std::string> &words, const std::string &separator)
+  {
+    std::string text;
+    for (const std::string &word : words)
+      text += (text.empty() ? "" : separator) + word;
+    return text;
+  }
+
+
+
+  namespace
+  {
+    std::string
+    lower(std::string word)
+    {
+      std::transform(word.begin(), word.end(), word.begin(), ::tolower);
+      return word;
+    }
+
+    /// Levenshtein distance.
+    unsigned int
+    distance(const std::string &a, const std::string &b)
+    {
+      std::vector<unsigned int> row(b.size() + 1);
+      std::iota(row.begin(), row.end(), 0);
+      for (std::size_t i = 1; i <= a.size(); ++i)
+        {
+          unsigned int diagonal = row[0];
+          row[0]                = i;
+          for (std::size_t j = 1; j <= b.size(); ++j)
+            {
+              const unsigned int substituted = diagonal + (a[i - 1] != b[j - 1]);
+              diagonal                       = row[j];
+              row[j]                         = std::min({substituted, row[j] + 1, row[j - 1] + 1});
+            }
+        }
+      return row.back();
+    }
+
+    /// A line without its comment; several lines where `\` continues them.
+    bool
+    next_line(std::istream &in, std::string &line, unsigned int &number)
+    {
+      line.clear();
+      std::string part;
+      while (std::getline(in, part))
+        {
+          ++number;
+          part            = trim(part.substr(0, part.find('#')));
+          const bool more = !part.empty() && part.back() == '\\';
+          line += more ? part.substr(0, part.size() - 1) : part;
+          if (!more)
+            return true;
+        }
+      return !line.empty();
+    }
+
+    std::pair<std::string, std::string>
+    split_assignment(const std::string &text, const std::string &where)
+    {
+      const auto equals = text.find('=');
+      if (equals == std::string::npos)
+        throw SceneError(where + ": expected KEY = VALUE, found '" + text + "'");
+      return {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
+    }
+
+    class Reader
+    {
+    public:
+      Reader(const std::string &file_name)
+        : file_name(file_name)
+        , in(file_name)
+      {
+        if (!in)
+          throw SceneError("cannot open the scene file '" + file_name + "'");
+      }
+
+      void
+      read(RawSection &section, const bool top)
+      {
+        std::string line;
+        while (next_line(in, line, number))
+          if (line.empty())
+            continue;
+          else if (line == "end" && !top)
+            return;
+          else
+            statement(section, line);
+        if (!top)
+          throw SceneError(section.where + ": subsection '" + section.name + "' has no end");
+      }
+
+    private:
+      std::string
+      where() const
+      {
+        return file_name + ":" + std::to_string(number);
+      }
+
+      void
+      statement(RawSection &section, const std::string &line)
+      {
+        const auto        space = line.find_first_of(" \t");
+        const std::string word  = line.substr(0, space);
+        const std::string rest  = space == std::string::npos ? "" : trim(line.substr(space));
+        if (word == "subsection" && !rest.empty())
+          read(section.get_section(rest, where()), false);
+        else if (word == "set")
+          {
+            const auto [key, value] = split_assignment(rest, where());
+            if (RawSection::Value *old = section.find_value(key))
+              throw SceneError(where() + ": '" + key + "' is already set at " + old->where);
+            section.set_value(key, value, where());
+          }
+        else
+          throw SceneError(where() + ": expected 'set KEY = VALUE', 'subsection NAME' or 'end', found '" +
+                           line + "'");
+      }
+
+      const std::string file_name;
+      std::ifstream     in;
+      unsigned int      number = 0;
+    };
+  } // namespace
+
+
+
+  std::string
+  nearest(const std::string &word, const std::vector<std::string> &candidates)
+  {
+    std::string  best;
+    unsigned int best_distance = word.size() / 2 + 1;
+    for (const std::string &candidate : candidates)
+      if (const auto d = distance(lower(word), lower(candidate)); d < best_distance)
+        {
+          best_distance = d;
+          best          = candidate;
+        }
+    return best;
+  }
+
+
+
+  RawSection::Value *
+  RawSection::find_value(const std::string &key)
+  {
+    for (Value &value : values)
+      if (value.key == key)
+        return &value;
+    return nullptr;
+  }
+
+
+
+  RawSection *
+  RawSection::find_section(const std::string &wanted)
+  {
+    for (RawSection &section : sections)
+      if (section.name == wanted)
+        return &section;
+    return nullptr;
+  }
+
+
+
+  RawSection &
+  RawSection::get_section(const std::string &wanted, const std::string &place)
+  {
+    if (RawSection *section = find_section(wanted))
+      return *section;
+    sections.emplace_back();
+    sections.back().name  = wanted;
+    sections.back().where = place;
+    return sections.back();
+  }
+
+
+
+  void
+  RawSection::set_value(const std::string &key, const std::string &text, const std::string &place)
+  {
+    if (Value *value = find_value(key))
+      *value = {key, text, place};
+    else
+      values.push_back({key, text, place});
+  }
+
+
+
+  RawSection
+  read_raw(const std::string &file_name)
+  {
+    RawSection root;
+    Reader(file_name).read(root, true);
+    return root;
+  }
+
+
+
+  void
+  override_value(RawSection &root, const std::string &assignment)
+  {
+    const std::string where     = "--set \"" + assignment + "\"";
+    const auto [path, value]    = split_assignment(assignment, where);
+    std::vector<std::string> parts = split(path, '/');
+    if (parts.empty() || parts.back().empty())
+      throw SceneError(where + ": expected SECTION/KEY=VALUE");
+    RawSection *section = &root;
+    for (unsigned int i = 0; i + 1 < parts.size(); ++i)
+      section = &section->get_section(parts[i], where);
+    section->set_value(parts.back(), value, where);
+  }
+} // namespace Signorini

@@ -1,0 +1,437 @@
+#include <signorini/parameters/section.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <set>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::string
+    number_text(const double x)
+    {
+      // The shortest text that reads back as the same number.
+      for (int digits = 6; digits <= 17; ++digits)
+        {
+          std::ostringstream text;
+          text << std::setprecision(digits) << x;
+          if (std::stod(text.str()) == x)
+            return text.str();
+        }
+      return "nan";
+    }
+
+    std::string
+    to_text(const double value)
+    {
+      return std::isfinite(value) ? number_text(value) : (value > 0 ? "infinity" : "-infinity");
+    }
+
+    std::string
+    to_text(const unsigned int value)
+    {
+      return std::to_string(value);
+    }
+
+    std::string
+    to_text(const bool value)
+    {
+      return value ? "yes" : "no";
+    }
+
+    std::string
+    to_text(const std::string &value)
+    {
+      return value;
+    }
+
+    template <typename T>
+    std::string
+    to_text(const std::vector<T> &values)
+    {
+      std::vector<std::string> words;
+      for (const T &value : values)
+        words.push_back(to_text(value));
+      return join(words);
+    }
+
+    template <int dim>
+    std::string
+    to_text(const Point<dim> &p)
+    {
+      std::vector<double> coordinates(dim);
+      for (unsigned int d = 0; d < dim; ++d)
+        coordinates[d] = p[d];
+      return to_text(coordinates);
+    }
+
+    template <int dim>
+    std::string
+    to_text(const Expression<dim> &value)
+    {
+      return value.formula();
+    }
+
+    template <int dim>
+    std::string
+    to_text(const VectorExpression<dim> &value)
+    {
+      return value.text();
+    }
+
+    template <typename T>
+    void
+    check_range(const T &, const Range &)
+    {}
+
+    void
+    check_range(const double value, const Range &range)
+    {
+      if (!range.contains(value))
+        throw SceneError("must be " + range.text());
+    }
+
+    void
+    check_range(const unsigned int value, const Range &range)
+    {
+      check_range(static_cast<double>(value), range);
+    }
+
+    void
+    check_range(const std::vector<double> &values, const Range &range)
+    {
+      for (const double value : values)
+        check_range(value, range);
+    }
+
+    void
+    check_range(const std::vector<unsigned int> &values, const Range &range)
+    {
+      for (const unsigned int value : values)
+        check_range(value, range);
+    }
+
+    /// "did you mean X? valid: A, B"
+    std::string
+    hint(const std::string &word, const std::vector<std::string> &valid)
+    {
+      const std::string close = nearest(word, valid);
+      return (close.empty() ? "" : "; did you mean '" + close + "'?") +
+             (valid.empty() ? "" : " Valid here: " + join(valid) + ".");
+    }
+  } // namespace
+
+
+
+  bool
+  Range::contains(const double x) const
+  {
+    return (low_is_allowed ? x >= low : x > low) && (high_is_allowed ? x <= high : x < high);
+  }
+
+
+
+  std::string
+  Range::text() const
+  {
+    std::vector<std::string> parts;
+    if (std::isfinite(low))
+      parts.push_back((low_is_allowed ? ">= " : "> ") + number_text(low));
+    if (std::isfinite(high))
+      parts.push_back((high_is_allowed ? "<= " : "< ") + number_text(high));
+    return join(parts, " and ");
+  }
+
+
+
+  Section::Section(RawSection &raw, const std::string &path)
+    : raw(&raw)
+    , my_path(path)
+  {
+    raw.used = true;
+  }
+
+
+
+  Section::Section(std::ostream &out, const bool comments, const unsigned int indentation)
+    : out(&out)
+    , comments(comments)
+    , indentation(indentation)
+  {}
+
+
+
+  template <typename T>
+  void
+  Section::add(const std::string &key, T &value, const std::string &help, const Range &range)
+  {
+    if (!reading())
+      return write(key, to_text(value), help);
+    known_keys.push_back(key);
+    if (RawSection::Value *entry = raw->find_value(key))
+      {
+        entry->used = true;
+        try
+          {
+            from_text(entry->text, value);
+            check_range(value, range);
+          }
+        catch (const SceneError &error)
+          {
+            fail(key, std::string(error.what()) + " (" + help + ")");
+          }
+      }
+  }
+
+
+
+  void
+  Section::add_choice(const std::string &             key,
+                      std::string &                   value,
+                      const std::vector<std::string> &choices,
+                      const std::string &             help)
+  {
+    add(key, value, help + ": " + join(choices, " | "));
+    if (reading() && std::find(choices.begin(), choices.end(), value) == choices.end())
+      fail(key, "is not one of the choices" + hint(value, choices));
+  }
+
+
+
+  std::string
+  Section::place_of(const std::string &key) const
+  {
+    const RawSection::Value *entry = raw ? raw->find_value(key) : nullptr;
+    if (entry)
+      return entry->where + ": " + path_of(key) + " = " + entry->text;
+    return (raw && !raw->where.empty() ? raw->where + ": " : "") + path_of(key) + " (not set)";
+  }
+
+
+
+  void
+  Section::fail(const std::string &key, const std::string &what) const
+  {
+    throw SceneError(place_of(key) + ": " + what);
+  }
+
+
+
+  void
+  Section::close()
+  {
+    for (const RawSection::Value &value : raw->values)
+      if (!value.used)
+        throw SceneError(value.where + ": unknown key '" + path_of(value.key) + "' = '" + value.text + "'" +
+                         hint(value.key, known_keys));
+    for (const RawSection &section : raw->sections)
+      if (!section.used)
+        throw SceneError(section.where + ": unknown subsection '" + path_of(section.name) + "'" +
+                         hint(section.name, known_sections));
+  }
+
+
+
+  std::string
+  Section::path_of(const std::string &name) const
+  {
+    return my_path.empty() ? name : my_path + "/" + name;
+  }
+
+
+
+  RawSection *
+  Section::open(const std::string &name)
+  {
+    known_sections.push_back(name);
+    return raw->find_section(name);
+  }
+
+
+
+  Section
+  Section::begin(const std::string &name, const std::string &help)
+  {
+    const std::string indent(2 * indentation, ' ');
+    if (comments && !help.empty())
+      *out << '\n' << indent << "# " << help << '\n';
+    *out << indent << "subsection " << name << '\n';
+    return Section(*out, comments, indentation + 1);
+  }
+
+
+
+  void
+  Section::end()
+  {
+    *out << std::string(2 * indentation, ' ') << "end\n";
+  }
+
+
+
+  void
+  Section::check_names(const std::vector<std::string> &names) const
+  {
+    std::set<std::string> seen;
+    for (const std::string &name : names)
+      {
+        if (name.empty() || name.find_first_of("./=;:") != std::string::npos)
+          fail("Names", "'" + name + "' is not a name: it must not be empty or contain any of . / = ; :");
+        if (!seen.insert(name).second)
+          fail("Names", "'" + name + "' is there twice");
+      }
+  }
+
+
+
+  void
+  Section::write(const std::string &key, const std::string &value, const std::string &help)
+  {
+    const std::string assignment = std::string(2 * indentation, ' ') + "set " + key + " = " + value;
+    *out << assignment;
+    if (comments && !help.empty())
+      *out << std::string(assignment.size() < 44 ? 44 - assignment.size() : 1, ' ') << "# " << help;
+    *out << '\n';
+  }
+
+
+
+  void
+  from_text(const std::string &text, double &value)
+  {
+    if (text == "infinity" || text == "-infinity")
+      value = (text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
+    else
+      value = evaluate(text, {});
+    if (std::isnan(value))
+      throw SceneError("is not a number");
+  }
+
+
+
+  void
+  from_text(const std::string &text, unsigned int &value)
+  {
+    double number;
+    from_text(text, number);
+    if (number < 0 || number != std::floor(number) || number > 4e9)
+      throw SceneError("must be a whole number that is not negative");
+    value = static_cast<unsigned int>(number);
+  }
+
+
+
+  void
+  from_text(const std::string &text, bool &value)
+  {
+    if (text != "yes" && text != "no")
+      throw SceneError("must be yes or no");
+    value = text == "yes";
+  }
+
+
+
+  void
+  from_text(const std::string &text, std::string &value)
+  {
+    value = text;
+  }
+
+
+
+  void
+  from_text(const std::string &text, std::vector<std::string> &value)
+  {
+    value = split(text, ',');
+  }
+
+
+
+  namespace
+  {
+    template <typename T>
+    void
+    list_from_text(const std::string &text, std::vector<T> &value)
+    {
+      value.clear();
+      for (const std::string &part : split(text, ','))
+        {
+          value.emplace_back();
+          from_text(part, value.back());
+        }
+    }
+  } // namespace
+
+
+
+  void
+  from_text(const std::string &text, std::vector<double> &value)
+  {
+    list_from_text(text, value);
+  }
+
+
+
+  void
+  from_text(const std::string &text, std::vector<unsigned int> &value)
+  {
+    list_from_text(text, value);
+  }
+
+
+
+  template <int dim>
+  void
+  from_text(const std::string &text, Point<dim> &value)
+  {
+    std::vector<double> coordinates;
+    from_text(text, coordinates);
+    if (coordinates.size() != dim)
+      throw SceneError("must have " + std::to_string(dim) + " coordinates, separated by commas");
+    for (unsigned int d = 0; d < dim; ++d)
+      value[d] = coordinates[d];
+  }
+
+
+
+  template <int dim>
+  void
+  from_text(const std::string &text, Expression<dim> &value)
+  {
+    value = Expression<dim>(text);
+  }
+
+
+
+  template <int dim>
+  void
+  from_text(const std::string &text, VectorExpression<dim> &value)
+  {
+    value = VectorExpression<dim>(text);
+  }
+
+
+
+#define INSTANTIATE(T) template void Section::add(const std::string &, T &, const std::string &, const Range &);
+  INSTANTIATE(double)
+  INSTANTIATE(unsigned int)
+  INSTANTIATE(bool)
+  INSTANTIATE(std::string)
+  INSTANTIATE(std::vector<std::string>)
+  INSTANTIATE(std::vector<double>)
+  INSTANTIATE(std::vector<unsigned int>)
+  INSTANTIATE(Point<2>)
+  INSTANTIATE(Point<3>)
+  INSTANTIATE(Expression<2>)
+  INSTANTIATE(Expression<3>)
+  INSTANTIATE(VectorExpression<2>)
+  INSTANTIATE(VectorExpression<3>)
+#undef INSTANTIATE
+} // namespace Signorini

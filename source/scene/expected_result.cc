@@ -1,0 +1,109 @@
+#include <signorini/parameters/section.h>
+#include <signorini/scene/expected_result.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+namespace Signorini
+{
+  using Json = nlohmann::ordered_json;
+
+  void
+  ExpectedResult::declare(Section &section)
+  {
+    section.add("Quantities", quantities, "NAME = PATH, ...: where results.json has the number, from the last load step on");
+    section.add("Value", value, "formula in these names");
+    section.add("Reference", reference, "formula in these names");
+    section.add("Tolerance", tolerance, "relative", non_negative);
+    section.add("Absolute tolerance", absolute_tolerance, "for references that may be zero", non_negative);
+    section.add("Source", source, "where the reference comes from");
+    if (section.reading() && (quantities.empty() || value.empty()))
+      section.fail(value.empty() ? "Value" : "Quantities", "is needed");
+    for (const std::string &quantity : quantities)
+      if (split(quantity, '=').size() != 2)
+        section.fail("Quantities", "'" + quantity + "' is not NAME = PATH");
+  }
+
+
+
+  namespace
+  {
+    double
+    number_at(const Json &results, const std::string &path, const std::string &name)
+    {
+      const Json::json_pointer pointer("/" + path);
+      const Json &             last = results["load_steps"].back();
+      const Json *             all[] = {&last, &results};
+      for (const Json *place : all)
+        if (place->contains(pointer) && (*place)[pointer].is_number())
+          return (*place)[pointer].get<double>();
+      throw SceneError("Expected results/" + name + "/Quantities: there is no number '" + path + "' in results.json");
+    }
+
+    std::string
+    row(const std::string &name,
+        const std::string &value,
+        const std::string &reference,
+        const std::string &deviation,
+        const std::string &allowed,
+        const std::string &verdict)
+    {
+      std::ostringstream text;
+      text << "  " << std::left << std::setw(34) << name << std::right << std::setw(14) << value << std::setw(14)
+           << reference << std::setw(12) << deviation << std::setw(12) << allowed << "  " << verdict;
+      return text.str();
+    }
+
+    std::string
+    text(const double x, const int digits)
+    {
+      std::ostringstream out;
+      out << std::setprecision(digits) << x;
+      return out.str();
+    }
+  } // namespace
+
+
+
+  bool
+  compare(const std::vector<ExpectedResult> &expected, Json &results, std::ostream &out)
+  {
+    if (expected.empty())
+      return true;
+    bool all_hold = true;
+    out << "\n" << row("Expected results", "value", "reference", "deviation", "allowed", "") << "\n";
+    for (const ExpectedResult &one : expected)
+      {
+        std::map<std::string, double> constants;
+        for (const std::string &quantity : one.quantities)
+          {
+            const auto parts    = split(quantity, '=');
+            constants[parts[0]] = number_at(results, parts[1], one.name);
+          }
+        const double value = evaluate(one.value, constants), reference = evaluate(one.reference, constants);
+        const bool   absolute  = one.absolute_tolerance > 0;
+        const double deviation = absolute ? value - reference : value / reference - 1;
+        const double allowed   = absolute ? one.absolute_tolerance : one.tolerance;
+        const bool   holds     = std::abs(deviation) <= allowed;
+        all_hold               = all_hold && holds;
+        const auto relative    = [&](const double x) { return absolute ? text(x, 3) : text(100 * x, 3) + " %"; };
+        out << row(one.name,
+                   text(value, 8),
+                   text(reference, 8),
+                   relative(deviation),
+                   relative(allowed),
+                   holds ? "ok" : "MISSED")
+            << "\n";
+        results["expected"][one.name] = {{"value", value},
+                                         {"reference", reference},
+                                         {"deviation", deviation},
+                                         {"allowed", allowed},
+                                         {"holds", holds},
+                                         {"source", one.source}};
+      }
+    return all_hold;
+  }
+} // namespace Signorini

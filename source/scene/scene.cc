@@ -1,0 +1,206 @@
+#include <signorini/parameters/section.h>
+#include <signorini/scene/scene.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  Body<dim>::declare(Section &section)
+  {
+    mesh.declare(section);
+    material.declare(section);
+  }
+
+
+
+  ContactSettings::ContactSettings()
+  {
+    for (const std::string &name : method_names())
+      methods.emplace_back(name, ContactMethod::create(name));
+  }
+
+
+
+  const ContactMethod &
+  ContactSettings::chosen() const
+  {
+    return *std::find_if(methods.begin(), methods.end(), [&](const auto &m) { return m.first == method; })->second;
+  }
+
+
+
+  void
+  ContactSettings::declare(Section &section)
+  {
+    section.add_choice("Method", method, method_names(), "how contact is imposed");
+    section.add("Quadrature points",
+                quadrature_points,
+                "Gauss points a direction on a slave face; 0: degree + 3 for weighted, degree + 1 for point-wise methods",
+                Range{0, 20});
+    for (const auto &[name, object] : methods)
+      section.add_section(name, "", [&, object = object](Section &s) { object->declare(s); });
+  }
+
+
+
+  void
+  LoadSteps::declare(Section &section)
+  {
+    section.add("End time", end_time, "t runs from 0 to this; supports, loads and obstacles depend on it", positive);
+    section.add("Number", number, "of equal steps", positive);
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::declare(Section &section)
+  {
+    unsigned int dimension = dim;
+    section.add("Dimension", dimension, "2 (plane strain) | 3");
+    section.add("Title", title, "");
+
+    section.add_named("Bodies", bodies, "Elastic bodies: a mesh and a material each.");
+    section.add_named("Obstacles", obstacles, "Rigid surfaces; they are never meshed.");
+    section.add_named("Supports", supports, "Prescribed displacements.");
+    section.add_named("Loads", loads, "Tractions, pressures, body forces.");
+    section.add_named("Contact pairs", pairs, "Surfaces that may touch.");
+    section.add_section("Mesh", "What is done to the meshes of all bodies before the first solution.", [&](Section &s) {
+      mesh.declare(s);
+      s.add("Degree", degree, "polynomial degree of the displacement", Range{1, 2});
+    });
+    section.add_section("Contact method", "One line switches the method; the others' sections are ignored.", [&](Section &s) {
+      contact.declare(s);
+    });
+    section.add_section("Accuracy", "Adaptive refinement.", [&](Section &s) { refinement.declare(s); });
+    section.add_section("Load steps", "The history of loading.", [&](Section &s) { load_steps.declare(s); });
+    section.add_section("Newton", "The nonlinear iteration.", [&](Section &s) { newton.declare(s); });
+    section.add_section("Solver", "The linear systems.", [&](Section &s) { solver.declare(s); });
+    section.add_section("Output", "What is written.", [&](Section &s) { output.declare(s); });
+    section.add_named("Expected results", expected, "What is known about the answer.");
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    std::vector<std::string>
+    boundary_names(const std::vector<Body<dim>> &bodies)
+    {
+      std::vector<std::string> names;
+      for (const Body<dim> &body : bodies)
+        for (const std::string &boundary : body.mesh.generator->boundaries())
+          names.push_back(body.name + "." + boundary);
+      return names;
+    }
+
+    template <typename Items>
+    std::vector<std::string>
+    names_of(const Items &items)
+    {
+      std::vector<std::string> names;
+      for (const auto &item : items)
+        names.push_back(item.name);
+      return names;
+    }
+
+    void
+    require(const std::string &             what,
+            const std::vector<std::string> &wanted,
+            const std::vector<std::string> &existing,
+            const std::string &             place)
+    {
+      for (const std::string &name : wanted)
+        if (std::find(existing.begin(), existing.end(), name) == existing.end())
+          {
+            const std::string close = nearest(name, existing);
+            throw SceneError(place + ": there is no " + what + " '" + name + "'" +
+                             (close.empty() ? "" : "; did you mean '" + close + "'?") + " There are: " + join(existing) +
+                             ".");
+          }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::check() const
+  {
+    if (bodies.empty())
+      throw SceneError("Bodies/Names: a scene needs at least one body");
+    const auto body_names     = names_of(bodies);
+    const auto obstacle_names = names_of(obstacles);
+    const auto boundaries     = boundary_names(bodies);
+    for (const Support<dim> &support : supports)
+      require("boundary", support.boundaries, boundaries, support.place);
+    for (const Load<dim> &load : loads)
+      {
+        require("boundary", load.boundaries, boundaries, load.place);
+        require("body", load.bodies, body_names, load.bodies_place);
+      }
+    std::vector<std::string> masters = boundaries;
+    masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
+    for (const ContactPair<dim> &pair : pairs)
+      {
+        require("boundary", {pair.slave}, boundaries, pair.slave_place);
+        require("boundary or obstacle", {pair.master}, masters, pair.master_place);
+        if (pair.slave == pair.master)
+          throw SceneError(pair.master_place + ": a surface cannot touch itself; name another surface or an obstacle");
+        if (obstacle_of(pair) && std::count(boundaries.begin(), boundaries.end(), pair.master))
+          throw SceneError(pair.master_place + ": is the name of a boundary and of an obstacle; rename the obstacle");
+      }
+    for (const RefinementZone<dim> &zone : mesh.zones)
+      require("body", zone.bodies, body_names, zone.place);
+    if (mesh.distribution == "METIS" && refinement.cycles > 0)
+      throw SceneError("Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +
+                       std::to_string(refinement.cycles) + "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
+  }
+
+
+
+  template <int dim>
+  const Obstacle<dim> *
+  Scene<dim>::obstacle_of(const ContactPair<dim> &pair) const
+  {
+    for (const Obstacle<dim> &obstacle : obstacles)
+      if (obstacle.name == pair.master)
+        return &obstacle;
+    return nullptr;
+  }
+
+
+
+  template <int dim>
+  Scene<dim>
+  Scene<dim>::example()
+  {
+    Scene scene;
+    scene.title = "a block pressed onto a rigid plane";
+    scene.bodies.resize(1);
+    scene.bodies[0].name = "block";
+    scene.obstacles.resize(1);
+    scene.obstacles[0].name = "ground";
+    scene.supports.resize(1);
+    scene.supports[0].name         = "press";
+    scene.supports[0].boundaries   = {"block.top"};
+    scene.supports[0].displacement = VectorExpression<dim>(dim == 2 ? "0; -0.01*t" : "0; 0; -0.01*t");
+    scene.pairs.resize(1);
+    scene.pairs[0].name   = "foot";
+    scene.pairs[0].slave  = "block.bottom";
+    scene.pairs[0].master = "ground";
+    return scene;
+  }
+
+
+
+  template struct Body<2>;
+  template struct Body<3>;
+  template struct Scene<2>;
+  template struct Scene<3>;
+} // namespace Signorini

@@ -1,0 +1,296 @@
+#include <signorini/parameters/section.h>
+#include <signorini/solve/newton.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  void
+  NewtonSettings::declare(Section &section)
+  {
+    section.add("Maximum steps", maximum_steps, "of Newton's method in one load step", positive);
+    section.add("Tolerance",
+                tolerance,
+                "of the nonlinear residual, relative to the forces at work",
+                Range{0, 1, false, false});
+  }
+
+
+
+  namespace
+  {
+    void
+    print_head(ConditionalOStream &out)
+    {
+      out << "    step   active  changes    residual         gap  damping  iterations" << std::endl;
+    }
+
+    void
+    print_row(ConditionalOStream &out, const unsigned int number, const NewtonStep &step)
+    {
+      std::ostringstream row;
+      row << std::setw(8) << number << std::setw(9) << step.active << std::setw(9) << step.changes << std::scientific
+          << std::setprecision(2) << std::setw(12) << step.residual << std::setw(12) << step.gap_residual << std::fixed
+          << std::setw(9) << step.damping << std::setw(12) << step.krylov_iterations;
+      out << row.str() << std::endl;
+    }
+  } // namespace
+
+
+
+  Newton::Newton(const NewtonSettings &                  settings,
+                 const LinearSolverSettings &            linear_settings,
+                 const ContactMethod &                   method,
+                 const LA::SparseMatrix &                stiffness,
+                 const AffineConstraints<double> &       constraints,
+                 const GapOperator &                     contact,
+                 const std::vector<std::vector<double>> &modes,
+                 const unsigned int                      dim,
+                 TimerOutput &                           timer)
+    : settings(settings)
+    , method(method)
+    , K(stiffness)
+    , constraints(constraints)
+    , contact(contact)
+    , system(stiffness, contact, method)
+    , linear_solver(linear_settings, system, modes, dim, timer)
+    , active_set(contact.zero())
+    , last_active_set(contact.zero())
+    , changes(contact.zero())
+  {}
+
+
+
+  LA::Vector
+  Newton::residual(const LA::Vector &f, const LA::Vector &u, const LA::Vector &p)
+  {
+    LA::Vector r;
+    r.reinit(f);
+    K.vmult(r, u);
+    r.sadd(-1, 1, f);
+    double scale = f.l2_norm();
+    if (!contact.empty())
+      {
+        const LA::Vector force = contact.force(p);
+        r += force;
+        scale = std::max(scale, force.l2_norm());
+      }
+    constraints.set_zero(r);
+    // The forces at work; the largest seen, so that the goal does not move away while contact opens.
+    force_scale = std::max(force_scale, scale);
+    return r;
+  }
+
+
+
+  NewtonReport
+  Newton::solve(const LA::Vector &f, LA::Vector &u, LA::Vector &p, ConditionalOStream &out)
+  {
+    NewtonReport report;
+    history.clear();
+    cautious    = false;
+    force_scale = 0;
+    changes     = 0.;
+
+    LA::BlockVector x = system.zero(), rhs = system.zero();
+    LA::Vector      gap, p_start = p;
+    bool            factorised = false;
+    double          damping    = 1;
+    print_head(out);
+    for (unsigned int n = 0;; ++n)
+      {
+        NewtonStep step;
+        step.damping = damping;
+        gap          = contact.gap(u);
+        update_active_set(gap, p, step);
+
+        const LA::Vector r = residual(f, u, p);
+        rhs.block(0)       = r;
+        if (system.is_saddle_point())
+          {
+            // A g on active points; A itself belongs to the present active set from here on.
+            rhs.block(1) = gap;
+            rhs.block(1).scale(contact.weight);
+            rhs.block(1).scale(contact.stiffness);
+            rhs.block(1).scale(active_set);
+          }
+        const double scale = force_scale > 0 ? force_scale : 1.;
+        step.residual      = r.l2_norm() / scale;
+        step.gap_residual  = system.is_saddle_point() ? rhs.block(1).l2_norm() / scale : 0.;
+
+        report.converged = step.residual <= settings.tolerance && step.gap_residual <= settings.tolerance;
+        if (!report.converged && n == settings.maximum_steps)
+          report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" + chattering_points();
+        if (report.converged || n == settings.maximum_steps)
+          {
+            report.steps.push_back(step);
+            print_row(out, n, step);
+            return report;
+          }
+
+        if (step.changes > 0 || !factorised)
+          {
+            system.set_active(active_set);
+            linear_solver.update();
+            factorised = true;
+          }
+        step.krylov_iterations = linear_solver.solve(x, rhs, 0.1 * settings.tolerance * scale);
+        damping = system.is_saddle_point() || contact.empty() ? 1. : line_search(r, gap, p, x.block(0));
+        u.add(damping, x.block(0));
+        if (system.is_saddle_point())
+          {
+            x.block(1).scale(contact.stiffness);
+            x.block(1).scale(active_set);
+            p += x.block(1);
+          }
+        report.steps.push_back(step);
+        print_row(out, n, step);
+      }
+  }
+
+
+
+  void
+  Newton::update_active_set(const LA::Vector &gap, LA::Vector &p, NewtonStep &step)
+  {
+    if (contact.empty())
+      return;
+    last_active_set           = active_set;
+    const LA::Vector p_before = p;
+    step.active               = apply_contact_law(method, contact, gap, p, active_set);
+    if (method.has_multipliers() && (cautious || seen_before()))
+      {
+        if (!cautious)
+          changes = 0.;
+        cautious = true;
+        keep_all_but_the_worst(gap, p_before, p);
+        step.active = static_cast<unsigned int>(active_set.l1_norm() + 0.5);
+      }
+    LA::Vector difference = active_set;
+    difference -= last_active_set;
+    for (const auto i : difference.locally_owned_elements())
+      changes(i) += std::abs(difference(i));
+    changes.compress(VectorOperation::add);
+    step.changes = static_cast<unsigned int>(difference.l1_norm() + 0.5);
+  }
+
+
+
+  void
+  Newton::keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p_before, LA::Vector &p)
+  {
+    const auto violation = [&](const auto i) {
+      return active_set(i) == last_active_set(i) ?
+               0. :
+               std::abs(p_before(i) - method.factor() * contact.stiffness(i) * gap(i));
+    };
+    double worst = 0;
+    for (const auto i : gap.locally_owned_elements())
+      worst = std::max(worst, violation(i));
+    worst = Utilities::MPI::max(worst, gap.get_mpi_communicator());
+    for (const auto i : gap.locally_owned_elements())
+      if (const double v = violation(i); v > 0 && v < worst)
+        {
+          active_set(i) = last_active_set(i);
+          p(i)          = last_active_set(i) > 0 ? p_before(i) : 0.;
+        }
+    active_set.compress(VectorOperation::insert);
+    p.compress(VectorOperation::insert);
+  }
+
+
+
+  bool
+  Newton::seen_before()
+  {
+    // A sum of well-mixed numbers, one an active point: independent of order and ranks.
+    uint64_t hash = 0;
+    for (const auto i : active_set.locally_owned_elements())
+      if (active_set(i) > 0)
+        {
+          uint64_t z = (i + 1) * 0x9e3779b97f4a7c15ULL;
+          z          = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+          hash += z ^ (z >> 27);
+        }
+    hash                 = Utilities::MPI::sum(hash, active_set.get_mpi_communicator());
+    LA::Vector difference = active_set;
+    difference -= last_active_set;
+    // To stay where we are is no cycle.
+    return !history.insert(hash).second && difference.l1_norm() > 0;
+  }
+
+
+
+  double
+  Newton::line_search(const LA::Vector &r, const LA::Vector &gap, const LA::Vector &p, const LA::Vector &du) const
+  {
+    // The energy along u + a du is convex with derivative
+    //   phi'(a) = -r.du + a du.K du - sum w (p(g + a B du) - p(g)) B du,   r = f + B^T W p - K u.
+    LA::Vector K_du, B_du = contact.zero();
+    K_du.reinit(du);
+    K.vmult(K_du, du);
+    contact.B_free.vmult(B_du, du);
+    const double slope = -(r * du), curvature = K_du * du;
+
+    const MPI_Comm comm       = gap.get_mpi_communicator();
+    const auto     derivative = [&](const double a) {
+      double sum = 0;
+      for (const auto i : gap.locally_owned_elements())
+        {
+          const double p_new = std::max(0., -method.factor() * contact.stiffness(i) * (gap(i) + a * B_du(i)));
+          sum += contact.weight(i) * (p_new - p(i)) * B_du(i);
+        }
+      return slope + a * curvature - Utilities::MPI::sum(sum, comm);
+    };
+    if (std::abs(derivative(1)) <= 0.1 * std::abs(slope))
+      return 1;
+    double low = 0, high = 1;
+    while (derivative(high) < 0 && high < 1e3)
+      {
+        low = high;
+        high *= 2;
+      }
+    for (unsigned int i = 0; i < 60 && high - low > 1e-10 * high; ++i)
+      {
+        const double middle = (low + high) / 2;
+        (derivative(middle) < 0 ? low : high) = middle;
+      }
+    return (low + high) / 2;
+  }
+
+
+
+  std::string
+  Newton::chattering_points() const
+  {
+    if (contact.empty())
+      return "";
+    std::ostringstream text;
+    unsigned int       n = 0;
+    for (const auto i : changes.locally_owned_elements())
+      if (changes(i) >= 3)
+        {
+          if (n++ < 3)
+            {
+              text << " (";
+              for (unsigned int d = 0; d < contact.position.size(); ++d)
+                text << (d > 0 ? ", " : "") << contact.position[d](i);
+              text << ")";
+            }
+        }
+    const MPI_Comm comm = changes.get_mpi_communicator();
+    std::string    places;
+    for (const std::string &part : Utilities::MPI::all_gather(comm, text.str()))
+      places += part;
+    n = Utilities::MPI::sum(n, comm);
+    if (n == 0)
+      return "";
+    return "; the active set keeps changing at " + std::to_string(n) + " contact points, among them" + places +
+           ". Refine there, lower the penalty, or take another method";
+  }
+} // namespace Signorini

@@ -1,0 +1,192 @@
+#include <signorini/solve/zone_solver.h>
+
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+
+#include <functional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A vector on the degrees of freedom, as the local columns of a matrix see it.
+    std::vector<double>
+    on_columns(const LA::SparseMatrix &matrix, const LA::Vector &v)
+    {
+      const Epetra_CrsMatrix &A = matrix.trilinos_matrix();
+      Epetra_Vector           columns(A.ColMap());
+      // Epetra has no importer where all columns are local.
+      const Epetra_Import importer(A.ColMap(), A.DomainMap());
+      const int           error = columns.Import(v.trilinos_vector(), importer, Insert);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      return std::vector<double>(columns.Values(), columns.Values() + columns.MyLength());
+    }
+
+    /// Local row of a matrix without the detour over iterators, which cost a hundred times more.
+    struct RowView
+    {
+      RowView(const LA::SparseMatrix &matrix, const int row)
+      {
+        const int error = matrix.trilinos_matrix().ExtractMyRowView(row, size, values, columns);
+        AssertThrow(error == 0, ExcTrilinosError(error));
+      }
+
+      int     size;
+      double *values;
+      int *   columns;
+    };
+  } // namespace
+
+
+
+  /// Matrix entries in zone numbering.
+  struct ZoneSolver::Entries
+  {
+    std::vector<types::global_dof_index> rows, columns;
+    std::vector<double>                  values;
+
+    void
+    add(const types::global_dof_index i, const types::global_dof_index j, const double value)
+    {
+      rows.push_back(i);
+      columns.push_back(j);
+      values.push_back(value);
+    }
+  };
+
+
+
+  ZoneSolver::ZoneSolver(const ContactSystem &system, const LA::Vector &marker, const std::string &direct_solver)
+    : system(system)
+    , direct_solver("Amesos_" + (direct_solver == "MUMPS" ? std::string("Mumps") : std::string("Klu")))
+    , control(1, 0)
+  {
+    types::global_dof_index local = 0;
+    for (const auto i : marker.locally_owned_elements())
+      {
+        if (marker(i) != 0)
+          dofs.emplace_back(i, 0);
+        ++local;
+      }
+    const unsigned int n_rows =
+      system.is_saddle_point() ? system.gap_operator().weight.locally_owned_elements().n_elements() : 0;
+    const MPI_Comm comm = marker.get_mpi_communicator();
+    owned               = LA::contiguous_partition(dofs.size() + n_rows, comm);
+    writable            = owned;
+
+    LA::Vector number;
+    number.reinit(marker);
+    number     = -1.;
+    auto index = owned.begin();
+    for (auto &[dof, zone] : dofs)
+      {
+        zone        = *index++;
+        number(dof) = zone;
+      }
+    number.compress(VectorOperation::insert);
+    first_row = n_rows > 0 ? *index : 0;
+
+    number_in_K = on_columns(system.stiffness(), number);
+    if (!system.gap_operator().empty())
+      number_in_B = on_columns(system.gap_operator().B_free, number);
+    for (const double zone : number_in_B)
+      if (zone >= 0)
+        writable.add_index(static_cast<types::global_dof_index>(zone));
+    left.reinit(owned, comm);
+    right.reinit(owned, comm);
+  }
+
+
+
+  void
+  ZoneSolver::collect(Entries &entries) const
+  {
+    const LA::SparseMatrix &K          = system.stiffness();
+    const IndexSet          range      = K.locally_owned_range_indices();
+    for (const auto &[dof, zone] : dofs)
+      {
+        const RowView row(K, range.index_within_set(dof));
+        for (int k = 0; k < row.size; ++k)
+          if (const double column = number_in_K[row.columns[k]]; column >= 0)
+            entries.add(zone, column, row.values[k]);
+      }
+    if (system.gap_operator().empty())
+      return;
+
+    const LA::SparseMatrix &B     = system.gap_operator().B_free;
+    unsigned int            local = 0;
+    for (const auto i : system.gap_operator().weight.locally_owned_elements())
+      {
+        const RowView row(B, local);
+        const double  spring = system.spring()(i), coupling = system.coupling()(i);
+        const auto    multiplier = first_row + local;
+        ++local;
+        for (int k = 0; k < row.size; ++k)
+          {
+            const double column = number_in_B[row.columns[k]];
+            if (column < 0)
+              continue;
+            if (coupling != 0)
+              {
+                entries.add(column, multiplier, -coupling * row.values[k]);
+                entries.add(multiplier, column, -coupling * row.values[k]);
+              }
+            if (spring != 0)
+              for (int l = 0; l < row.size; ++l)
+                if (const double other = number_in_B[row.columns[l]]; other >= 0)
+                  entries.add(column, other, spring * row.values[k] * row.values[l]);
+          }
+        if (system.is_saddle_point())
+          entries.add(multiplier, multiplier, -system.identity()(i));
+      }
+  }
+
+
+
+  void
+  ZoneSolver::update()
+  {
+    Entries entries;
+    collect(entries);
+    TrilinosWrappers::SparsityPattern pattern(owned, owned, writable, system.stiffness().get_mpi_communicator(), 0u);
+    for (std::size_t i = 0; i < entries.values.size(); ++i)
+      pattern.add(entries.rows[i], entries.columns[i]);
+    pattern.compress();
+    matrix.reinit(pattern);
+    for (std::size_t i = 0; i < entries.values.size(); ++i)
+      matrix.add(entries.rows[i], entries.columns[i], entries.values[i]);
+    matrix.compress(VectorOperation::add);
+
+    solver = std::make_unique<TrilinosWrappers::SolverDirect>(
+      control, TrilinosWrappers::SolverDirect::AdditionalData(false, direct_solver));
+    solver->initialize(matrix);
+  }
+
+
+
+  void
+  ZoneSolver::add_correction(LA::BlockVector &x, const LA::BlockVector &r) const
+  {
+    for (const auto &[dof, zone] : dofs)
+      right(zone) = r.block(0)(dof);
+    auto row = first_row;
+    if (system.is_saddle_point())
+      for (const auto i : r.block(1).locally_owned_elements())
+        right(row++) = r.block(1)(i);
+    right.compress(VectorOperation::insert);
+
+    solver->solve(left, right);
+
+    for (const auto &[dof, zone] : dofs)
+      x.block(0)(dof) += left(zone);
+    row = first_row;
+    if (system.is_saddle_point())
+      for (const auto i : x.block(1).locally_owned_elements())
+        x.block(1)(i) += left(row++);
+    x.compress(VectorOperation::add);
+  }
+} // namespace Signorini
