@@ -80,7 +80,8 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
   void
   print_template()
   {
-    std::cout << "# A complete scene with all keys; values are defaults. Lengths, forces and times in any consistent units.\n";
+    std::cout
+      << "# A complete scene with all keys; values are defaults. Lengths, forces and times in any consistent units.\n";
     Section section(std::cout, true);
     Scene<dim>::example().declare(section);
   }
@@ -97,12 +98,14 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
 
         const RawSection::Value *dimension = raw.find_value("Dimension");
         if (!dimension)
-          throw SceneError(arguments.scene + ": 'Dimension' is not set; write set Dimension = 2 or 3 at the top");
+          throw SceneError(arguments.scene +
+                           ": 'Dimension' is not set; write set Dimension = 2 or 3 at the top");
         if (dimension->text == "2")
           return run<2>(raw, arguments);
         if (dimension->text == "3")
           return run<3>(raw, arguments);
-        throw SceneError(dimension->where + ": Dimension = " + dimension->text + ": must be 2 or 3");
+        throw SceneError(dimension->where + ": Dimension = " + dimension->text +
+                         ": must be 2 or 3");
       }
     if (first_rank && arguments.action == "help")
       std::cout << usage;
@@ -134,8 +137,9 @@ main(int argc, char **argv)
     }
   catch (const std::exception &error)
     {
-      std::cerr << "internal error on rank " << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) << ": "
-                << error.what() << std::endl;
+      std::cerr << "internal error on rank "
+                << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) << ": " << error.what()
+                << std::endl;
       // Other ranks may wait for this one forever.
       if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
         MPI_Abort(MPI_COMM_WORLD, internal_error);

@@ -1,5 +1,5 @@
-#include <signorini/parameters/section.h>
 #include <signorini/output/summary.h>
+#include <signorini/parameters/section.h>
 #include <signorini/simulation.h>
 
 #include <fstream>
@@ -33,7 +33,8 @@ namespace Signorini
       std::vector<Material> materials;
       for (const Body<dim> &body : scene.bodies)
         materials.push_back(body.material);
-      return std::make_unique<Elasticity<dim>>(mesh, materials, scene.supports, scene.loads, scene.degree);
+      return std::make_unique<Elasticity<dim>>(
+        mesh, materials, scene.supports, scene.loads, scene.degree);
     }
 
     std::string
@@ -57,7 +58,9 @@ namespace Signorini
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
     if (!scene.title.empty())
       out << " - " << scene.title;
-    out << "\n" << scene.contact.method << ", " << Utilities::MPI::n_mpi_processes(comm) << " ranks" << std::endl;
+    out << "\n"
+        << scene.contact.method << ", " << Utilities::MPI::n_mpi_processes(comm) << " ranks"
+        << std::endl;
   }
 
 
@@ -66,24 +69,25 @@ namespace Signorini
   ExitCode
   Simulation<dim>::run()
   {
-    const std::string directory = scene.output.directory.empty() ? "output/" + scene.name : scene.output.directory;
-    writer                      = std::make_unique<Writer<dim>>(scene.output, directory, comm);
+    const std::string directory =
+      scene.output.directory.empty() ? "output/" + scene.name : scene.output.directory;
+    writer = std::make_unique<Writer<dim>>(scene.output, directory, comm);
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       {
         std::ofstream resolved(directory + "/scene.prm");
         Section       section(resolved, false);
         Scene<dim>(scene).declare(section);
       }
-    results = {{"scene", scene.name},
-               {"title", scene.title},
-               {"version", SIGNORINI_VERSION},
-               {"libraries", library_versions()},
-               {"ranks", Utilities::MPI::n_mpi_processes(comm)},
-               {"dimension", dim},
-               {"method", scene.contact.method},
-               {"converged", false},
-               {"reason", ""},
-               {"output_directory", directory}};
+    results               = {{"scene", scene.name},
+                             {"title", scene.title},
+                             {"version", SIGNORINI_VERSION},
+                             {"libraries", library_versions()},
+                             {"ranks", Utilities::MPI::n_mpi_processes(comm)},
+                             {"dimension", dim},
+                             {"method", scene.contact.method},
+                             {"converged", false},
+                             {"reason", ""},
+                             {"output_directory", directory}};
     results["cycles"]     = Json::array();
     results["load_steps"] = Json::array();
     try
@@ -138,8 +142,9 @@ namespace Signorini
 
     const auto floating = elasticity->unrestrained_modes();
     if (!floating.empty())
-      throw SceneError("Supports/Names: no support holds " + join(floating) +
-                       "; bodies that contact alone holds cannot be solved yet: prescribe a displacement that stops these motions");
+      throw SceneError(
+        "Supports/Names: no support holds " + join(floating) +
+        "; bodies that contact alone holds cannot be solved yet: prescribe a displacement that stops these motions");
   }
 
 
@@ -153,7 +158,8 @@ namespace Signorini
       if (cell->is_locally_owned())
         ++cells[cell->material_id()];
     Utilities::MPI::sum(cells, comm, cells);
-    out << "\nMesh " << results["cycles"].size() << ": " << elasticity->dof_handler().n_dofs() << " degrees of freedom";
+    out << "\nMesh " << results["cycles"].size() << ": " << elasticity->dof_handler().n_dofs()
+        << " degrees of freedom";
     for (unsigned int body = 0; body < cells.size(); ++body)
       out << (body == 0 ? "; cells: " : ", ") << mesh->body_name(body) << " " << cells[body];
     out << std::endl;
@@ -175,21 +181,23 @@ namespace Signorini
       TimerOutput::Scope scope(timer, "search");
       surfaces.clear();
       for (const ContactPair<dim> &pair : scene.pairs)
-        surfaces.push_back(make_contact_surface(*elasticity, pair, scene.obstacle_of(pair), n_points));
+        surfaces.push_back(
+          make_contact_surface(*elasticity, pair, scene.obstacle_of(pair), n_points));
     }
     TimerOutput::Scope scope(timer, "contact");
-    contact  = make_gap_operator(*elasticity, surfaces, method.sampling());
+    contact = make_gap_operator(*elasticity, surfaces, method.sampling());
     for (unsigned int i = 0; i < surfaces.size(); ++i)
       {
         const auto faces    = Utilities::MPI::sum(surfaces[i].faces, comm);
         const auto paired   = Utilities::MPI::sum(surfaces[i].points.size(), comm);
         const auto unpaired = Utilities::MPI::sum(surfaces[i].unpaired.size(), comm);
-        out << "  pair " << scene.pairs[i].name << ": " << scene.pairs[i].slave << " (" << faces << " faces) on "
-            << scene.pairs[i].master << ", " << paired << " of " << paired + unpaired << " points have a partner"
-            << std::endl;
+        out << "  pair " << scene.pairs[i].name << ": " << scene.pairs[i].slave << " (" << faces
+            << " faces) on " << scene.pairs[i].master << ", " << paired << " of "
+            << paired + unpaired << " points have a partner" << std::endl;
         if (paired == 0)
-          throw SceneError(scene.pairs[i].master_place + ": no point of '" + scene.pairs[i].slave +
-                           "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
+          throw SceneError(
+            scene.pairs[i].master_place + ": no point of '" + scene.pairs[i].slave +
+            "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
       }
     // What a former mesh knew of the pressure.
     LA::Vector start = contact->zero();
@@ -256,7 +264,8 @@ namespace Signorini
     const double estimate =
       refine(scene.refinement, *mesh, *elasticity, displacement, {&displacement, &nodal});
     pressure = nodal;
-    results["cycles"].push_back({{"newton_iterations", report.steps.size()}, {"estimate", estimate}});
+    results["cycles"].push_back(
+      {{"newton_iterations", report.steps.size()}, {"estimate", estimate}});
   }
 
 
@@ -284,8 +293,16 @@ namespace Signorini
   {
     TimerOutput::Scope  scope(timer, "output");
     const LA::Vector    gap = contact->gap(displacement);
-    const Snapshot<dim> now{
-      *elasticity, scene.pairs, surfaces, *contact, displacement, gap, pressure, newton->active(), t, step};
+    const Snapshot<dim> now{*elasticity,
+                            scene.pairs,
+                            surfaces,
+                            *contact,
+                            displacement,
+                            gap,
+                            pressure,
+                            newton->active(),
+                            t,
+                            step};
 
     Json krylov = Json::array();
     for (const NewtonStep &row : report.steps)
@@ -314,11 +331,12 @@ namespace Signorini
   ExitCode
   Simulation<dim>::finish()
   {
-    results["converged"]           = report.converged;
-    results["reason"]              = report.reason;
-    results["cells"]               = mesh->triangulation().n_global_active_cells();
-    results["dofs"]                = elasticity->dof_handler().n_dofs();
-    results["multiplier_dofs"]     = scene.contact.chosen().has_multipliers() ? contact->weight.size() : 0;
+    results["converged"] = report.converged;
+    results["reason"]    = report.reason;
+    results["cells"]     = mesh->triangulation().n_global_active_cells();
+    results["dofs"]      = elasticity->dof_handler().n_dofs();
+    results["multiplier_dofs"] =
+      scene.contact.chosen().has_multipliers() ? contact->weight.size() : 0;
     unsigned int faces = 0, candidates = 0;
     for (const ContactSurface<dim> &surface : surfaces)
       {
@@ -346,7 +364,8 @@ namespace Signorini
       out << "\nNot solved: " << report.reason << std::endl;
     const std::string directory = results["output_directory"];
     write_json(results, directory + "/results.json", comm);
-    out << "\n" << seconds(results["seconds"]["total"]) << ", results in " << directory << "/results.json\n"
+    out << "\n"
+        << seconds(results["seconds"]["total"]) << ", results in " << directory << "/results.json\n"
         << "Output directory: " << directory << std::endl;
     return code;
   }

@@ -14,11 +14,11 @@ namespace Signorini
   /// Exit codes of the program.
   enum ExitCode
   {
-    solved        = 0,
+    solved         = 0,
     internal_error = 1,
-    bad_scene     = 2, ///< or bad command line
-    not_converged = 3,
-    missed        = 4 ///< solved, but an expected result of the scene is missed
+    bad_scene      = 2, ///< or bad command line
+    not_converged  = 3,
+    missed         = 4 ///< solved, but an expected result of the scene is missed
   };
 
   /// One run: scene -> mesh -> solve -> estimate -> refine -> load history -> results.

@@ -16,13 +16,21 @@ namespace Signorini
   void
   RefinementSettings::declare(Section &section)
   {
-    section.add("Refinement cycles", cycles, "how often the mesh is refined and the scene solved again");
+    section.add("Refinement cycles",
+                cycles,
+                "how often the mesh is refined and the scene solved again");
     section.add_choice("Strategy",
                        strategy,
                        {"estimator", "global"},
                        "estimator: where stress jumps between cells; global: everywhere");
-    section.add("Refine fraction", refine_fraction, "share of the cells that are refined", Range{0, 1});
-    section.add("Coarsen fraction", coarsen_fraction, "share of the cells that are coarsened", Range{0, 1});
+    section.add("Refine fraction",
+                refine_fraction,
+                "share of the cells that are refined",
+                Range{0, 1});
+    section.add("Coarsen fraction",
+                coarsen_fraction,
+                "share of the cells that are coarsened",
+                Range{0, 1});
     section.add("Maximum cells", maximum_cells, "no refinement beyond", positive);
     if (refine_fraction + coarsen_fraction > 1)
       section.fail("Refine fraction", "plus Coarsen fraction must not exceed 1");
@@ -45,7 +53,8 @@ namespace Signorini
                                          error);
       for (const auto &cell : elasticity.mesh().triangulation().active_cell_iterators())
         if (cell->is_locally_owned())
-          error[cell->active_cell_index()] *= std::sqrt(elasticity.material(cell->material_id()).youngs_modulus);
+          error[cell->active_cell_index()] *=
+            std::sqrt(elasticity.material(cell->material_id()).youngs_modulus);
       return error;
     }
   } // namespace
@@ -54,19 +63,24 @@ namespace Signorini
 
   template <int dim>
   double
-  refine(const RefinementSettings &       settings,
-         Mesh<dim> &                      mesh,
-         Elasticity<dim> &                elasticity,
-         const LA::Vector &               displacement,
+  refine(const RefinementSettings        &settings,
+         Mesh<dim>                       &mesh,
+         Elasticity<dim>                 &elasticity,
+         const LA::Vector                &displacement,
          const std::vector<LA::Vector *> &vectors)
   {
-    auto &triangulation = dynamic_cast<parallel::distributed::Triangulation<dim> &>(mesh.triangulation());
+    auto &triangulation =
+      dynamic_cast<parallel::distributed::Triangulation<dim> &>(mesh.triangulation());
     const Vector<float> error = estimate(elasticity, displacement);
     if (settings.strategy == "global")
       triangulation.set_all_refine_flags();
     else
       parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
-        triangulation, error, settings.refine_fraction, settings.coarsen_fraction, settings.maximum_cells);
+        triangulation,
+        error,
+        settings.refine_fraction,
+        settings.coarsen_fraction,
+        settings.maximum_cells);
 
     std::vector<LA::Vector>         ghosted;
     std::vector<const LA::Vector *> in;
@@ -90,7 +104,15 @@ namespace Signorini
 
 
   template double
-  refine(const RefinementSettings &, Mesh<2> &, Elasticity<2> &, const LA::Vector &, const std::vector<LA::Vector *> &);
+  refine(const RefinementSettings &,
+         Mesh<2> &,
+         Elasticity<2> &,
+         const LA::Vector &,
+         const std::vector<LA::Vector *> &);
   template double
-  refine(const RefinementSettings &, Mesh<3> &, Elasticity<3> &, const LA::Vector &, const std::vector<LA::Vector *> &);
+  refine(const RefinementSettings &,
+         Mesh<3> &,
+         Elasticity<3> &,
+         const LA::Vector &,
+         const std::vector<LA::Vector *> &);
 } // namespace Signorini

@@ -34,11 +34,11 @@ namespace Signorini
     /// Which rows there are, and which shares of each contact point they take.
     struct Rows
     {
-      IndexSet                             owned;
-      IndexSet                             writable; ///< owned, and those that points of this rank contribute to
+      IndexSet owned;
+      IndexSet writable; ///< owned, and those that points of this rank contribute to
       std::vector<std::vector<std::vector<Share>>> shares; ///< [pair][point]
-      std::vector<unsigned int>            pair;
-      std::vector<types::global_dof_index> node;
+      std::vector<unsigned int>                    pair;
+      std::vector<types::global_dof_index>         node;
     };
 
     template <int dim>
@@ -128,11 +128,11 @@ namespace Signorini
 
     template <int dim>
     void
-    assemble(GapOperator &                            contact,
-             const Rows &                             rows,
-             const std::vector<ContactSurface<dim>> & surfaces,
-             const IndexSet &                         columns,
-             const MPI_Comm                           comm)
+    assemble(GapOperator                            &contact,
+             const Rows                             &rows,
+             const std::vector<ContactSurface<dim>> &surfaces,
+             const IndexSet                         &columns,
+             const MPI_Comm                          comm)
     {
       TrilinosWrappers::SparsityPattern pattern(rows.owned, columns, rows.writable, comm, 0u);
       for (unsigned int p = 0; p < surfaces.size(); ++p)
@@ -175,17 +175,19 @@ namespace Signorini
       contact.B.compress(VectorOperation::add);
     }
 
-    /// Put the points of nodes where the nodes are, instead of the weighted mean of their surroundings.
+    /// Put the points of nodes where the nodes are, instead of the weighted mean of their
+    /// surroundings.
     template <int dim>
     void
     move_to_nodes(GapOperator &contact, const Elasticity<dim> &elasticity)
     {
-      std::map<types::global_dof_index, types::global_dof_index> row_of;
-      auto                                                       row = contact.weight.locally_owned_elements().begin();
-      for (const auto node : contact.node)
-        row_of[node] = *row++;
+      // A node that is slave in two pairs has two rows.
+      std::multimap<types::global_dof_index, types::global_dof_index> rows_of;
+      auto                                                            row = contact.node.begin();
+      for (const auto i : contact.weight.locally_owned_elements())
+        rows_of.emplace(*row++, i);
 
-      const auto &                         fe = elasticity.finite_element();
+      const auto                          &fe = elasticity.finite_element();
       FEValues<dim>                        values(elasticity.mesh().mapping(),
                            fe,
                            Quadrature<dim>(fe.get_unit_support_points()),
@@ -195,13 +197,15 @@ namespace Signorini
         if (cell->is_locally_owned())
           {
             cell->get_dof_indices(indices);
-            if (std::none_of(indices.begin(), indices.end(), [&](const auto i) { return row_of.count(i); }))
+            if (std::none_of(indices.begin(), indices.end(), [&](const auto i) {
+                  return rows_of.count(i);
+                }))
               continue;
             values.reinit(cell);
             for (unsigned int i = 0; i < indices.size(); ++i)
-              if (const auto found = row_of.find(indices[i]); found != row_of.end())
+              for (auto [at, last] = rows_of.equal_range(indices[i]); at != last; ++at)
                 for (unsigned int d = 0; d < dim; ++d)
-                  contact.position[d](found->second) = values.quadrature_point(i)[d];
+                  contact.position[d](at->second) = values.quadrature_point(i)[d];
           }
       for (LA::Vector &v : contact.position)
         v.compress(VectorOperation::insert);
@@ -234,17 +238,18 @@ namespace Signorini
 
   template <int dim>
   std::unique_ptr<GapOperator>
-  make_gap_operator(const Elasticity<dim> &                 elasticity,
+  make_gap_operator(const Elasticity<dim>                  &elasticity,
                     const std::vector<ContactSurface<dim>> &surfaces,
                     const Sampling                          sampling)
   {
     const MPI_Comm comm = elasticity.mesh().communicator();
-    const Rows     rows = sampling == Sampling::nodes ? node_rows(elasticity, surfaces) : quadrature_rows(surfaces, comm);
+    const Rows     rows = sampling == Sampling::nodes ? node_rows(elasticity, surfaces) :
+                                                        quadrature_rows(surfaces, comm);
 
     auto         result  = std::make_unique<GapOperator>();
     GapOperator &contact = *result;
     contact.pair         = rows.pair;
-    contact.node = rows.node;
+    contact.node         = rows.node;
     assemble(contact, rows, surfaces, elasticity.owned(), comm);
     normalise(contact);
     if (sampling == Sampling::nodes)
@@ -322,7 +327,8 @@ namespace Signorini
   void
   GapOperator::scatter(const LA::Vector &points, LA::Vector &nodal) const
   {
-    auto row = points.locally_owned_elements().begin();
+    const IndexSet rows = points.locally_owned_elements();
+    auto           row  = rows.begin();
     for (const auto dof : node)
       nodal(dof) = points(*row++);
     nodal.compress(VectorOperation::insert);
@@ -333,7 +339,8 @@ namespace Signorini
   void
   GapOperator::gather(const LA::Vector &nodal, LA::Vector &points) const
   {
-    auto row = points.locally_owned_elements().begin();
+    const IndexSet rows = points.locally_owned_elements();
+    auto           row  = rows.begin();
     for (const auto dof : node)
       points(*row++) = nodal(dof);
     points.compress(VectorOperation::insert);

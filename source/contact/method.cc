@@ -50,10 +50,10 @@ namespace Signorini
 
   unsigned int
   apply_contact_law(const ContactMethod &method,
-                    const GapOperator &  contact,
-                    const LA::Vector &   gap,
-                    LA::Vector &         pressure,
-                    LA::Vector &         active)
+                    const GapOperator   &contact,
+                    const LA::Vector    &gap,
+                    LA::Vector          &pressure,
+                    LA::Vector          &active)
   {
     const bool   multipliers = method.has_multipliers();
     const double factor      = method.factor();
@@ -85,6 +85,8 @@ namespace Signorini
         worst[2] = std::max(worst[2], std::abs(gap(i) * pressure(i)));
       }
     const MPI_Comm comm = gap.get_mpi_communicator();
-    return {Utilities::MPI::max(worst[0], comm), Utilities::MPI::max(worst[1], comm), Utilities::MPI::max(worst[2], comm)};
+    return {Utilities::MPI::max(worst[0], comm),
+            Utilities::MPI::max(worst[1], comm),
+            Utilities::MPI::max(worst[2], comm)};
   }
 } // namespace Signorini

@@ -37,9 +37,10 @@ namespace Signorini
         if (name == type)
           shape = make();
     shape->declare(section);
-    section.add("Displacement",
-                displacement,
-                "motion of the obstacle, one formula in t a component, separated by ';'; empty: at rest [length]");
+    section.add(
+      "Displacement",
+      displacement,
+      "motion of the obstacle, one formula in t a component, separated by ';'; empty: at rest [length]");
   }
 
 

@@ -7,15 +7,18 @@ namespace Signorini
   void
   ContactPair<dim>::declare(Section &section)
   {
-    section.add("Slave", slave, "BODY.BOUNDARY; contact is integrated over it: take the finer or softer side");
+    section.add("Slave",
+                slave,
+                "BODY.BOUNDARY; contact is integrated over it: take the finer or softer side");
     section.add("Master", master, "BODY.BOUNDARY, or the name of an obstacle");
     section.add("Initial gap",
                 initial_gap,
                 "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z [length]");
-    section.add("Search distance",
-                search_distance,
-                "points that are farther apart at the start never touch; 0: a tenth of the size of the scene [length]",
-                non_negative);
+    section.add(
+      "Search distance",
+      search_distance,
+      "points that are farther apart at the start never touch; 0: a tenth of the size of the scene [length]",
+      non_negative);
     if (!section.reading())
       return;
     slave_place  = section.place_of("Slave");
@@ -31,7 +34,8 @@ namespace Signorini
         }
       catch (const SceneError &error)
         {
-          section.fail("Initial gap", std::string(error.what()) + "; or write 'from geometry' or 'closed'");
+          section.fail("Initial gap",
+                       std::string(error.what()) + "; or write 'from geometry' or 'closed'");
         }
   }
 

@@ -43,7 +43,9 @@ namespace Signorini
             for (const auto &[index, weight] : *entries)
               row.emplace_back(index, factor * weight);
           }
-      row.erase(std::remove_if(row.begin(), row.end(), [](const auto &entry) { return entry.second == 0; }),
+      row.erase(std::remove_if(row.begin(),
+                               row.end(),
+                               [](const auto &entry) { return entry.second == 0; }),
                 row.end());
       unite(row);
     }
@@ -71,7 +73,8 @@ namespace Signorini
       {
         SparseRow row;
         for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-          if (const double value = fe.base_element(0).shape_value(i, unit_point); std::abs(value) > 1e-14)
+          if (const double value = fe.base_element(0).shape_value(i, unit_point);
+              std::abs(value) > 1e-14)
             for (unsigned int d = 0; d < dim; ++d)
               if (n[d] != 0)
                 row.emplace_back(indices[fe.component_to_system_index(d, i)], value * n[d]);
@@ -85,15 +88,16 @@ namespace Signorini
       {
         SparseRow row;
         for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-          if (const double value = fe.base_element(0).shape_value(i, unit_point); std::abs(value) > 1e-14)
+          if (const double value = fe.base_element(0).shape_value(i, unit_point);
+              std::abs(value) > 1e-14)
             row.emplace_back(indices[fe.component_to_system_index(0, i)], value);
         resolve(hanging, row);
         return row;
       }
 
     private:
-      const FESystem<dim> &                fe;
-      const AffineConstraints<double> &    hanging;
+      const FESystem<dim>                 &fe;
+      const AffineConstraints<double>     &hanging;
       std::vector<types::global_dof_index> indices;
     };
 
@@ -102,7 +106,8 @@ namespace Signorini
     double
     stiffness(const Elasticity<dim> &elasticity, const Cell<dim> &cell, const unsigned int face)
     {
-      return elasticity.material(cell->material_id()).youngs_modulus * cell->face(face)->measure() / cell->measure();
+      return elasticity.material(cell->material_id()).youngs_modulus * cell->face(face)->measure() /
+             cell->measure();
     }
 
     template <int dim>
@@ -134,26 +139,31 @@ namespace Signorini
 
     template <int dim>
     SlavePoints<dim>
-    slave_points(const Elasticity<dim> &elasticity, const Faces<dim> &faces, const unsigned int n_points)
+    slave_points(const Elasticity<dim> &elasticity,
+                 const Faces<dim>      &faces,
+                 const unsigned int     n_points)
     {
       const QGauss<dim - 1> quadrature(n_points);
       FEFaceValues<dim>     values(elasticity.mesh().mapping(),
                                elasticity.finite_element(),
                                quadrature,
-                               update_quadrature_points | update_normal_vectors | update_JxW_values);
+                               update_quadrature_points | update_normal_vectors |
+                                 update_JxW_values);
       // The same points on the reference cell, for each face in each orientation.
-      const Quadrature<dim> projected = QProjector<dim>::project_to_all_faces(ReferenceCells::get_hypercube<dim>(), quadrature);
-      SlavePoints<dim>      slave;
+      const Quadrature<dim> projected =
+        QProjector<dim>::project_to_all_faces(ReferenceCells::get_hypercube<dim>(), quadrature);
+      SlavePoints<dim> slave;
       for (unsigned int i = 0; i < faces.size(); ++i)
         {
           const auto &[cell, face] = faces[i];
           values.reinit(cell, face);
-          const unsigned int offset = QProjector<dim>::DataSetDescriptor::face(ReferenceCells::get_hypercube<dim>(),
-                                                                               face,
-                                                                               cell->face_orientation(face),
-                                                                               cell->face_flip(face),
-                                                                               cell->face_rotation(face),
-                                                                               quadrature.size());
+          const unsigned int offset =
+            QProjector<dim>::DataSetDescriptor::face(ReferenceCells::get_hypercube<dim>(),
+                                                     face,
+                                                     cell->face_orientation(face),
+                                                     cell->face_flip(face),
+                                                     cell->face_rotation(face),
+                                                     quadrature.size());
           const double k = stiffness(elasticity, cell, face);
           for (const unsigned int q : values.quadrature_point_indices())
             {
@@ -173,14 +183,19 @@ namespace Signorini
     {
       MasterFaces<dim> master;
       for (const auto &[cell, face] : faces)
-        master.patches.emplace_back(elasticity.mesh().mapping(), elasticity.mesh().geometry_degree(), cell, face);
-      master.complete = [&elasticity, faces, trace = Trace<dim>(elasticity)](
-                          const unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner) mutable {
-        const auto &[cell, face] = faces[i];
-        trace.reinit(cell);
-        partner.row       = trace.normal_displacement(unit_point<dim>(face, xi), partner.normal);
-        partner.stiffness = stiffness(elasticity, cell, face);
-      };
+        master.patches.emplace_back(elasticity.mesh().mapping(),
+                                    elasticity.mesh().geometry_degree(),
+                                    cell,
+                                    face);
+      master.complete =
+        [&elasticity, faces, trace = Trace<dim>(elasticity)](const unsigned int    i,
+                                                             const Point<dim - 1> &xi,
+                                                             Partner<dim> &partner) mutable {
+          const auto &[cell, face] = faces[i];
+          trace.reinit(cell);
+          partner.row       = trace.normal_displacement(unit_point<dim>(face, xi), partner.normal);
+          partner.stiffness = stiffness(elasticity, cell, face);
+        };
       return master;
     }
 
@@ -196,12 +211,14 @@ namespace Signorini
     /// Partners on a rigid obstacle: no mesh, no search.
     template <int dim>
     std::vector<std::optional<Partner<dim>>>
-    obstacle_partners(const SlavePoints<dim> &slave, const Obstacle<dim> &obstacle, const double reach)
+    obstacle_partners(const SlavePoints<dim> &slave,
+                      const Obstacle<dim>    &obstacle,
+                      const double            reach)
     {
       std::vector<std::optional<Partner<dim>>> partners(slave.positions.size());
       for (unsigned int i = 0; i < partners.size(); ++i)
         {
-          const Point<dim> &       x     = slave.positions[i];
+          const Point<dim>        &x     = slave.positions[i];
           const ObstaclePlace<dim> place = obstacle.shape->closest(x);
           if (std::abs(place.gap) > reach || place.normal * slave.normals[i] > -0.1)
             continue;
@@ -219,14 +236,15 @@ namespace Signorini
     contact_point(const ContactPair<dim> &pair,
                   const SlavePoints<dim> &slave,
                   const unsigned int      i,
-                  const Partner<dim> &    partner,
-                  const Trace<dim> &      trace)
+                  const Partner<dim>     &partner,
+                  const Trace<dim>       &trace)
     {
       ContactPoint<dim> point;
-      point.position  = slave.positions[i];
-      point.normal    = partner.normal;
-      point.weight    = slave.weights[i];
-      point.gap       = initial_gap(pair, point.position, (point.position - partner.position) * partner.normal);
+      point.position = slave.positions[i];
+      point.normal   = partner.normal;
+      point.weight   = slave.weights[i];
+      point.gap =
+        initial_gap(pair, point.position, (point.position - partner.position) * partner.normal);
       point.stiffness = 1 / (1 / slave.stiffnesses[i] + 1 / partner.stiffness);
       point.row       = trace.normal_displacement(slave.places[i].second, partner.normal);
       for (const auto &[index, value] : partner.row)
@@ -241,23 +259,24 @@ namespace Signorini
 
   template <int dim>
   ContactSurface<dim>
-  make_contact_surface(const Elasticity<dim> & elasticity,
+  make_contact_surface(const Elasticity<dim>  &elasticity,
                        const ContactPair<dim> &pair,
-                       const Obstacle<dim> *   obstacle,
+                       const Obstacle<dim>    *obstacle,
                        const unsigned int      n_points)
   {
     ContactSurface<dim>    surface;
     const Faces<dim>       faces = owned_faces(elasticity, pair.slave);
     const SlavePoints<dim> slave = slave_points(elasticity, faces, n_points);
-    const double           reach = pair.search_distance > 0 ? pair.search_distance : elasticity.mesh().size() / 10;
-    const auto             partners =
+    const double           reach =
+      pair.search_distance > 0 ? pair.search_distance : elasticity.mesh().size() / 10;
+    const auto partners =
       obstacle ? obstacle_partners(slave, *obstacle, reach) :
-                             find_partners(slave.positions,
-                      slave.normals,
-                      master_faces(elasticity, owned_faces(elasticity, pair.master)),
-                      reach,
-                      elasticity.mesh().communicator(),
-                      &surface.statistics);
+                 find_partners(slave.positions,
+                               slave.normals,
+                               master_faces(elasticity, owned_faces(elasticity, pair.master)),
+                               reach,
+                               elasticity.mesh().communicator(),
+                               &surface.statistics);
 
     Trace<dim> trace(elasticity);
     surface.faces = faces.size();
@@ -275,7 +294,13 @@ namespace Signorini
 
 
   template ContactSurface<2>
-  make_contact_surface(const Elasticity<2> &, const ContactPair<2> &, const Obstacle<2> *, unsigned int);
+  make_contact_surface(const Elasticity<2> &,
+                       const ContactPair<2> &,
+                       const Obstacle<2> *,
+                       unsigned int);
   template ContactSurface<3>
-  make_contact_surface(const Elasticity<3> &, const ContactPair<3> &, const Obstacle<3> *, unsigned int);
+  make_contact_surface(const Elasticity<3> &,
+                       const ContactPair<3> &,
+                       const Obstacle<3> *,
+                       unsigned int);
 } // namespace Signorini

@@ -18,9 +18,10 @@ namespace Signorini
   Support<dim>::declare(Section &section)
   {
     section.add("Boundaries", boundaries, "where: BODY.BOUNDARY, several separated by commas");
-    section.add("Displacement",
-                displacement,
-                "one formula in x,y,z,t a component, separated by ';'; 'free' for a component that is free [length]");
+    section.add(
+      "Displacement",
+      displacement,
+      "one formula in x,y,z,t a component, separated by ';'; 'free' for a component that is free [length]");
     place = section.place_of("Boundaries");
     if (section.reading() && boundaries.empty())
       section.fail("Boundaries", "a support needs at least one boundary");
@@ -35,16 +36,24 @@ namespace Signorini
   Load<dim>::declare(Section &section)
   {
     section.add("Boundaries", boundaries, "where traction and pressure act: BODY.BOUNDARY, ...");
-    section.add("Traction", traction, "one formula in x,y,z,t a component, separated by ';' [force/area]");
-    section.add("Pressure", pressure, "formula in x,y,z,t; positive pushes into the body [force/area]");
+    section.add("Traction",
+                traction,
+                "one formula in x,y,z,t a component, separated by ';' [force/area]");
+    section.add("Pressure",
+                pressure,
+                "formula in x,y,z,t; positive pushes into the body [force/area]");
     section.add("Bodies", bodies, "where the body force acts");
-    section.add("Body force", body_force, "one formula in x,y,z,t a component, separated by ';' [force/volume]");
+    section.add("Body force",
+                body_force,
+                "one formula in x,y,z,t a component, separated by ';' [force/volume]");
     if (!section.reading())
       return;
     place        = section.place_of("Boundaries");
     bodies_place = section.place_of("Bodies");
     if (boundaries.empty() && bodies.empty())
-      section.fail("Boundaries", "a load needs Boundaries (for a traction or pressure) or Bodies (for a body force)");
+      section.fail(
+        "Boundaries",
+        "a load needs Boundaries (for a traction or pressure) or Bodies (for a body force)");
     if (!bodies.empty() && body_force.empty())
       section.fail("Body force", "is needed where Bodies are named");
     if (bodies.empty() && !body_force.empty())

@@ -15,10 +15,10 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  Elasticity<dim>::Elasticity(const Mesh<dim> &                mesh,
-                              const std::vector<Material> &    materials,
+  Elasticity<dim>::Elasticity(const Mesh<dim>                 &mesh,
+                              const std::vector<Material>     &materials,
                               const std::vector<Support<dim>> &supports,
-                              const std::vector<Load<dim>> &   loads,
+                              const std::vector<Load<dim>>    &loads,
                               const unsigned int               degree)
     : my_mesh(mesh)
     , materials(materials)
@@ -91,8 +91,11 @@ namespace Signorini
                                                locally_owned,
                                                locally_relevant,
                                                my_mesh.communicator());
-    DoFTools::make_sparsity_pattern(
-      dofs, sparsity, all_constraints, false, Utilities::MPI::this_mpi_process(my_mesh.communicator()));
+    DoFTools::make_sparsity_pattern(dofs,
+                                    sparsity,
+                                    all_constraints,
+                                    false,
+                                    Utilities::MPI::this_mpi_process(my_mesh.communicator()));
     sparsity.compress();
     matrix.reinit(sparsity);
 

@@ -9,14 +9,19 @@ namespace Signorini
   template <int dim>
   StiffnessKernel<dim>::StiffnessKernel(const Mapping<dim> &mapping, const FESystem<dim> &fe)
     : fe(fe)
-    , values(mapping, fe.base_element(0), QGauss<dim>(fe.degree + 1), update_gradients | update_JxW_values)
+    , values(mapping,
+             fe.base_element(0),
+             QGauss<dim>(fe.degree + 1),
+             update_gradients | update_JxW_values)
   {}
 
 
 
   template <int dim>
   void
-  StiffnessKernel<dim>::assemble(const Cell &cell, const Material &material, FullMatrix<double> &cell_matrix)
+  StiffnessKernel<dim>::assemble(const Cell         &cell,
+                                 const Material     &material,
+                                 FullMatrix<double> &cell_matrix)
   {
     values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
     const double       lambda = material.lambda(), mu = material.mu();
@@ -31,8 +36,8 @@ namespace Signorini
           Tensor<2, dim> G;
           for (const unsigned int q : values.quadrature_point_indices())
             {
-              const Tensor<1, dim> weighted = values.shape_grad(i, q) * values.JxW(q);
-              const Tensor<1, dim> &other   = values.shape_grad(j, q);
+              const Tensor<1, dim>  weighted = values.shape_grad(i, q) * values.JxW(q);
+              const Tensor<1, dim> &other    = values.shape_grad(j, q);
               for (unsigned int a = 0; a < dim; ++a)
                 for (unsigned int b = 0; b < dim; ++b)
                   G[a][b] += weighted[a] * other[b];
@@ -41,10 +46,11 @@ namespace Signorini
           for (unsigned int a = 0; a < dim; ++a)
             for (unsigned int b = 0; b < dim; ++b)
               {
-                const double k = lambda * G[a][b] + mu * G[b][a] + (a == b ? mu_trace : 0);
-                const unsigned int row = fe.component_to_system_index(a, i), column = fe.component_to_system_index(b, j);
-                cell_matrix(row, column) = k;
-                cell_matrix(column, row) = k;
+                const double       k   = lambda * G[a][b] + mu * G[b][a] + (a == b ? mu_trace : 0);
+                const unsigned int row = fe.component_to_system_index(a, i),
+                                   column = fe.component_to_system_index(b, j);
+                cell_matrix(row, column)  = k;
+                cell_matrix(column, row)  = k;
               }
         }
   }
@@ -52,8 +58,8 @@ namespace Signorini
 
 
   template <int dim>
-  LoadKernel<dim>::LoadKernel(const Mesh<dim> &             mesh,
-                              const FESystem<dim> &         fe,
+  LoadKernel<dim>::LoadKernel(const Mesh<dim>              &mesh,
+                              const FESystem<dim>          &fe,
                               const std::vector<Load<dim>> &loads,
                               const double                  t)
     : fe(fe)
@@ -65,7 +71,8 @@ namespace Signorini
     , face_values(mesh.mapping(),
                   fe.base_element(0),
                   QGauss<dim - 1>(fe.degree + 2),
-                  update_values | update_quadrature_points | update_normal_vectors | update_JxW_values)
+                  update_values | update_quadrature_points | update_normal_vectors |
+                    update_JxW_values)
   {
     for (const Load<dim> &load : loads)
       {
@@ -95,7 +102,8 @@ namespace Signorini
     if (!by_boundary.empty() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())
-          if (const auto found = by_boundary.find(cell->face(f)->boundary_id()); found != by_boundary.end())
+          if (const auto found = by_boundary.find(cell->face(f)->boundary_id());
+              found != by_boundary.end())
             for (const Load<dim> *load : found->second)
               {
                 add_traction(cell, f, *load, cell_load);
@@ -108,12 +116,15 @@ namespace Signorini
 
   template <int dim>
   void
-  LoadKernel<dim>::add_body_force(const Cell &cell, const Load<dim> &load, Vector<double> &cell_load)
+  LoadKernel<dim>::add_body_force(const Cell      &cell,
+                                  const Load<dim> &load,
+                                  Vector<double>  &cell_load)
   {
     values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const Tensor<1, dim> force = load.body_force.value(values.quadrature_point(q), t) * values.JxW(q);
+        const Tensor<1, dim> force =
+          load.body_force.value(values.quadrature_point(q), t) * values.JxW(q);
         for (const unsigned int i : values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
             cell_load[fe.component_to_system_index(d, i)] += force[d] * values.shape_value(i, q);
@@ -124,20 +135,22 @@ namespace Signorini
 
   template <int dim>
   void
-  LoadKernel<dim>::add_traction(const Cell &       cell,
+  LoadKernel<dim>::add_traction(const Cell        &cell,
                                 const unsigned int face,
-                                const Load<dim> &  load,
-                                Vector<double> &   cell_load)
+                                const Load<dim>   &load,
+                                Vector<double>    &cell_load)
   {
     face_values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), face);
     for (const unsigned int q : face_values.quadrature_point_indices())
       {
-        const Point<dim> &   x     = face_values.quadrature_point(q);
-        const Tensor<1, dim> force = (load.traction.value(x, t) - load.pressure.value(x, t) * face_values.normal_vector(q)) *
-                                     face_values.JxW(q);
+        const Point<dim>    &x = face_values.quadrature_point(q);
+        const Tensor<1, dim> force =
+          (load.traction.value(x, t) - load.pressure.value(x, t) * face_values.normal_vector(q)) *
+          face_values.JxW(q);
         for (const unsigned int i : face_values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
-            cell_load[fe.component_to_system_index(d, i)] += force[d] * face_values.shape_value(i, q);
+            cell_load[fe.component_to_system_index(d, i)] +=
+              force[d] * face_values.shape_value(i, q);
       }
   }
 

@@ -12,7 +12,7 @@ namespace Signorini
   namespace
   {
     template <int dim>
-    constexpr unsigned int n_modes = dim * (dim + 1) / 2;
+    constexpr unsigned int n_modes = dim *(dim + 1) / 2;
 
     const std::vector<std::string> axes = {"x", "y", "z"};
 
@@ -37,10 +37,11 @@ namespace Signorini
     std::string
     mode_name(const Vector<double> &mode)
     {
-      const auto largest = std::max_element(mode.begin(), mode.end(), [](const double a, const double b) {
-                             return std::abs(a) < std::abs(b);
-                           }) -
-                           mode.begin();
+      const auto largest =
+        std::max_element(mode.begin(),
+                         mode.end(),
+                         [](const double a, const double b) { return std::abs(a) < std::abs(b); }) -
+        mode.begin();
       return largest < dim ? "translation " + axes[largest] :
                              "rotation about " + axes[dim == 2 ? 2 : largest - dim];
     }
@@ -62,9 +63,13 @@ namespace Signorini
   Elasticity<dim>::rigid_body_modes() const
   {
     const auto [center, size] = center_and_size(my_mesh.extent());
-    std::vector<std::vector<double>> modes(n_modes<dim>, std::vector<double>(locally_owned.n_elements()));
+    std::vector<std::vector<double>> modes(n_modes<dim>,
+                                           std::vector<double>(locally_owned.n_elements()));
 
-    FEValues<dim> values(my_mesh.mapping(), fe, Quadrature<dim>(fe.get_unit_support_points()), update_quadrature_points);
+    FEValues<dim>                        values(my_mesh.mapping(),
+                         fe,
+                         Quadrature<dim>(fe.get_unit_support_points()),
+                         update_quadrature_points);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -89,15 +94,18 @@ namespace Signorini
   std::vector<std::string>
   Elasticity<dim>::unrestrained_modes() const
   {
-    // Body by body, the Gram matrix of the modes over the prescribed degrees of freedom: modes in its
-    // kernel move nothing that a support holds.
-    constexpr unsigned int           n = n_modes<dim>;
-    std::vector<FullMatrix<double>>  gram(my_mesh.n_bodies(), FullMatrix<double>(n));
+    // Body by body, the Gram matrix of the modes over the prescribed degrees of freedom: modes in
+    // its kernel move nothing that a support holds.
+    constexpr unsigned int                     n = n_modes<dim>;
+    std::vector<FullMatrix<double>>            gram(my_mesh.n_bodies(), FullMatrix<double>(n));
     std::vector<std::pair<Point<dim>, double>> extents;
     for (unsigned int body = 0; body < my_mesh.n_bodies(); ++body)
       extents.push_back(center_and_size(my_mesh.extent(body)));
 
-    FEValues<dim> values(my_mesh.mapping(), fe, Quadrature<dim>(fe.get_unit_support_points()), update_quadrature_points);
+    FEValues<dim>                        values(my_mesh.mapping(),
+                         fe,
+                         Quadrature<dim>(fe.get_unit_support_points()),
+                         update_quadrature_points);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
@@ -125,7 +133,8 @@ namespace Signorini
         FullMatrix<double> vectors(n, n);
         Vector<double>     eigenvalues(n);
         const double       scale = 1 + gram[body].linfty_norm();
-        matrix.compute_eigenvalues_symmetric(-scale, 2 * scale, 1e-14 * scale, eigenvalues, vectors);
+        matrix.compute_eigenvalues_symmetric(
+          -scale, 2 * scale, 1e-14 * scale, eigenvalues, vectors);
         for (unsigned int i = 0; i < eigenvalues.size(); ++i)
           if (eigenvalues[i] < 1e-8 * scale)
             {
@@ -140,8 +149,12 @@ namespace Signorini
 
 
 
-  template std::vector<std::vector<double>> Elasticity<2>::rigid_body_modes() const;
-  template std::vector<std::vector<double>> Elasticity<3>::rigid_body_modes() const;
-  template std::vector<std::string> Elasticity<2>::unrestrained_modes() const;
-  template std::vector<std::string> Elasticity<3>::unrestrained_modes() const;
+  template std::vector<std::vector<double>>
+  Elasticity<2>::rigid_body_modes() const;
+  template std::vector<std::vector<double>>
+  Elasticity<3>::rigid_body_modes() const;
+  template std::vector<std::string>
+  Elasticity<2>::unrestrained_modes() const;
+  template std::vector<std::string>
+  Elasticity<3>::unrestrained_modes() const;
 } // namespace Signorini

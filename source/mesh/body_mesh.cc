@@ -11,10 +11,13 @@ namespace Signorini
     if (section.reading() || !generator)
       generator = MeshGenerator<dim>::create(type);
     generator->declare(section);
-    section.add("Transformation",
-                transformation,
-                "map of the generated mesh, one formula a component, e.g. x; y + x^2/600; empty: none");
-    section.add("Refinements", refinements, "how often the cells of this body are halved at the start");
+    section.add(
+      "Transformation",
+      transformation,
+      "map of the generated mesh, one formula a component, e.g. x; y + x^2/600; empty: none");
+    section.add("Refinements",
+                refinements,
+                "how often the cells of this body are halved at the start");
     for (unsigned int d = 0; d < dim; ++d)
       if (!transformation.empty() && !transformation.prescribed(d))
         section.fail("Transformation", "every component needs a formula");

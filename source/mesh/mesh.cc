@@ -18,7 +18,9 @@ namespace Signorini
   void
   RefinementZone<dim>::declare(Section &section)
   {
-    section.add("Where", where, "cells are refined where this function of the coordinates is positive");
+    section.add("Where",
+                where,
+                "cells are refined where this function of the coordinates is positive");
     section.add("Bodies", bodies, "only cells of these bodies; empty: all");
     section.add("Times", times, "how often");
     place = section.place_of("Bodies");
@@ -51,7 +53,9 @@ namespace Signorini
   {
     template <typename Object>
     void
-    shift(std::vector<Object> &objects, const unsigned int first_vertex, const types::manifold_id first_manifold)
+    shift(std::vector<Object>     &objects,
+          const unsigned int       first_vertex,
+          const types::manifold_id first_manifold)
     {
       for (Object &object : objects)
         {
@@ -93,7 +97,8 @@ namespace Signorini
 
     template <int dim>
     bool
-    touches(const RefinementZone<dim> &zone, const typename Triangulation<dim>::active_cell_iterator &cell)
+    touches(const RefinementZone<dim>                               &zone,
+            const typename Triangulation<dim>::active_cell_iterator &cell)
     {
       for (const unsigned int v : cell->vertex_indices())
         if (zone.where.value(cell->vertex(v)) > 0)
@@ -106,8 +111,8 @@ namespace Signorini
 
   template <int dim>
   Mesh<dim>::Mesh(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
-                  const MeshSettings<dim> &                                 settings,
-                  const std::vector<std::pair<std::string, std::string>> &  contact_surfaces,
+                  const MeshSettings<dim>                                  &settings,
+                  const std::vector<std::pair<std::string, std::string>>   &contact_surfaces,
                   const MPI_Comm                                            comm)
   {
     const CoarseMesh<dim> coarse = merge(bodies);
@@ -195,10 +200,11 @@ namespace Signorini
 
   template <int dim>
   void
-  Mesh<dim>::refine_initially(Triangulation<dim> &                                      triangulation,
-                              const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
-                              const MeshSettings<dim> &                                 settings,
-                              const std::vector<std::pair<std::string, std::string>> &contact_surfaces) const
+  Mesh<dim>::refine_initially(
+    Triangulation<dim>                                       &triangulation,
+    const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
+    const MeshSettings<dim>                                  &settings,
+    const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const
   {
     triangulation.refine_global(settings.refinements);
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -235,7 +241,8 @@ namespace Signorini
   {
     const auto found = std::find(boundary_names.begin(), boundary_names.end(), name);
     if (found == boundary_names.end())
-      throw SceneError("there is no boundary '" + name + "'; the boundaries are " + join(boundary_names));
+      throw SceneError("there is no boundary '" + name + "'; the boundaries are " +
+                       join(boundary_names));
     return found - boundary_names.begin();
   }
 
@@ -272,8 +279,8 @@ namespace Signorini
   double
   Mesh<dim>::size() const
   {
-    const BoundingBox<dim> box      = extent();
-    const auto &[low, high] = box.get_boundary_points();
+    const BoundingBox<dim> box = extent();
+    const auto &[low, high]    = box.get_boundary_points();
     return low.distance(high);
   }
 

@@ -30,8 +30,8 @@ namespace Signorini
 
   template <int dim>
   void
-  partition_by_metis(Triangulation<dim> &                                                  triangulation,
-                     const unsigned int                                                    n_parts,
+  partition_by_metis(Triangulation<dim> &triangulation,
+                     const unsigned int  n_parts,
                      const std::vector<std::pair<types::boundary_id, types::boundary_id>> &pairs)
   {
     if (n_parts == 1)
@@ -42,7 +42,8 @@ namespace Signorini
       {
         const auto tree = pack_rtree(surface_cells(triangulation, master));
         for (const auto &[center, cell] : surface_cells(triangulation, slave))
-          for (auto it = tree.qbegin(boost::geometry::index::nearest(center, 1)); it != tree.qend(); ++it)
+          for (auto it = tree.qbegin(boost::geometry::index::nearest(center, 1)); it != tree.qend();
+               ++it)
             {
               graph.add(cell, it->second);
               graph.add(it->second, cell);
@@ -50,7 +51,10 @@ namespace Signorini
       }
     SparsityPattern compressed;
     compressed.copy_from(graph);
-    GridTools::partition_triangulation(n_parts, compressed, triangulation, SparsityTools::Partitioner::metis);
+    GridTools::partition_triangulation(n_parts,
+                                       compressed,
+                                       triangulation,
+                                       SparsityTools::Partitioner::metis);
   }
 
   template void

@@ -40,7 +40,8 @@ namespace Signorini
       catch (const std::exception &exception)
         {
           throw SceneError("'" + formula + "' is not a formula in " +
-                           FunctionParser<dim>::default_variable_names() + ",t: " + reason(exception));
+                           FunctionParser<dim>::default_variable_names() +
+                           ",t: " + reason(exception));
         }
       return parser;
     }
@@ -74,8 +75,9 @@ namespace Signorini
     if (parts.empty())
       return;
     if (parts.size() != dim)
-      throw SceneError("'" + text + "' has " + std::to_string(parts.size()) + " components, separated by ';', but " +
-                       std::to_string(dim) + " are needed (write 'free' for one that is not prescribed)");
+      throw SceneError("'" + text + "' has " + std::to_string(parts.size()) +
+                       " components, separated by ';', but " + std::to_string(dim) +
+                       " are needed (write 'free' for one that is not prescribed)");
     for (unsigned int d = 0; d < dim; ++d)
       if (parts[d] != "free")
         components[d] = Expression<dim>(parts[d]);

@@ -150,7 +150,8 @@ namespace Signorini
             section.set_value(key, value, where());
           }
         else
-          throw SceneError(where() + ": expected 'set KEY = VALUE', 'subsection NAME' or 'end', found '" +
+          throw SceneError(where() +
+                           ": expected 'set KEY = VALUE', 'subsection NAME' or 'end', found '" +
                            line + "'");
       }
 
@@ -237,8 +238,8 @@ namespace Signorini
   void
   override_value(RawSection &root, const std::string &assignment)
   {
-    const std::string where     = "--set \"" + assignment + "\"";
-    const auto [path, value]    = split_assignment(assignment, where);
+    const std::string where        = "--set \"" + assignment + "\"";
+    const auto [path, value]       = split_assignment(assignment, where);
     std::vector<std::string> parts = split(path, '/');
     if (parts.empty() || parts.back().empty())
       throw SceneError(where + ": expected SECTION/KEY=VALUE");

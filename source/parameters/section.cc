@@ -193,10 +193,10 @@ namespace Signorini
 
 
   void
-  Section::add_choice(const std::string &             key,
-                      std::string &                   value,
+  Section::add_choice(const std::string              &key,
+                      std::string                    &value,
                       const std::vector<std::string> &choices,
-                      const std::string &             help)
+                      const std::string              &help)
   {
     add(key, value, help + ": " + join(choices, " | "));
     if (reading() && std::find(choices.begin(), choices.end(), value) == choices.end())
@@ -229,8 +229,8 @@ namespace Signorini
   {
     for (const RawSection::Value &value : raw->values)
       if (!value.used)
-        throw SceneError(value.where + ": unknown key '" + path_of(value.key) + "' = '" + value.text + "'" +
-                         hint(value.key, known_keys));
+        throw SceneError(value.where + ": unknown key '" + path_of(value.key) + "' = '" +
+                         value.text + "'" + hint(value.key, known_keys));
     for (const RawSection &section : raw->sections)
       if (!section.used)
         throw SceneError(section.where + ": unknown subsection '" + path_of(section.name) + "'" +
@@ -283,7 +283,8 @@ namespace Signorini
     for (const std::string &name : names)
       {
         if (name.empty() || name.find_first_of("./=;:") != std::string::npos)
-          fail("Names", "'" + name + "' is not a name: it must not be empty or contain any of . / = ; :");
+          fail("Names",
+               "'" + name + "' is not a name: it must not be empty or contain any of . / = ; :");
         if (!seen.insert(name).second)
           fail("Names", "'" + name + "' is there twice");
       }
@@ -419,7 +420,8 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(T) template void Section::add(const std::string &, T &, const std::string &, const Range &);
+#define INSTANTIATE(T)                                                                             \
+  template void Section::add(const std::string &, T &, const std::string &, const Range &);
   INSTANTIATE(double)
   INSTANTIATE(unsigned int)
   INSTANTIATE(bool)

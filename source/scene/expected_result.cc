@@ -14,11 +14,16 @@ namespace Signorini
   void
   ExpectedResult::declare(Section &section)
   {
-    section.add("Quantities", quantities, "NAME = PATH, ...: where results.json has the number, from the last load step on");
+    section.add("Quantities",
+                quantities,
+                "NAME = PATH, ...: where results.json has the number, from the last load step on");
     section.add("Value", value, "formula in these names");
     section.add("Reference", reference, "formula in these names");
     section.add("Tolerance", tolerance, "relative", non_negative);
-    section.add("Absolute tolerance", absolute_tolerance, "for references that may be zero", non_negative);
+    section.add("Absolute tolerance",
+                absolute_tolerance,
+                "for references that may be zero",
+                non_negative);
     section.add("Source", source, "where the reference comes from");
     if (section.reading() && (quantities.empty() || value.empty()))
       section.fail(value.empty() ? "Value" : "Quantities", "is needed");
@@ -35,12 +40,13 @@ namespace Signorini
     number_at(const Json &results, const std::string &path, const std::string &name)
     {
       const Json::json_pointer pointer("/" + path);
-      const Json &             last = results["load_steps"].back();
-      const Json *             all[] = {&last, &results};
+      const Json              &last  = results["load_steps"].back();
+      const Json              *all[] = {&last, &results};
       for (const Json *place : all)
         if (place->contains(pointer) && (*place)[pointer].is_number())
           return (*place)[pointer].get<double>();
-      throw SceneError("Expected results/" + name + "/Quantities: there is no number '" + path + "' in results.json");
+      throw SceneError("Expected results/" + name + "/Quantities: there is no number '" + path +
+                       "' in results.json");
     }
 
     std::string
@@ -52,8 +58,9 @@ namespace Signorini
         const std::string &verdict)
     {
       std::ostringstream text;
-      text << "  " << std::left << std::setw(34) << name << std::right << std::setw(14) << value << std::setw(14)
-           << reference << std::setw(12) << deviation << std::setw(12) << allowed << "  " << verdict;
+      text << "  " << std::left << std::setw(34) << name << std::right << std::setw(14) << value
+           << std::setw(14) << reference << std::setw(12) << deviation << std::setw(12) << allowed
+           << "  " << verdict;
       return text.str();
     }
 
@@ -74,7 +81,8 @@ namespace Signorini
     if (expected.empty())
       return true;
     bool all_hold = true;
-    out << "\n" << row("Expected results", "value", "reference", "deviation", "allowed", "") << "\n";
+    out << "\n"
+        << row("Expected results", "value", "reference", "deviation", "allowed", "") << "\n";
     for (const ExpectedResult &one : expected)
       {
         std::map<std::string, double> constants;
@@ -83,13 +91,16 @@ namespace Signorini
             const auto parts    = split(quantity, '=');
             constants[parts[0]] = number_at(results, parts[1], one.name);
           }
-        const double value = evaluate(one.value, constants), reference = evaluate(one.reference, constants);
+        const double value     = evaluate(one.value, constants),
+                     reference = evaluate(one.reference, constants);
         const bool   absolute  = one.absolute_tolerance > 0;
         const double deviation = absolute ? value - reference : value / reference - 1;
         const double allowed   = absolute ? one.absolute_tolerance : one.tolerance;
         const bool   holds     = std::abs(deviation) <= allowed;
         all_hold               = all_hold && holds;
-        const auto relative    = [&](const double x) { return absolute ? text(x, 3) : text(100 * x, 3) + " %"; };
+        const auto relative    = [&](const double x) {
+          return absolute ? text(x, 3) : text(100 * x, 3) + " %";
+        };
         out << row(one.name,
                    text(value, 8),
                    text(reference, 8),

@@ -28,7 +28,9 @@ namespace Signorini
   const ContactMethod &
   ContactSettings::chosen() const
   {
-    return *std::find_if(methods.begin(), methods.end(), [&](const auto &m) { return m.first == method; })->second;
+    return *std::find_if(methods.begin(), methods.end(), [&](const auto &m) {
+              return m.first == method;
+            })->second;
   }
 
 
@@ -37,10 +39,11 @@ namespace Signorini
   ContactSettings::declare(Section &section)
   {
     section.add_choice("Method", method, method_names(), "how contact is imposed");
-    section.add("Quadrature points",
-                quadrature_points,
-                "Gauss points a direction on a slave face; 0: degree + 3 for weighted, degree + 1 for point-wise methods",
-                Range{0, 20});
+    section.add(
+      "Quadrature points",
+      quadrature_points,
+      "Gauss points a direction on a slave face; 0: degree + 3 for weighted, degree + 1 for point-wise methods",
+      Range{0, 20});
     for (const auto &[name, object] : methods)
       section.add_section(name, "", [&, object = object](Section &s) { object->declare(s); });
   }
@@ -50,7 +53,10 @@ namespace Signorini
   void
   LoadSteps::declare(Section &section)
   {
-    section.add("End time", end_time, "t runs from 0 to this; supports, loads and obstacles depend on it", positive);
+    section.add("End time",
+                end_time,
+                "t runs from 0 to this; supports, loads and obstacles depend on it",
+                positive);
     section.add("Number", number, "of equal steps", positive);
   }
 
@@ -69,16 +75,25 @@ namespace Signorini
     section.add_named("Supports", supports, "Prescribed displacements.");
     section.add_named("Loads", loads, "Tractions, pressures, body forces.");
     section.add_named("Contact pairs", pairs, "Surfaces that may touch.");
-    section.add_section("Mesh", "What is done to the meshes of all bodies before the first solution.", [&](Section &s) {
-      mesh.declare(s);
-      s.add("Degree", degree, "polynomial degree of the displacement", Range{1, 2});
+    section.add_section(
+      "Mesh",
+      "What is done to the meshes of all bodies before the first solution.",
+      [&](Section &s) {
+        mesh.declare(s);
+        s.add("Degree", degree, "polynomial degree of the displacement", Range{1, 2});
+      });
+    section.add_section("Contact method",
+                        "One line switches the method; the others' sections are ignored.",
+                        [&](Section &s) { contact.declare(s); });
+    section.add_section("Accuracy", "Adaptive refinement.", [&](Section &s) {
+      refinement.declare(s);
     });
-    section.add_section("Contact method", "One line switches the method; the others' sections are ignored.", [&](Section &s) {
-      contact.declare(s);
+    section.add_section("Load steps", "The history of loading.", [&](Section &s) {
+      load_steps.declare(s);
     });
-    section.add_section("Accuracy", "Adaptive refinement.", [&](Section &s) { refinement.declare(s); });
-    section.add_section("Load steps", "The history of loading.", [&](Section &s) { load_steps.declare(s); });
-    section.add_section("Newton", "The nonlinear iteration.", [&](Section &s) { newton.declare(s); });
+    section.add_section("Newton", "The nonlinear iteration.", [&](Section &s) {
+      newton.declare(s);
+    });
     section.add_section("Solver", "The linear systems.", [&](Section &s) { solver.declare(s); });
     section.add_section("Output", "What is written.", [&](Section &s) { output.declare(s); });
     section.add_named("Expected results", expected, "What is known about the answer.");
@@ -110,18 +125,18 @@ namespace Signorini
     }
 
     void
-    require(const std::string &             what,
+    require(const std::string              &what,
             const std::vector<std::string> &wanted,
             const std::vector<std::string> &existing,
-            const std::string &             place)
+            const std::string              &place)
     {
       for (const std::string &name : wanted)
         if (std::find(existing.begin(), existing.end(), name) == existing.end())
           {
             const std::string close = nearest(name, existing);
             throw SceneError(place + ": there is no " + what + " '" + name + "'" +
-                             (close.empty() ? "" : "; did you mean '" + close + "'?") + " There are: " + join(existing) +
-                             ".");
+                             (close.empty() ? "" : "; did you mean '" + close + "'?") +
+                             " There are: " + join(existing) + ".");
           }
     }
   } // namespace
@@ -151,15 +166,19 @@ namespace Signorini
         require("boundary", {pair.slave}, boundaries, pair.slave_place);
         require("boundary or obstacle", {pair.master}, masters, pair.master_place);
         if (pair.slave == pair.master)
-          throw SceneError(pair.master_place + ": a surface cannot touch itself; name another surface or an obstacle");
+          throw SceneError(pair.master_place +
+                           ": a surface cannot touch itself; name another surface or an obstacle");
         if (obstacle_of(pair) && std::count(boundaries.begin(), boundaries.end(), pair.master))
-          throw SceneError(pair.master_place + ": is the name of a boundary and of an obstacle; rename the obstacle");
+          throw SceneError(pair.master_place +
+                           ": is the name of a boundary and of an obstacle; rename the obstacle");
       }
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
     if (mesh.distribution == "METIS" && refinement.cycles > 0)
-      throw SceneError("Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +
-                       std::to_string(refinement.cycles) + "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
+      throw SceneError(
+        "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +
+        std::to_string(refinement.cycles) +
+        "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
   }
 
 
@@ -187,9 +206,10 @@ namespace Signorini
     scene.obstacles.resize(1);
     scene.obstacles[0].name = "ground";
     scene.supports.resize(1);
-    scene.supports[0].name         = "press";
-    scene.supports[0].boundaries   = {"block.top"};
-    scene.supports[0].displacement = VectorExpression<dim>(dim == 2 ? "0; -0.01*t" : "0; 0; -0.01*t");
+    scene.supports[0].name       = "press";
+    scene.supports[0].boundaries = {"block.top"};
+    scene.supports[0].displacement =
+      VectorExpression<dim>(dim == 2 ? "0; -0.01*t" : "0; 0; -0.01*t");
     scene.pairs.resize(1);
     scene.pairs[0].name   = "foot";
     scene.pairs[0].slave  = "block.bottom";

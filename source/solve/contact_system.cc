@@ -5,8 +5,8 @@ namespace Signorini
   using namespace dealii;
 
   ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
-                               const GapOperator &     contact,
-                               const ContactMethod &   method)
+                               const GapOperator      &contact,
+                               const ContactMethod    &method)
     : K(stiffness)
     , contact(contact)
     , saddle(method.has_multipliers() && !contact.empty())

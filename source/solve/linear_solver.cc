@@ -13,19 +13,25 @@ namespace Signorini
   void
   LinearSolverSettings::declare(Section &section)
   {
-    section.add_choice("Preconditioner",
-                       preconditioner,
-                       preconditioner_names(),
-                       "contact filter: exact on the contact zone, multigrid elsewhere; direct: small problems");
-    section.add_choice("Krylov method",
-                       krylov,
-                       {"auto", "CG", "MINRES", "FGMRES"},
-                       "auto: CG, or on saddle points MINRES with the block diagonal preconditioner, else FGMRES");
-    section.add_choice("Direct solver",
-                       direct_solver,
-                       {"auto", "KLU", "MUMPS"},
-                       "of the contact zone or the whole system; auto: KLU on one rank, MUMPS on several");
-    section.add("Reduction", reduction, "by which each linear solve reduces its residual", Range{0, 1, false, false});
+    section.add_choice(
+      "Preconditioner",
+      preconditioner,
+      preconditioner_names(),
+      "contact filter: exact on the contact zone, multigrid elsewhere; direct: small problems");
+    section.add_choice(
+      "Krylov method",
+      krylov,
+      {"auto", "CG", "MINRES", "FGMRES"},
+      "auto: CG, or on saddle points MINRES with the block diagonal preconditioner, else FGMRES");
+    section.add_choice(
+      "Direct solver",
+      direct_solver,
+      {"auto", "KLU", "MUMPS"},
+      "of the contact zone or the whole system; auto: KLU on one rank, MUMPS on several");
+    section.add("Reduction",
+                reduction,
+                "by which each linear solve reduces its residual",
+                Range{0, 1, false, false});
     section.add("Maximum iterations", maximum_iterations, "of one linear solve", positive);
   }
 
@@ -42,32 +48,37 @@ namespace Signorini
     }
 
     std::string
-    choose_krylov(const LinearSolverSettings &settings, const ContactSystem &system, const Preconditioner &preconditioner)
+    choose_krylov(const LinearSolverSettings &settings,
+                  const ContactSystem        &system,
+                  const Preconditioner       &preconditioner)
     {
       if (!system.is_saddle_point())
         {
           if (settings.krylov == "MINRES")
-            throw SceneError("Solver/Krylov method = MINRES is for saddle point systems; take CG or auto");
+            throw SceneError(
+              "Solver/Krylov method = MINRES is for saddle point systems; take CG or auto");
           return settings.krylov == "auto" ? "CG" : settings.krylov;
         }
       if (settings.krylov == "auto")
         return preconditioner.is_positive_definite() ? "MINRES" : "FGMRES";
       if (settings.krylov == "CG")
-        throw SceneError("Solver/Krylov method = CG is for systems without multipliers; take FGMRES or auto");
+        throw SceneError(
+          "Solver/Krylov method = CG is for systems without multipliers; take FGMRES or auto");
       if (settings.krylov == "MINRES" && !preconditioner.is_positive_definite())
-        throw SceneError("Solver/Krylov method = MINRES needs a positive definite preconditioner, but Solver/Preconditioner = " +
-                         settings.preconditioner + " is none on a saddle point; take 'block diagonal', or FGMRES");
+        throw SceneError(
+          "Solver/Krylov method = MINRES needs a positive definite preconditioner, but Solver/Preconditioner = " +
+          settings.preconditioner + " is none on a saddle point; take 'block diagonal', or FGMRES");
       return settings.krylov;
     }
   } // namespace
 
 
 
-  LinearSolver::LinearSolver(const LinearSolverSettings &            settings,
-                             const ContactSystem &                   system,
+  LinearSolver::LinearSolver(const LinearSolverSettings             &settings,
+                             const ContactSystem                    &system,
                              const std::vector<std::vector<double>> &modes,
                              const unsigned int                      dim,
-                             TimerOutput &                           timer)
+                             TimerOutput                            &timer)
     : settings(settings)
     , system(system)
     , timer(timer)
@@ -94,7 +105,9 @@ namespace Signorini
 
 
   unsigned int
-  LinearSolver::solve(LA::BlockVector &x, const LA::BlockVector &rhs, const double absolute_tolerance)
+  LinearSolver::solve(LA::BlockVector       &x,
+                      const LA::BlockVector &rhs,
+                      const double           absolute_tolerance)
   {
     TimerOutput::Scope scope(timer, "krylov");
     const double       tolerance = std::max(absolute_tolerance, settings.reduction * rhs.l2_norm());
@@ -114,14 +127,16 @@ namespace Signorini
         else if (krylov == "MINRES")
           SolverMinRes<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
         else
-          SolverFGMRES<LA::BlockVector>(control, SolverFGMRES<LA::BlockVector>::AdditionalData(50)).solve(system, x, rhs, *preconditioner);
+          SolverFGMRES<LA::BlockVector>(control, SolverFGMRES<LA::BlockVector>::AdditionalData(50))
+            .solve(system, x, rhs, *preconditioner);
       }
     catch (const SolverControl::NoConvergence &failure)
       {
-        throw SolverFailure(krylov + " with the preconditioner '" + settings.preconditioner + "' stopped after " +
-                            std::to_string(failure.last_step) + " iterations with residual " +
-                            std::to_string(failure.last_residual / rhs.l2_norm()) +
-                            " of the start; choose another Solver/Preconditioner ('contact filter', 'direct')");
+        throw SolverFailure(
+          krylov + " with the preconditioner '" + settings.preconditioner + "' stopped after " +
+          std::to_string(failure.last_step) + " iterations with residual " +
+          std::to_string(failure.last_residual / rhs.l2_norm()) +
+          " of the start; choose another Solver/Preconditioner ('contact filter', 'direct')");
       }
     return control.last_step();
   }

@@ -34,24 +34,25 @@ namespace Signorini
     print_row(ConditionalOStream &out, const unsigned int number, const NewtonStep &step)
     {
       std::ostringstream row;
-      row << std::setw(8) << number << std::setw(9) << step.active << std::setw(9) << step.changes << std::scientific
-          << std::setprecision(2) << std::setw(12) << step.residual << std::setw(12) << step.gap_residual << std::fixed
-          << std::setw(9) << step.damping << std::setw(12) << step.krylov_iterations;
+      row << std::setw(8) << number << std::setw(9) << step.active << std::setw(9) << step.changes
+          << std::scientific << std::setprecision(2) << std::setw(12) << step.residual
+          << std::setw(12) << step.gap_residual << std::fixed << std::setw(9) << step.damping
+          << std::setw(12) << step.krylov_iterations;
       out << row.str() << std::endl;
     }
   } // namespace
 
 
 
-  Newton::Newton(const NewtonSettings &                  settings,
-                 const LinearSolverSettings &            linear_settings,
-                 const ContactMethod &                   method,
-                 const LA::SparseMatrix &                stiffness,
-                 const AffineConstraints<double> &       constraints,
-                 const GapOperator &                     contact,
+  Newton::Newton(const NewtonSettings                   &settings,
+                 const LinearSolverSettings             &linear_settings,
+                 const ContactMethod                    &method,
+                 const LA::SparseMatrix                 &stiffness,
+                 const AffineConstraints<double>        &constraints,
+                 const GapOperator                      &contact,
                  const std::vector<std::vector<double>> &modes,
                  const unsigned int                      dim,
-                 TimerOutput &                           timer)
+                 TimerOutput                            &timer)
     : settings(settings)
     , method(method)
     , K(stiffness)
@@ -81,7 +82,8 @@ namespace Signorini
         scale = std::max(scale, force.l2_norm());
       }
     constraints.set_zero(r);
-    // The forces at work; the largest seen, so that the goal does not move away while contact opens.
+    // The forces at work; the largest seen, so that the goal does not move away while contact
+    // opens.
     force_scale = std::max(force_scale, scale);
     return r;
   }
@@ -98,7 +100,7 @@ namespace Signorini
     changes     = 0.;
 
     LA::BlockVector x = system.zero(), rhs = system.zero();
-    LA::Vector      gap, p_start = p;
+    LA::Vector      gap, p_start           = p;
     bool            factorised = false;
     double          damping    = 1;
     print_head(out);
@@ -123,9 +125,11 @@ namespace Signorini
         step.residual      = r.l2_norm() / scale;
         step.gap_residual  = system.is_saddle_point() ? rhs.block(1).l2_norm() / scale : 0.;
 
-        report.converged = step.residual <= settings.tolerance && step.gap_residual <= settings.tolerance;
+        report.converged =
+          step.residual <= settings.tolerance && step.gap_residual <= settings.tolerance;
         if (!report.converged && n == settings.maximum_steps)
-          report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" + chattering_points();
+          report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" +
+                          chattering_points();
         if (report.converged || n == settings.maximum_steps)
           {
             report.steps.push_back(step);
@@ -140,7 +144,8 @@ namespace Signorini
             factorised = true;
           }
         step.krylov_iterations = linear_solver.solve(x, rhs, 0.1 * settings.tolerance * scale);
-        damping = system.is_saddle_point() || contact.empty() ? 1. : line_search(r, gap, p, x.block(0));
+        damping =
+          system.is_saddle_point() || contact.empty() ? 1. : line_search(r, gap, p, x.block(0));
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
           {
@@ -217,7 +222,7 @@ namespace Signorini
           z          = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
           hash += z ^ (z >> 27);
         }
-    hash                 = Utilities::MPI::sum(hash, active_set.get_mpi_communicator());
+    hash                  = Utilities::MPI::sum(hash, active_set.get_mpi_communicator());
     LA::Vector difference = active_set;
     difference -= last_active_set;
     // To stay where we are is no cycle.
@@ -227,7 +232,10 @@ namespace Signorini
 
 
   double
-  Newton::line_search(const LA::Vector &r, const LA::Vector &gap, const LA::Vector &p, const LA::Vector &du) const
+  Newton::line_search(const LA::Vector &r,
+                      const LA::Vector &gap,
+                      const LA::Vector &p,
+                      const LA::Vector &du) const
   {
     // The energy along u + a du is convex with derivative
     //   phi'(a) = -r.du + a du.K du - sum w (p(g + a B du) - p(g)) B du,   r = f + B^T W p - K u.
@@ -242,7 +250,8 @@ namespace Signorini
       double sum = 0;
       for (const auto i : gap.locally_owned_elements())
         {
-          const double p_new = std::max(0., -method.factor() * contact.stiffness(i) * (gap(i) + a * B_du(i)));
+          const double p_new =
+            std::max(0., -method.factor() * contact.stiffness(i) * (gap(i) + a * B_du(i)));
           sum += contact.weight(i) * (p_new - p(i)) * B_du(i);
         }
       return slope + a * curvature - Utilities::MPI::sum(sum, comm);
@@ -257,7 +266,7 @@ namespace Signorini
       }
     for (unsigned int i = 0; i < 60 && high - low > 1e-10 * high; ++i)
       {
-        const double middle = (low + high) / 2;
+        const double middle                   = (low + high) / 2;
         (derivative(middle) < 0 ? low : high) = middle;
       }
     return (low + high) / 2;
@@ -290,7 +299,8 @@ namespace Signorini
     n = Utilities::MPI::sum(n, comm);
     if (n == 0)
       return "";
-    return "; the active set keeps changing at " + std::to_string(n) + " contact points, among them" + places +
+    return "; the active set keeps changing at " + std::to_string(n) +
+           " contact points, among them" + places +
            ". Refine there, lower the penalty, or take another method";
   }
 } // namespace Signorini

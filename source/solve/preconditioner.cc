@@ -49,10 +49,10 @@ namespace Signorini
 
 
   std::unique_ptr<Preconditioner>
-  Preconditioner::create(const std::string &  name,
+  Preconditioner::create(const std::string   &name,
                          const ContactSystem &system,
-                         const AMG *          amg,
-                         const std::string &  direct_solver)
+                         const AMG           *amg,
+                         const std::string   &direct_solver)
   {
     for (const auto &[known, make] : registry)
       if (known == name)

@@ -37,7 +37,7 @@ namespace Signorini
 
       int     size;
       double *values;
-      int *   columns;
+      int    *columns;
     };
   } // namespace
 
@@ -60,23 +60,21 @@ namespace Signorini
 
 
 
-  ZoneSolver::ZoneSolver(const ContactSystem &system, const LA::Vector &marker, const std::string &direct_solver)
+  ZoneSolver::ZoneSolver(const ContactSystem &system,
+                         const LA::Vector    &marker,
+                         const std::string   &direct_solver)
     : system(system)
-    , direct_solver("Amesos_" + (direct_solver == "MUMPS" ? std::string("Mumps") : std::string("Klu")))
+    , direct_solver("Amesos_" +
+                    (direct_solver == "MUMPS" ? std::string("Mumps") : std::string("Klu")))
     , control(1, 0)
   {
-    types::global_dof_index local = 0;
     for (const auto i : marker.locally_owned_elements())
-      {
-        if (marker(i) != 0)
-          dofs.emplace_back(i, 0);
-        ++local;
-      }
-    const unsigned int n_rows =
-      system.is_saddle_point() ? system.gap_operator().weight.locally_owned_elements().n_elements() : 0;
-    const MPI_Comm comm = marker.get_mpi_communicator();
-    owned               = LA::contiguous_partition(dofs.size() + n_rows, comm);
-    writable            = owned;
+      if (marker(i) != 0)
+        dofs.emplace_back(i, 0);
+    const unsigned int n_rows = system.is_saddle_point() ? system.gap_operator().pair.size() : 0;
+    const MPI_Comm     comm   = marker.get_mpi_communicator();
+    owned                     = LA::contiguous_partition(dofs.size() + n_rows, comm);
+    writable                  = owned;
 
     LA::Vector number;
     number.reinit(marker);
@@ -88,7 +86,8 @@ namespace Signorini
         number(dof) = zone;
       }
     number.compress(VectorOperation::insert);
-    first_row = n_rows > 0 ? *index : 0;
+    if (n_rows > 0)
+      first_row = *index;
 
     number_in_K = on_columns(system.stiffness(), number);
     if (!system.gap_operator().empty())
@@ -105,8 +104,8 @@ namespace Signorini
   void
   ZoneSolver::collect(Entries &entries) const
   {
-    const LA::SparseMatrix &K          = system.stiffness();
-    const IndexSet          range      = K.locally_owned_range_indices();
+    const LA::SparseMatrix &K     = system.stiffness();
+    const IndexSet          range = K.locally_owned_range_indices();
     for (const auto &[dof, zone] : dofs)
       {
         const RowView row(K, range.index_within_set(dof));
@@ -152,10 +151,13 @@ namespace Signorini
   {
     Entries entries;
     collect(entries);
-    TrilinosWrappers::SparsityPattern pattern(owned, owned, writable, system.stiffness().get_mpi_communicator(), 0u);
+    TrilinosWrappers::SparsityPattern pattern(
+      owned, owned, writable, system.stiffness().get_mpi_communicator(), 0u);
     for (std::size_t i = 0; i < entries.values.size(); ++i)
       pattern.add(entries.rows[i], entries.columns[i]);
     pattern.compress();
+    // The solver looks at its matrix until it is gone.
+    solver.reset();
     matrix.reinit(pattern);
     for (std::size_t i = 0; i < entries.values.size(); ++i)
       matrix.add(entries.rows[i], entries.columns[i], entries.values[i]);

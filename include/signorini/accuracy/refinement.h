@@ -18,15 +18,16 @@ namespace Signorini
     declare(Section &section);
   };
 
-  /// Refine the mesh, set the degrees of freedom up again, and carry vectors over: each goes in as it was and
-  /// comes out interpolated. The strategy "estimator" refines where jumps of stress between cells are largest
-  /// (Kelly, Gago, Zienkiewicz, Babuska 1983, weighted by the energy of each body's material).
-  /// Returns the estimated error of the old solution in the energy norm, up to a constant.
+  /// Refine the mesh, set the degrees of freedom up again, and carry vectors over: each goes in as
+  /// it was and comes out interpolated. The strategy "estimator" refines where jumps of stress
+  /// between cells are largest (Kelly, Gago, Zienkiewicz, Babuska 1983, weighted by the energy of
+  /// each body's material). Returns the estimated error of the old solution in the energy norm, up
+  /// to a constant.
   template <int dim>
   double
-  refine(const RefinementSettings &       settings,
-         Mesh<dim> &                      mesh,
-         Elasticity<dim> &                elasticity,
-         const LA::Vector &               displacement,
+  refine(const RefinementSettings        &settings,
+         Mesh<dim>                       &mesh,
+         Elasticity<dim>                 &elasticity,
+         const LA::Vector                &displacement,
          const std::vector<LA::Vector *> &vectors);
 } // namespace Signorini

@@ -55,8 +55,8 @@ namespace Signorini
     LA::Vector
     total_force(const LA::Vector &p) const;
 
-    /// For methods that sample at nodes: copy values of points to the first degree of freedom of their nodes
-    /// (other entries are kept), and back. Without nodes nothing happens.
+    /// For methods that sample at nodes: copy values of points to the first degree of freedom of
+    /// their nodes (other entries are kept), and back. Without nodes nothing happens.
     void
     scatter(const LA::Vector &points, LA::Vector &nodal) const;
     void

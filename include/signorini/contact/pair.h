@@ -14,7 +14,7 @@ namespace Signorini
   struct ContactPair
   {
     std::string name, slave, master;
-    std::string slave_place, master_place; ///< in the scene file
+    std::string slave_place, master_place;         ///< in the scene file
     std::string initial_gap     = "from geometry"; ///< or "closed", or a formula of the coordinates
     double      search_distance = 0;               ///< 0: a tenth of the extent of the scene
 

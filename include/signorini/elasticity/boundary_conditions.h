@@ -29,8 +29,8 @@ namespace Signorini
     std::string              name;
     std::vector<std::string> boundaries;
     std::string              place, bodies_place; ///< of the names in the scene file
-    VectorExpression<dim>    traction; ///< [force/area]
-    Expression<dim>          pressure; ///< [force/area], positive pushes into the body
+    VectorExpression<dim>    traction;            ///< [force/area]
+    Expression<dim>          pressure;            ///< [force/area], positive pushes into the body
     std::vector<std::string> bodies;
     VectorExpression<dim>    body_force; ///< [force/volume]
 

@@ -13,16 +13,16 @@
 namespace Signorini
 {
   /// Linear elasticity of all bodies on the present mesh: sum over bodies of the virtual work
-  /// int sigma(u):eps(v) dV = int b.v dV + int t.v dA, thesis (28), discretised to K d = f (38)-(41).
-  /// K is assembled once per mesh; supports and loads depend on time.
+  /// int sigma(u):eps(v) dV = int b.v dV + int t.v dA, thesis (28), discretised to K d = f
+  /// (38)-(41). K is assembled once per mesh; supports and loads depend on time.
   template <int dim>
   class Elasticity
   {
   public:
-    Elasticity(const Mesh<dim> &                mesh,
-               const std::vector<Material> &    materials,
+    Elasticity(const Mesh<dim>                 &mesh,
+               const std::vector<Material>     &materials,
                const std::vector<Support<dim>> &supports,
-               const std::vector<Load<dim>> &   loads,
+               const std::vector<Load<dim>>    &loads,
                unsigned int                     degree);
 
     /// Distribute degrees of freedom on the mesh as it is now.
@@ -45,8 +45,8 @@ namespace Signorini
       return matrix;
     }
 
-    /// Right-hand side that belongs to stiffness() at the time of set_time(): loads minus the forces
-    /// of the prescribed displacements. Zero at constrained degrees of freedom.
+    /// Right-hand side that belongs to stiffness() at the time of set_time(): loads minus the
+    /// forces of the prescribed displacements. Zero at constrained degrees of freedom.
     LA::Vector
     load() const;
 
@@ -61,16 +61,17 @@ namespace Signorini
       all_constraints.distribute(u);
     }
 
-    /// Forces that the supports exert: internal forces minus loads minus contact forces at the degrees of
-    /// freedom of each support. @param contact_force forces of contact on all degrees of freedom
-    /// (hanging nodes resolved). Returns one vector a support, and last the total of the loads.
+    /// Forces that the supports exert: internal forces minus loads minus contact forces at the
+    /// degrees of freedom of each support. @param contact_force forces of contact on all degrees of
+    /// freedom (hanging nodes resolved). Returns one vector a support, and last the total of the
+    /// loads.
     std::vector<dealii::Tensor<1, dim>>
     reactions(const LA::Vector &u, const LA::Vector &contact_force) const;
 
-    /// Rigid-body modes (dim translations, then rotations about the center, scaled to size one) on the
-    /// locally owned degrees of freedom, mode by mode. One set serves all bodies: aggregates of the
-    /// multigrid method never contain nodes of two bodies, and on one body a rotation
-    /// about another center differs by a translation only.
+    /// Rigid-body modes (dim translations, then rotations about the center, scaled to size one) on
+    /// the locally owned degrees of freedom, mode by mode. One set serves all bodies: aggregates of
+    /// the multigrid method never contain nodes of two bodies, and on one body a rotation about
+    /// another center differs by a translation only.
     std::vector<std::vector<double>>
     rigid_body_modes() const;
 
@@ -159,7 +160,7 @@ namespace Signorini
     void
     make_constraints(double t);
 
-    const Mesh<dim> &               my_mesh;
+    const Mesh<dim>                &my_mesh;
     const std::vector<Material>     materials;
     const std::vector<Support<dim>> my_supports;
     const std::vector<Load<dim>>    loads;

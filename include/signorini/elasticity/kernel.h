@@ -39,8 +39,8 @@ namespace Signorini
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    LoadKernel(const Mesh<dim> &             mesh,
-               const dealii::FESystem<dim> & fe,
+    LoadKernel(const Mesh<dim>              &mesh,
+               const dealii::FESystem<dim>  &fe,
                const std::vector<Load<dim>> &loads,
                double                        t);
 
@@ -52,14 +52,17 @@ namespace Signorini
     void
     add_body_force(const Cell &cell, const Load<dim> &load, dealii::Vector<double> &cell_load);
     void
-    add_traction(const Cell &cell, unsigned int face, const Load<dim> &load, dealii::Vector<double> &cell_load);
+    add_traction(const Cell             &cell,
+                 unsigned int            face,
+                 const Load<dim>        &load,
+                 dealii::Vector<double> &cell_load);
 
     const dealii::FESystem<dim> &fe;
     const double                 t;
     dealii::FEValues<dim>        values;
     dealii::FEFaceValues<dim>    face_values;
 
-    std::map<unsigned int, std::vector<const Load<dim> *>>             by_body;
+    std::map<unsigned int, std::vector<const Load<dim> *>>               by_body;
     std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>> by_boundary;
   };
 } // namespace Signorini

@@ -17,8 +17,9 @@ namespace dealii
 
 namespace Signorini
 {
-  /// A scalar function of the coordinates x, y (z in 3D) and the time t, given by a formula of muParser;
-  /// the constant `pi` is known. A formula that cannot be read throws SceneError on construction.
+  /// A scalar function of the coordinates x, y (z in 3D) and the time t, given by a formula of
+  /// muParser; the constant `pi` is known. A formula that cannot be read throws SceneError on
+  /// construction.
   template <int dim>
   class Expression
   {
@@ -39,7 +40,8 @@ namespace Signorini
     std::shared_ptr<dealii::FunctionParser<dim>> parser;
   };
 
-  /// One expression a component, separated by `;`. A component may be `free`: then it is not prescribed.
+  /// One expression a component, separated by `;`. A component may be `free`: then it is not
+  /// prescribed.
   template <int dim>
   class VectorExpression
   {

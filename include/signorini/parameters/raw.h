@@ -8,9 +8,9 @@
 
 namespace Signorini
 {
-  /// Something that the user asked for and that cannot be done: a bad scene file, command line or mesh
-  /// file. The message names the key, its value, where it was set, and the cure. All ranks throw it
-  /// alike, because all ranks read the same input.
+  /// Something that the user asked for and that cannot be done: a bad scene file, command line or
+  /// mesh file. The message names the key, its value, where it was set, and the cure. All ranks
+  /// throw it alike, because all ranks read the same input.
   class SceneError : public std::runtime_error
   {
   public:
@@ -18,7 +18,8 @@ namespace Signorini
   };
 
   /// A scene file as it was written: sections and values with the place where each was set, not yet
-  /// interpreted. Syntax: `subsection NAME`, `set KEY = VALUE`, `end`, comments after `#`, a trailing
+  /// interpreted. Syntax: `subsection NAME`, `set KEY = VALUE`, `end`, comments after `#`, a
+  /// trailing
   /// `\` continues a line.
   struct RawSection
   {
@@ -34,26 +35,36 @@ namespace Signorini
     std::deque<Value>      values;
     std::deque<RawSection> sections;
 
-    Value *      find_value(const std::string &key);
-    RawSection * find_section(const std::string &name);
-    RawSection & get_section(const std::string &name, const std::string &where);
-    void         set_value(const std::string &key, const std::string &text, const std::string &where);
+    Value *
+    find_value(const std::string &key);
+    RawSection *
+    find_section(const std::string &name);
+    RawSection &
+    get_section(const std::string &name, const std::string &where);
+    void
+    set_value(const std::string &key, const std::string &text, const std::string &where);
   };
 
   /// Read a scene file. Throws SceneError with file and line on a syntax error or a key set twice.
-  RawSection read_raw(const std::string &file_name);
+  RawSection
+  read_raw(const std::string &file_name);
 
   /// Apply one command line override `Section/Subsection/Key=value`.
-  void override_value(RawSection &root, const std::string &assignment);
+  void
+  override_value(RawSection &root, const std::string &assignment);
 
   /// The candidate that is spelt most like the given word, or an empty string if none is close.
-  std::string nearest(const std::string &word, const std::vector<std::string> &candidates);
+  std::string
+  nearest(const std::string &word, const std::vector<std::string> &candidates);
 
   /// "a, b, c"
-  std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
+  std::string
+  join(const std::vector<std::string> &words, const std::string &separator = ", ");
 
   /// Split at the separator and trim; an empty text has no parts.
-  std::vector<std::string> split(const std::string &text, char separator);
+  std::vector<std::string>
+  split(const std::string &text, char separator);
 
-  std::string trim(const std::string &text);
+  std::string
+  trim(const std::string &text);
 } // namespace Signorini

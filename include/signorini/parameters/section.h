@@ -16,9 +16,9 @@ namespace Signorini
   /// Closed or half-open range of a number; the text of it goes into the error message.
   struct Range
   {
-    double      low            = -std::numeric_limits<double>::infinity();
-    double      high           = std::numeric_limits<double>::infinity();
-    bool        low_is_allowed = true, high_is_allowed = true;
+    double low            = -std::numeric_limits<double>::infinity();
+    double high           = std::numeric_limits<double>::infinity();
+    bool   low_is_allowed = true, high_is_allowed = true;
 
     bool
     contains(double x) const;
@@ -29,10 +29,10 @@ namespace Signorini
   const Range positive{0, std::numeric_limits<double>::infinity(), false, true};
   const Range non_negative{0, std::numeric_limits<double>::infinity(), true, true};
 
-  /// One section of the scene file, seen by the structs that live in it. Each struct has one function
-  /// `declare(Section &)` in which it binds its members: key, member (its value is the default), one
-  /// sentence of documentation with the unit. The same function serves to read a scene, to write the
-  /// resolved scene, and to write the commented template.
+  /// One section of the scene file, seen by the structs that live in it. Each struct has one
+  /// function `declare(Section &)` in which it binds its members: key, member (its value is the
+  /// default), one sentence of documentation with the unit. The same function serves to read a
+  /// scene, to write the resolved scene, and to write the commented template.
   class Section
   {
   public:
@@ -48,7 +48,10 @@ namespace Signorini
 
     /// A word out of a list.
     void
-    add_choice(const std::string &key, std::string &value, const std::vector<std::string> &choices, const std::string &help);
+    add_choice(const std::string              &key,
+               std::string                    &value,
+               const std::vector<std::string> &choices,
+               const std::string              &help);
 
     /// A fixed subsection: body(section) declares what is in it.
     template <typename Body>
@@ -57,9 +60,9 @@ namespace Signorini
     {
       if (reading())
         {
-          RawSection   nothing;
-          RawSection * child = open(name);
-          Section      section(child ? *child : nothing, path_of(name));
+          RawSection  nothing;
+          RawSection *child = open(name);
+          Section     section(child ? *child : nothing, path_of(name));
           body(section);
           section.close();
         }
@@ -134,8 +137,8 @@ namespace Signorini
     void
     write(const std::string &key, const std::string &value, const std::string &help);
 
-    RawSection * raw = nullptr;
-    std::string  my_path;
+    RawSection *raw = nullptr;
+    std::string my_path;
 
     std::ostream *out         = nullptr;
     bool          comments    = false;

@@ -27,5 +27,7 @@ namespace Signorini
   /// Compare with the results of the last load step; print a table; add it to the results under
   /// "expected". Returns true if all hold. Throws SceneError where a quantity does not exist.
   bool
-  compare(const std::vector<ExpectedResult> &expected, nlohmann::ordered_json &results, std::ostream &out);
+  compare(const std::vector<ExpectedResult> &expected,
+          nlohmann::ordered_json            &results,
+          std::ostream                      &out);
 } // namespace Signorini

@@ -28,9 +28,10 @@ namespace Signorini
   /// The method by which contact is imposed, and how its surfaces are integrated.
   struct ContactSettings
   {
-    std::string                                                        method = "Lagrange multiplier";
-    std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>> methods; ///< all, each with its keys
-    unsigned int                                                       quadrature_points = 0;
+    std::string method = "Lagrange multiplier";
+    std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>>
+                 methods; ///< all, each with its keys
+    unsigned int quadrature_points = 0;
 
     ContactSettings();
 

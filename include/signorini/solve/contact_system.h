@@ -7,20 +7,23 @@ namespace Signorini
 {
   /// The linear system of one Newton step, for a given active set, in two forms.
   ///
-  /// Condensed (the pressure follows from the gap): (K + B^T D B) du = r, D = eps W on the active points.
+  /// Condensed (the pressure follows from the gap): (K + B^T D B) du = r, D = eps W on the active
+  /// points.
   ///
   /// Saddle point (the pressure is unknown), thesis (49):
   ///     [  K      -B^T A ] [du]   [ r   ]
   ///     [ -A B     -I    ] [q ] = [ A g ],   dp = k q,
-  /// A = k W on active points, I = k W on inactive ones. The scaling with k = E/h makes q a length and both
-  /// residuals forces: nothing depends on the units of the scene.
+  /// A = k W on active points, I = k W on inactive ones. The scaling with k = E/h makes q a length
+  /// and both residuals forces: nothing depends on the units of the scene.
   ///
-  /// Vectors are blocks (u, q); q is empty in the condensed form. K belongs to the mesh and is never
-  /// touched; what changes with the active set are three vectors on the contact surface.
+  /// Vectors are blocks (u, q); q is empty in the condensed form. K belongs to the mesh and is
+  /// never touched; what changes with the active set are three vectors on the contact surface.
   class ContactSystem
   {
   public:
-    ContactSystem(const LA::SparseMatrix &stiffness, const GapOperator &contact, const ContactMethod &method);
+    ContactSystem(const LA::SparseMatrix &stiffness,
+                  const GapOperator      &contact,
+                  const ContactMethod    &method);
 
     void
     set_active(const LA::Vector &active);
@@ -70,7 +73,7 @@ namespace Signorini
 
   private:
     const LA::SparseMatrix &K;
-    const GapOperator &     contact;
+    const GapOperator      &contact;
     const bool              saddle;
     const double            factor;
     LA::Vector              D, A, I;

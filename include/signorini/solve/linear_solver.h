@@ -29,24 +29,24 @@ namespace Signorini
     declare(Section &section);
   };
 
-  /// Solves the contact systems of one mesh. The multigrid hierarchy is built once; what changes with
-  /// the active set is what the preconditioner keeps on the surface.
+  /// Solves the contact systems of one mesh. The multigrid hierarchy is built once; what changes
+  /// with the active set is what the preconditioner keeps on the surface.
   class LinearSolver
   {
   public:
     /// @param modes rigid-body modes for AMG
-    LinearSolver(const LinearSolverSettings &            settings,
-                 const ContactSystem &                   system,
+    LinearSolver(const LinearSolverSettings             &settings,
+                 const ContactSystem                    &system,
                  const std::vector<std::vector<double>> &modes,
                  unsigned int                            dim,
-                 dealii::TimerOutput &                   timer);
+                 dealii::TimerOutput                    &timer);
 
     /// The system's active set has changed.
     void
     update();
 
-    /// Solve from a zero start until the residual has fallen by the reduction of the settings, or below the
-    /// absolute tolerance. Returns the number of iterations; throws SolverFailure.
+    /// Solve from a zero start until the residual has fallen by the reduction of the settings, or
+    /// below the absolute tolerance. Returns the number of iterations; throws SolverFailure.
     unsigned int
     solve(LA::BlockVector &x, const LA::BlockVector &rhs, double absolute_tolerance);
 
@@ -58,8 +58,8 @@ namespace Signorini
 
   private:
     const LinearSolverSettings      settings;
-    const ContactSystem &           system;
-    dealii::TimerOutput &           timer;
+    const ContactSystem            &system;
+    dealii::TimerOutput            &timer;
     std::unique_ptr<AMG>            amg;
     std::unique_ptr<Preconditioner> preconditioner;
   };

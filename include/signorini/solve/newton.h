@@ -35,25 +35,25 @@ namespace Signorini
     std::vector<NewtonStep> steps;
   };
 
-  /// Semismooth Newton method for K u = f + B^T W p with the contact law between p and the gap: since all
-  /// else is linear, it is the primal-dual active set strategy (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13
-  /// (2003) 865). Lives as long as the mesh does.
+  /// Semismooth Newton method for K u = f + B^T W p with the contact law between p and the gap:
+  /// since all else is linear, it is the primal-dual active set strategy (Hintermueller, Ito,
+  /// Kunisch, SIAM J. Optim. 13 (2003) 865). Lives as long as the mesh does.
   ///
   /// Globalised: methods without multipliers minimise a convex energy, along which each step is
-  /// searched exactly (it costs vectors of the surface only). Methods with multipliers watch for cycles of the
-  /// active set and then change one point at a time, the worst.
+  /// searched exactly (it costs vectors of the surface only). Methods with multipliers watch for
+  /// cycles of the active set and then change one point at a time, the worst.
   class Newton
   {
   public:
-    Newton(const NewtonSettings &                   settings,
-           const LinearSolverSettings &             linear_settings,
-           const ContactMethod &                    method,
-           const LA::SparseMatrix &                 stiffness,
+    Newton(const NewtonSettings                    &settings,
+           const LinearSolverSettings              &linear_settings,
+           const ContactMethod                     &method,
+           const LA::SparseMatrix                  &stiffness,
            const dealii::AffineConstraints<double> &constraints,
-           const GapOperator &                      contact,
-           const std::vector<std::vector<double>> & modes,
+           const GapOperator                       &contact,
+           const std::vector<std::vector<double>>  &modes,
            unsigned int                             dim,
-           dealii::TimerOutput &                    timer);
+           dealii::TimerOutput                     &timer);
 
     /// @param f load vector with prescribed displacements eliminated
     /// @param u in: start, with the prescribed displacements of this step; out: solution
@@ -88,13 +88,16 @@ namespace Signorini
     LA::Vector
     residual(const LA::Vector &f, const LA::Vector &u, const LA::Vector &p);
     double
-    line_search(const LA::Vector &r, const LA::Vector &gap, const LA::Vector &p, const LA::Vector &du) const;
+    line_search(const LA::Vector &r,
+                const LA::Vector &gap,
+                const LA::Vector &p,
+                const LA::Vector &du) const;
 
     const NewtonSettings                     settings;
-    const ContactMethod &                    method;
-    const LA::SparseMatrix &                 K;
+    const ContactMethod                     &method;
+    const LA::SparseMatrix                  &K;
     const dealii::AffineConstraints<double> &constraints;
-    const GapOperator &                      contact;
+    const GapOperator                       &contact;
     ContactSystem                            system;
     LinearSolver                             linear_solver;
 

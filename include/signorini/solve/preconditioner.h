@@ -9,8 +9,8 @@
 
 namespace Signorini
 {
-  /// A preconditioner of the contact system: one file pair under solve/preconditioners and one line in the
-  /// registry. Each serves both forms of the system.
+  /// A preconditioner of the contact system: one file pair under solve/preconditioners and one line
+  /// in the registry. Each serves both forms of the system.
   class Preconditioner
   {
   public:
@@ -23,8 +23,8 @@ namespace Signorini
     virtual void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const = 0;
 
-    /// Symmetric and positive definite on saddle point systems too, as MINRES needs it. (On condensed
-    /// systems all are.)
+    /// Symmetric and positive definite on saddle point systems too, as MINRES needs it. (On
+    /// condensed systems all are.)
     virtual bool
     is_positive_definite() const = 0;
 
@@ -36,7 +36,10 @@ namespace Signorini
     }
 
     static std::unique_ptr<Preconditioner>
-    create(const std::string &name, const ContactSystem &system, const AMG *amg, const std::string &direct_solver);
+    create(const std::string   &name,
+           const ContactSystem &system,
+           const AMG           *amg,
+           const std::string   &direct_solver);
   };
 
   std::vector<std::string>

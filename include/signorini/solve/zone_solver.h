@@ -11,14 +11,16 @@
 namespace Signorini
 {
   /// Exact solution of a ContactSystem restricted to a zone: some of the degrees of freedom, and
-  /// all multipliers. With the degrees of freedom that contact touches it costs a surface, with all of them it is
-  /// a direct solver.
+  /// all multipliers. With the degrees of freedom that contact touches it costs a surface, with all
+  /// of them it is a direct solver.
   class ZoneSolver
   {
   public:
     /// @param marker nonzero at the degrees of freedom of the zone
     /// @param direct_solver "KLU" (gathers the zone on one rank) or "MUMPS" (distributed)
-    ZoneSolver(const ContactSystem &system, const LA::Vector &marker, const std::string &direct_solver);
+    ZoneSolver(const ContactSystem &system,
+               const LA::Vector    &marker,
+               const std::string   &direct_solver);
 
     /// Factorise for the present active set.
     void
@@ -43,16 +45,18 @@ namespace Signorini
     const ContactSystem &system;
     const std::string    direct_solver;
 
-    /// Zone index of each local degree of freedom of the zone: (position among the owned, zone index).
+    /// Zone index of each local degree of freedom of the zone: (position among the owned, zone
+    /// index).
     std::vector<std::pair<dealii::types::global_dof_index, dealii::types::global_dof_index>> dofs;
-    dealii::types::global_dof_index first_row = 0; ///< zone index of the first multiplier of this rank
-    dealii::IndexSet                owned, writable;
-    std::vector<double>             number_in_K, number_in_B; ///< zone index of each local column, or -1
-    LA::Vector                      row_number;
+    dealii::types::global_dof_index first_row =
+      0; ///< zone index of the first multiplier of this rank
+    dealii::IndexSet    owned, writable;
+    std::vector<double> number_in_K, number_in_B; ///< zone index of each local column, or -1
+    LA::Vector          row_number;
 
-    LA::SparseMatrix                                         matrix;
-    mutable dealii::SolverControl                            control;
+    LA::SparseMatrix                                        matrix;
+    mutable dealii::SolverControl                           control;
     std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;
-    mutable LA::Vector                                       left, right;
+    mutable LA::Vector                                      left, right;
   };
 } // namespace Signorini

@@ -6,10 +6,11 @@ namespace Signorini
   void
   Penalty::declare(Section &section)
   {
-    section.add("Factor",
-                penalty_factor,
-                "penalty in units of E/h: larger is more exact, the penetration is p h / (Factor E)",
-                positive);
+    section.add(
+      "Factor",
+      penalty_factor,
+      "penalty in units of E/h: larger is more exact, the penetration is p h / (Factor E)",
+      positive);
     section.add_choice("Weighting",
                        weighting,
                        {"mortar", "pointwise"},

@@ -35,10 +35,13 @@ namespace Signorini
         if (dim == 3)
           r -= (r * axis) / axis.norm_square() * axis;
         const double distance = r.norm();
-        AssertThrow(distance > 0,
-                    ExcMessage("a contact point lies on the axis of a cylindrical obstacle: it has no closest point"));
+        AssertThrow(
+          distance > 0,
+          ExcMessage(
+            "a contact point lies on the axis of a cylindrical obstacle: it has no closest point"));
         const Tensor<1, dim> n = r / distance;
-        return hollow ? ObstaclePlace<dim>{radius - distance, -n} : ObstaclePlace<dim>{distance - radius, n};
+        return hollow ? ObstaclePlace<dim>{radius - distance, -n} :
+                        ObstaclePlace<dim>{distance - radius, n};
       }
 
     private:

@@ -29,7 +29,8 @@ namespace Signorini
           n /= distance;
         else
           n[dim - 1] = 1; // in the very center all directions are alike
-        return hollow ? ObstaclePlace<dim>{radius - distance, -n} : ObstaclePlace<dim>{distance - radius, n};
+        return hollow ? ObstaclePlace<dim>{radius - distance, -n} :
+                        ObstaclePlace<dim>{distance - radius, n};
       }
 
     private:

@@ -11,7 +11,9 @@ namespace Signorini
 {
   using namespace dealii;
 
-  AMG::AMG(const LA::SparseMatrix &stiffness, const std::vector<std::vector<double>> &modes, const unsigned int dim)
+  AMG::AMG(const LA::SparseMatrix                 &stiffness,
+           const std::vector<std::vector<double>> &modes,
+           const unsigned int                      dim)
   {
     Epetra_MultiVector null_space(stiffness.trilinos_matrix().DomainMap(), modes.size());
     for (unsigned int m = 0; m < modes.size(); ++m)

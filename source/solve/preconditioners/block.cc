@@ -36,7 +36,9 @@ namespace Signorini
 
 
 
-  BlockPreconditioner::BlockPreconditioner(const ContactSystem &system, const AMG &amg, const bool triangular)
+  BlockPreconditioner::BlockPreconditioner(const ContactSystem &system,
+                                           const AMG           &amg,
+                                           const bool           triangular)
     : system(system)
     , amg(amg)
     , triangular(triangular)

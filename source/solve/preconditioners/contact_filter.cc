@@ -16,8 +16,10 @@ namespace Signorini
       sums.reinit(system.zero().block(0));
       if (!system.gap_operator().empty())
         {
-          const int error = system.gap_operator().B_free.trilinos_matrix().InvColMaxs(*sums.trilinos_vector()(0));
-          // A positive code only says that some columns are empty, and those get the largest number.
+          const int error =
+            system.gap_operator().B_free.trilinos_matrix().InvColMaxs(*sums.trilinos_vector()(0));
+          // A positive code only says that some columns are empty, and those get the largest
+          // number.
           AssertThrow(error >= 0, ExcTrilinosError(error));
           for (const auto i : sums.locally_owned_elements())
             sums(i) = sums(i) < 1e100 ? 1. : 0.;
@@ -29,7 +31,9 @@ namespace Signorini
 
 
 
-  ContactFilter::ContactFilter(const ContactSystem &system, const AMG &amg, const std::string &direct_solver)
+  ContactFilter::ContactFilter(const ContactSystem &system,
+                               const AMG           &amg,
+                               const std::string   &direct_solver)
     : system(system)
     , amg(amg)
     , zone(system, touched(system), direct_solver)

@@ -4,8 +4,8 @@
 
 namespace Signorini
 {
-  /// Lagrange multiplier method, thesis (43)-(50): the contact pressure is an unknown in the trace space
-  /// of the slave, the gap weighted with its shape functions vanishes where it acts. The
+  /// Lagrange multiplier method, thesis (43)-(50): the contact pressure is an unknown in the trace
+  /// space of the slave, the gap weighted with its shape functions vanishes where it acts. The
   /// active set follows from p - c g > 0; c only steers the iteration, not the result.
   class LagrangeMultiplier : public ContactMethod
   {

@@ -21,8 +21,8 @@ namespace Signorini
   std::unique_ptr<ObstacleShape<dim>>
   make_cylinder();
 
-  /// Paraboloid of revolution (2D: parabola) with a radius of curvature at the apex; the gap is measured
-  /// along the axis, as in Hertz' theory.
+  /// Paraboloid of revolution (2D: parabola) with a radius of curvature at the apex; the gap is
+  /// measured along the axis, as in Hertz' theory.
   template <int dim>
   std::unique_ptr<ObstacleShape<dim>>
   make_paraboloid();

@@ -8,13 +8,16 @@
 
 namespace Signorini
 {
-  /// Smoothed-aggregation multigrid (ML) for the stiffness matrix, whose near-null-space are the rigid-body
-  /// modes: translations alone cost twice the iterations, and the count then grows with the mesh.
+  /// Smoothed-aggregation multigrid (ML) for the stiffness matrix, whose near-null-space are the
+  /// rigid-body modes: translations alone cost twice the iterations, and the count then grows with
+  /// the mesh.
   class AMG
   {
   public:
     /// @param modes rigid-body modes on the locally owned degrees of freedom, mode by mode
-    AMG(const LA::SparseMatrix &stiffness, const std::vector<std::vector<double>> &modes, unsigned int dim);
+    AMG(const LA::SparseMatrix                 &stiffness,
+        const std::vector<std::vector<double>> &modes,
+        unsigned int                            dim);
 
     /// One V-cycle.
     void

@@ -4,8 +4,8 @@
 
 namespace Signorini
 {
-  /// diag(AMG, S) or the block triangular form of it, with the diagonal S = diag(A B diag(K)^-1 B^T A)
-  /// of an approximate Schur complement. On condensed systems both are AMG(K) alone.
+  /// diag(AMG, S) or the block triangular form of it, with the diagonal S = diag(A B diag(K)^-1 B^T
+  /// A) of an approximate Schur complement. On condensed systems both are AMG(K) alone.
   class BlockPreconditioner : public Preconditioner
   {
   public:
@@ -25,7 +25,7 @@ namespace Signorini
 
   private:
     const ContactSystem &system;
-    const AMG &          amg;
+    const AMG           &amg;
     const bool           triangular;
     LA::Vector           flexibility; ///< diag(B diag(K)^-1 B^T)
     LA::Vector           inverse_schur;

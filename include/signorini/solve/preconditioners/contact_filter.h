@@ -5,10 +5,10 @@
 
 namespace Signorini
 {
-  /// F-V-F: an exact solve on the degrees of freedom that contact touches (F), one V-cycle of the multigrid
-  /// method for K alone (V), F again. The hierarchy of K never changes; the stiff contact terms, or
-  /// the constraints in a saddle point system, are seen by F only, so that the iteration count
-  /// depends neither on the penalty nor on the size of the mesh. One V-cycle an application.
+  /// F-V-F: an exact solve on the degrees of freedom that contact touches (F), one V-cycle of the
+  /// multigrid method for K alone (V), F again. The hierarchy of K never changes; the stiff contact
+  /// terms, or the constraints in a saddle point system, are seen by F only, so that the iteration
+  /// count depends neither on the penalty nor on the size of the mesh. One V-cycle an application.
   class ContactFilter : public Preconditioner
   {
   public:
@@ -27,8 +27,8 @@ namespace Signorini
     }
 
   private:
-    const ContactSystem &   system;
-    const AMG &             amg;
+    const ContactSystem    &system;
+    const AMG              &amg;
     ZoneSolver              zone;
     mutable LA::BlockVector residual;
     mutable LA::Vector      correction;
