@@ -92,8 +92,8 @@ namespace Signorini
           numbers.push_back(elasticity.zero_vector());
           numbers.back() = -1.;
           for (const auto i : elasticity.owned())
-            // A node whose faces have next to no partners has no gap to speak of.
-            if (all(i) > 0 && paired(i) > 1e-6 * all(i))
+            // A node beyond the rim of the master, with next to no area, has no gap to speak of.
+            if (all(i) > 0 && paired(i) > 0.01 * all(i))
               {
                 numbers.back()(i) = rows.node.size();
                 rows.node.push_back(i);

@@ -232,6 +232,36 @@ namespace Signorini
     }
 
     template <int dim>
+    double
+    largest_diameter(const Elasticity<dim> &elasticity, const Faces<dim> &faces)
+    {
+      double largest = 0;
+      for (const auto &[cell, face] : faces)
+        largest = std::max(largest, cell->face(face)->diameter());
+      return Utilities::MPI::max(largest, elasticity.mesh().communicator());
+    }
+
+    /// Faces take part as a whole or not at all: a shape function on a part of a face would be a
+    /// weight that changes its sign.
+    template <int dim>
+    void
+    drop_far_faces(const SlavePoints<dim>                   &slave,
+                   const double                              limit,
+                   std::vector<std::optional<Partner<dim>>> &partners)
+    {
+      std::map<unsigned int, double> nearest;
+      for (unsigned int i = 0; i < partners.size(); ++i)
+        if (partners[i])
+          {
+            const auto [at, is_new] = nearest.emplace(slave.places[i].first, partners[i]->distance);
+            at->second              = std::min(at->second, partners[i]->distance);
+          }
+      for (unsigned int i = 0; i < partners.size(); ++i)
+        if (partners[i] && nearest[slave.places[i].first] > limit)
+          partners[i].reset();
+    }
+
+    template <int dim>
     ContactPoint<dim>
     contact_point(const ContactPair<dim> &pair,
                   const SlavePoints<dim> &slave,
@@ -267,16 +297,20 @@ namespace Signorini
     ContactSurface<dim>    surface;
     const Faces<dim>       faces = owned_faces(elasticity, pair.slave);
     const SlavePoints<dim> slave = slave_points(elasticity, faces, n_points);
-    const double           reach =
+    const double           limit =
       pair.search_distance > 0 ? pair.search_distance : elasticity.mesh().size() / 10;
-    const auto partners =
-      obstacle ? obstacle_partners(slave, *obstacle, reach) :
-                 find_partners(slave.positions,
-                               slave.normals,
-                               master_faces(elasticity, owned_faces(elasticity, pair.master)),
-                               reach,
-                               elasticity.mesh().communicator(),
-                               &surface.statistics);
+    // Distances change by no more than its diameter on a face: this reach finds all points of each
+    // face that has one within the limit.
+    const double reach    = limit + largest_diameter(elasticity, faces);
+    auto         partners = obstacle ?
+                              obstacle_partners(slave, *obstacle, reach) :
+                              find_partners(slave.positions,
+                                    slave.normals,
+                                    master_faces(elasticity, owned_faces(elasticity, pair.master)),
+                                    reach,
+                                    elasticity.mesh().communicator(),
+                                    &surface.statistics);
+    drop_far_faces(slave, limit, partners);
 
     Trace<dim> trace(elasticity);
     surface.faces = faces.size();

@@ -174,6 +174,11 @@ namespace Signorini
       }
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
+    if (contact.chosen().sampling() == Sampling::quadrature_points &&
+        contact.quadrature_points > degree + 1 && contact.chosen().factor() > 100)
+      throw SceneError("Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
+                       " penalises more points of a face than the displacement can follow: with this Factor the "
+                       "pressure would oscillate; take Weighting = mortar, or Quadrature points = 0");
     if (mesh.distribution == "METIS" && refinement.cycles > 0)
       throw SceneError(
         "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +

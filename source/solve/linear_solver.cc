@@ -28,6 +28,10 @@ namespace Signorini
       direct_solver,
       {"auto", "KLU", "MUMPS"},
       "of the contact zone or the whole system; auto: KLU on one rank, MUMPS on several");
+    section.add_choice("Near null space",
+                       near_null_space,
+                       {"rigid body modes", "translations"},
+                       "what the multigrid method knows of elasticity; translations alone: half the memory, twice the iterations");
     section.add("Reduction",
                 reduction,
                 "by which each linear solve reduces its residual",
@@ -85,7 +89,12 @@ namespace Signorini
   {
     TimerOutput::Scope scope(timer, "preconditioner");
     if (settings.preconditioner != "direct")
-      amg = std::make_unique<AMG>(system.stiffness(), modes, dim);
+      {
+        auto known = modes;
+        if (settings.near_null_space == "translations")
+          known.resize(dim); // they come first
+        amg = std::make_unique<AMG>(system.stiffness(), known, dim);
+      }
     preconditioner =
       Preconditioner::create(settings.preconditioner,
                              system,
@@ -110,8 +119,6 @@ namespace Signorini
                       const double           absolute_tolerance)
   {
     TimerOutput::Scope scope(timer, "krylov");
-    const double       tolerance = std::max(absolute_tolerance, settings.reduction * rhs.l2_norm());
-    SolverControl      control(settings.maximum_iterations, tolerance);
     const std::string  krylov = choose_krylov(settings, system, *preconditioner);
 
     x = 0;
@@ -120,6 +127,18 @@ namespace Signorini
         preconditioner->vmult(x, rhs);
         return 1;
       }
+    const double norm = rhs.l2_norm();
+    if (norm == 0)
+      return 0;
+    double tolerance = std::max(absolute_tolerance, settings.reduction * norm);
+    if (krylov == "MINRES")
+      {
+        // MINRES measures residuals in the norm of the preconditioner.
+        LA::BlockVector preconditioned = rhs;
+        preconditioner->vmult(preconditioned, rhs);
+        tolerance *= std::sqrt(rhs * preconditioned) / norm;
+      }
+    SolverControl control(settings.maximum_iterations, tolerance);
     try
       {
         if (krylov == "CG")

@@ -143,6 +143,7 @@ namespace Signorini
             linear_solver.update();
             factorised = true;
           }
+        const double before    = n > 0 ? report.steps.back().residual : 0;
         step.krylov_iterations = linear_solver.solve(x, rhs, 0.1 * settings.tolerance * scale);
         damping =
           system.is_saddle_point() || contact.empty() ? 1. : line_search(r, gap, p, x.block(0));
@@ -155,6 +156,12 @@ namespace Signorini
           }
         report.steps.push_back(step);
         print_row(out, n, step);
+        if (step.krylov_iterations == 0 && step.residual == before)
+          {
+            report.reason = "Newton's method stagnates above its tolerance: the linear solver cannot "
+                            "reduce the residual further; loosen Newton/Tolerance";
+            return report;
+          }
       }
   }
 

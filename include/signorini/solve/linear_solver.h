@@ -22,6 +22,7 @@ namespace Signorini
     std::string  preconditioner     = "contact filter";
     std::string  krylov             = "auto";
     std::string  direct_solver      = "auto";
+    std::string  near_null_space    = "rigid body modes";
     double       reduction          = 1e-6;
     unsigned int maximum_iterations = 1000;
 
