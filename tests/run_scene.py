@@ -31,8 +31,8 @@ class Runner:
         folder = os.path.join(self.arguments.directory, str(self.count))
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(os.path.dirname(folder) or ".", exist_ok=True)
-        command = [self.arguments.mpiexec, "-n", str(ranks), self.arguments.executable,
-                   scene or self.arguments.scene]
+        command = [self.arguments.mpiexec, "-n", str(ranks)] if ranks > 1 else []
+        command += [self.arguments.executable, scene or self.arguments.scene]
         for one in [*self.arguments.set, *overrides, "Output/VTU=no", "Output/Directory=" + folder]:
             command += ["--set", one]
         run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -51,6 +51,10 @@ namespace Signorini
 
   namespace
   {
+    // A fully distributed triangulation ends at its ghost cells: where their neighbours are
+    // missing, it has false boundary faces with id 0. None of ours may be taken for them.
+    constexpr types::boundary_id first_boundary_id = 1;
+
     template <typename Object>
     void
     shift(std::vector<Object>     &objects,
@@ -169,8 +173,8 @@ namespace Signorini
         shift(one.cells, all.vertices.size(), first_manifold);
         shift(one.faces.boundary_lines, all.vertices.size(), first_manifold);
         shift(one.faces.boundary_quads, all.vertices.size(), first_manifold);
-        shift_boundary(one.faces.boundary_lines, boundary_names.size());
-        shift_boundary(one.faces.boundary_quads, boundary_names.size());
+        shift_boundary(one.faces.boundary_lines, first_boundary_id + boundary_names.size());
+        shift_boundary(one.faces.boundary_quads, first_boundary_id + boundary_names.size());
         for (CellData<dim> &cell : one.cells)
           cell.material_id = names.size();
 
@@ -243,7 +247,7 @@ namespace Signorini
     if (found == boundary_names.end())
       throw SceneError("there is no boundary '" + name + "'; the boundaries are " +
                        join(boundary_names));
-    return found - boundary_names.begin();
+    return first_boundary_id + (found - boundary_names.begin());
   }
 
 

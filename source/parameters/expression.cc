@@ -4,6 +4,8 @@
 #include <deal.II/base/function_parser.h>
 
 #include <cmath>
+#include <iostream>
+#include <sstream>
 
 namespace Signorini
 {
@@ -11,22 +13,41 @@ namespace Signorini
 
   namespace
   {
-    /// First line of what muParser says.
-    std::string
-    reason(const std::exception &exception)
+    /// What muParser has to say goes to std::cerr, on every rank, and not into the exception: catch
+    /// it there.
+    class Listener
     {
-      const std::string text  = exception.what();
-      const auto        start = text.find("Message:");
-      if (start == std::string::npos)
-        return "it cannot be evaluated";
-      return trim(text.substr(start + 8, text.find('\n', start) - start - 8));
-    }
+    public:
+      Listener()
+        : former(std::cerr.rdbuf(heard.rdbuf()))
+      {}
+
+      ~Listener()
+      {
+        std::cerr.rdbuf(former);
+      }
+
+      std::string
+      reason() const
+      {
+        const std::string text  = heard.str();
+        const auto        start = text.find("Message:");
+        if (start == std::string::npos)
+          return "it cannot be evaluated";
+        return trim(text.substr(start + 8, text.find('\n', start) - start - 8));
+      }
+
+    private:
+      std::ostringstream heard;
+      std::streambuf    *former;
+    };
 
     template <int dim>
     std::shared_ptr<FunctionParser<dim>>
     compile(const std::string &formula)
     {
-      auto parser = std::make_shared<FunctionParser<dim>>(1);
+      const Listener listener;
+      auto           parser = std::make_shared<FunctionParser<dim>>(1);
       try
         {
           parser->initialize(FunctionParser<dim>::default_variable_names() + ",t",
@@ -37,11 +58,11 @@ namespace Signorini
           parser->set_time(0.5);
           parser->value(Point<dim>());
         }
-      catch (const std::exception &exception)
+      catch (const std::exception &)
         {
           throw SceneError("'" + formula + "' is not a formula in " +
                            FunctionParser<dim>::default_variable_names() +
-                           ",t: " + reason(exception));
+                           ",t: " + listener.reason());
         }
       return parser;
     }
@@ -127,6 +148,7 @@ namespace Signorini
   double
   evaluate(const std::string &formula, const std::map<std::string, double> &constants)
   {
+    const Listener listener;
     try
       {
         std::map<std::string, double> all = constants;
@@ -135,9 +157,9 @@ namespace Signorini
         parser.initialize("unused_variable", formula, all);
         return parser.value(Point<1>());
       }
-    catch (const std::exception &exception)
+    catch (const std::exception &)
       {
-        throw SceneError("'" + formula + "' cannot be evaluated: " + reason(exception));
+        throw SceneError("'" + formula + "' cannot be evaluated: " + listener.reason());
       }
   }
 

@@ -174,6 +174,11 @@ namespace Signorini
           best_distance = d;
           best          = candidate;
         }
+    // A word of a longer name is a good guess too.
+    if (best.empty() && word.size() > 2)
+      for (const std::string &candidate : candidates)
+        if (lower(candidate).find(lower(word)) != std::string::npos)
+          return candidate;
     return best;
   }
 

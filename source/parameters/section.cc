@@ -123,7 +123,7 @@ namespace Signorini
     hint(const std::string &word, const std::vector<std::string> &valid)
     {
       const std::string close = nearest(word, valid);
-      return (close.empty() ? "" : "; did you mean '" + close + "'?") +
+      return (close.empty() ? "." : "; did you mean '" + close + "'?") +
              (valid.empty() ? "" : " Valid here: " + join(valid) + ".");
     }
   } // namespace

@@ -135,7 +135,7 @@ namespace Signorini
           {
             const std::string close = nearest(name, existing);
             throw SceneError(place + ": there is no " + what + " '" + name + "'" +
-                             (close.empty() ? "" : "; did you mean '" + close + "'?") +
+                             (close.empty() ? "." : "; did you mean '" + close + "'?") +
                              " There are: " + join(existing) + ".");
           }
     }
@@ -176,9 +176,10 @@ namespace Signorini
       require("body", zone.bodies, body_names, zone.place);
     if (contact.chosen().sampling() == Sampling::quadrature_points &&
         contact.quadrature_points > degree + 1 && contact.chosen().factor() > 100)
-      throw SceneError("Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
-                       " penalises more points of a face than the displacement can follow: with this Factor the "
-                       "pressure would oscillate; take Weighting = mortar, or Quadrature points = 0");
+      throw SceneError(
+        "Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
+        " penalises more points of a face than the displacement can follow: with this Factor the "
+        "pressure would oscillate; take Weighting = mortar, or Quadrature points = 0");
     if (mesh.distribution == "METIS" && refinement.cycles > 0)
       throw SceneError(
         "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +

@@ -28,10 +28,11 @@ namespace Signorini
       direct_solver,
       {"auto", "KLU", "MUMPS"},
       "of the contact zone or the whole system; auto: KLU on one rank, MUMPS on several");
-    section.add_choice("Near null space",
-                       near_null_space,
-                       {"rigid body modes", "translations"},
-                       "what the multigrid method knows of elasticity; translations alone: half the memory, twice the iterations");
+    section.add_choice(
+      "Near null space",
+      near_null_space,
+      {"rigid body modes", "translations"},
+      "what the multigrid method knows of elasticity; translations alone: half the memory, twice the iterations");
     section.add("Reduction",
                 reduction,
                 "by which each linear solve reduces its residual",

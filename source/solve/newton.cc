@@ -82,9 +82,10 @@ namespace Signorini
         scale = std::max(scale, force.l2_norm());
       }
     constraints.set_zero(r);
-    // The forces at work; the largest seen, so that the goal does not move away while contact
-    // opens.
-    force_scale = std::max(force_scale, scale);
+    // The forces at work now. Those of a cold start may be far larger, as penalties of bodies that
+    // overlap; their rounding is all that they leave behind.
+    largest_force = std::max(largest_force, scale);
+    force_scale   = std::max(scale, 1e-15 / settings.tolerance * largest_force);
     return r;
   }
 
@@ -95,9 +96,9 @@ namespace Signorini
   {
     NewtonReport report;
     history.clear();
-    cautious    = false;
-    force_scale = 0;
-    changes     = 0.;
+    cautious      = false;
+    largest_force = 0;
+    changes       = 0.;
 
     LA::BlockVector x = system.zero(), rhs = system.zero();
     LA::Vector      gap, p_start           = p;
@@ -158,8 +159,9 @@ namespace Signorini
         print_row(out, n, step);
         if (step.krylov_iterations == 0 && step.residual == before)
           {
-            report.reason = "Newton's method stagnates above its tolerance: the linear solver cannot "
-                            "reduce the residual further; loosen Newton/Tolerance";
+            report.reason =
+              "Newton's method stagnates above its tolerance: the linear solver cannot "
+              "reduce the residual further; loosen Newton/Tolerance";
             return report;
           }
       }

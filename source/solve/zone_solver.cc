@@ -1,11 +1,14 @@
+#include <signorini/solve/linear_solver.h>
 #include <signorini/solve/zone_solver.h>
 
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <Amesos.h>
+#include <Amesos_BaseSolver.h>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>
-
-#include <functional>
+#include <Epetra_LinearProblem.h>
+#include <Teuchos_ParameterList.hpp>
 
 namespace Signorini
 {
@@ -66,7 +69,6 @@ namespace Signorini
     : system(system)
     , direct_solver("Amesos_" +
                     (direct_solver == "MUMPS" ? std::string("Mumps") : std::string("Klu")))
-    , control(1, 0)
   {
     for (const auto i : marker.locally_owned_elements())
       if (marker(i) != 0)
@@ -98,6 +100,10 @@ namespace Signorini
     left.reinit(owned, comm);
     right.reinit(owned, comm);
   }
+
+
+
+  ZoneSolver::~ZoneSolver() = default;
 
 
 
@@ -156,16 +162,27 @@ namespace Signorini
     for (std::size_t i = 0; i < entries.values.size(); ++i)
       pattern.add(entries.rows[i], entries.columns[i]);
     pattern.compress();
-    // The solver looks at its matrix until it is gone.
     solver.reset();
     matrix.reinit(pattern);
     for (std::size_t i = 0; i < entries.values.size(); ++i)
       matrix.add(entries.rows[i], entries.columns[i], entries.values[i]);
     matrix.compress(VectorOperation::add);
 
-    solver = std::make_unique<TrilinosWrappers::SolverDirect>(
-      control, TrilinosWrappers::SolverDirect::AdditionalData(false, direct_solver));
-    solver->initialize(matrix);
+    problem = std::make_unique<Epetra_LinearProblem>();
+    problem->SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
+    solver.reset(Amesos().Create(direct_solver, *problem));
+    Teuchos::ParameterList parameters;
+    // Multipliers have zeros on the diagonal: their pivots are delayed, and MUMPS needs more memory
+    // than it reckons with (in percent).
+    parameters.sublist("mumps").set("ICNTL(14)", 200);
+    solver->SetParameters(parameters);
+    int error = solver->SymbolicFactorization();
+    if (error == 0)
+      error = solver->NumericFactorization();
+    if (error != 0)
+      throw SolverFailure(direct_solver + " cannot factorise " + std::to_string(owned.size()) +
+                          " unknowns of the contact zone (error " + std::to_string(error) +
+                          "); try another Solver/Direct solver, or a penalty method");
   }
 
 
@@ -181,7 +198,10 @@ namespace Signorini
         right(row++) = r.block(1)(i);
     right.compress(VectorOperation::insert);
 
-    solver->solve(left, right);
+    problem->SetLHS(&left.trilinos_vector());
+    problem->SetRHS(&right.trilinos_vector());
+    const int error = solver->Solve();
+    AssertThrow(error == 0, ExcTrilinosError(error));
 
     for (const auto &[dof, zone] : dofs)
       x.block(0)(dof) += left(zone);

@@ -37,7 +37,7 @@ namespace Signorini
   };
 
   /// The bodies' meshes, apart from each other, in one distributed triangulation. Material ids
-  /// count the bodies; boundary ids count the entries of boundaries().
+  /// count the bodies; boundary ids count the entries of boundaries(), from 1.
   template <int dim>
   class Mesh
   {

@@ -104,6 +104,6 @@ namespace Signorini
     LA::Vector         active_set, last_active_set, changes;
     std::set<uint64_t> history;
     bool               cautious    = false;
-    double             force_scale = 0;
+    double             force_scale = 0, largest_force = 0;
   };
 } // namespace Signorini

@@ -2,11 +2,11 @@
 
 #include <signorini/solve/contact_system.h>
 
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_solver.h>
-
 #include <memory>
 #include <string>
+
+class Amesos_BaseSolver;
+class Epetra_LinearProblem;
 
 namespace Signorini
 {
@@ -22,7 +22,9 @@ namespace Signorini
                const LA::Vector    &marker,
                const std::string   &direct_solver);
 
-    /// Factorise for the present active set.
+    ~ZoneSolver();
+
+    /// Factorise for the present active set. Throws SolverFailure if the zone is singular.
     void
     update();
 
@@ -52,11 +54,10 @@ namespace Signorini
       0; ///< zone index of the first multiplier of this rank
     dealii::IndexSet    owned, writable;
     std::vector<double> number_in_K, number_in_B; ///< zone index of each local column, or -1
-    LA::Vector          row_number;
 
-    LA::SparseMatrix                                        matrix;
-    mutable dealii::SolverControl                           control;
-    std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> solver;
-    mutable LA::Vector                                      left, right;
+    LA::SparseMatrix                      matrix;
+    mutable LA::Vector                    left, right;
+    std::unique_ptr<Epetra_LinearProblem> problem;
+    std::unique_ptr<Amesos_BaseSolver>    solver; ///< looks at matrix and problem until it is gone
   };
 } // namespace Signorini

@@ -1,6 +1,7 @@
 #include <signorini/solve/preconditioners/contact_filter.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
 
 namespace Signorini
 {
@@ -8,24 +9,32 @@ namespace Signorini
 
   namespace
   {
-    /// Nonzero at the degrees of freedom that some contact point touches.
+    /// Nonzero at the degrees of freedom that active contact points touch.
     LA::Vector
     touched(const ContactSystem &system)
     {
-      LA::Vector sums;
-      sums.reinit(system.zero().block(0));
-      if (!system.gap_operator().empty())
+      LA::Vector marker;
+      marker.reinit(system.zero().block(0));
+      if (system.gap_operator().empty())
+        return marker;
+      const Epetra_CrsMatrix &B = system.gap_operator().B_free.trilinos_matrix();
+      Epetra_Vector           columns(B.ColMap());
+      int                     row = 0;
+      for (const auto i : system.gap_operator().weight.locally_owned_elements())
         {
-          const int error =
-            system.gap_operator().B_free.trilinos_matrix().InvColMaxs(*sums.trilinos_vector()(0));
-          // A positive code only says that some columns are empty, and those get the largest
-          // number.
-          AssertThrow(error >= 0, ExcTrilinosError(error));
-          for (const auto i : sums.locally_owned_elements())
-            sums(i) = sums(i) < 1e100 ? 1. : 0.;
-          sums.compress(VectorOperation::insert);
+          int     n, *indices;
+          double *values;
+          B.ExtractMyRowView(row++, n, values, indices);
+          if (system.spring()(i) != 0 || system.coupling()(i) != 0)
+            for (int k = 0; k < n; ++k)
+              if (values[k] != 0)
+                columns[indices[k]] = 1;
         }
-      return sums;
+      // Columns may belong to other ranks: tell them.
+      Epetra_MultiVector &owned = marker.trilinos_vector();
+      const int error = owned.Export(columns, Epetra_Import(B.ColMap(), B.DomainMap()), AbsMax);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      return marker;
     }
   } // namespace
 
@@ -36,7 +45,7 @@ namespace Signorini
                                const std::string   &direct_solver)
     : system(system)
     , amg(amg)
-    , zone(system, touched(system), direct_solver)
+    , direct_solver(direct_solver)
     , residual(system.zero())
     , correction(residual.block(0))
   {}
@@ -46,8 +55,9 @@ namespace Signorini
   void
   ContactFilter::update()
   {
-    if (zone.size() > 0)
-      zone.update();
+    zone = std::make_unique<ZoneSolver>(system, touched(system), direct_solver);
+    if (zone->size() > 0)
+      zone->update();
   }
 
 
@@ -56,18 +66,18 @@ namespace Signorini
   ContactFilter::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
     dst = 0;
-    if (zone.size() == 0)
+    if (zone->size() == 0)
       return amg.vmult(dst.block(0), src.block(0));
 
     const auto compute_residual = [&]() {
       system.vmult(residual, dst);
       residual.sadd(-1, 1, src);
     };
-    zone.add_correction(dst, src);
+    zone->add_correction(dst, src);
     compute_residual();
     amg.vmult(correction, residual.block(0));
     dst.block(0) += correction;
     compute_residual();
-    zone.add_correction(dst, residual);
+    zone->add_correction(dst, residual);
   }
 } // namespace Signorini

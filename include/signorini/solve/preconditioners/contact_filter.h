@@ -27,10 +27,11 @@ namespace Signorini
     }
 
   private:
-    const ContactSystem    &system;
-    const AMG              &amg;
-    ZoneSolver              zone;
-    mutable LA::BlockVector residual;
-    mutable LA::Vector      correction;
+    const ContactSystem        &system;
+    const AMG                  &amg;
+    const std::string           direct_solver;
+    std::unique_ptr<ZoneSolver> zone; ///< what active contact touches
+    mutable LA::BlockVector     residual;
+    mutable LA::Vector          correction;
   };
 } // namespace Signorini
