@@ -126,8 +126,9 @@ def main():
     parser.add_argument("check", choices=checks)
     add_arguments(parser)
     parser.add_argument("--tolerance", type=float, default=1e-8, help="of the forces, relative to the largest")
-    parser.add_argument("--length", type=float, default=1e-3)
-    parser.add_argument("--stress", type=float, default=1e6)
+    # Powers of two near 1e-3 and 1e6, so that rounding is the same too and counts must be equal, not just close.
+    parser.add_argument("--length", type=float, default=2**-10)
+    parser.add_argument("--stress", type=float, default=2**20)
     arguments = parser.parse_args()
     compare = Comparison(arguments.tolerance)
     checks[arguments.check](Runner(arguments), compare, arguments)
