@@ -107,7 +107,7 @@ namespace Signorini
         {
           for (const auto i : elasticity.owned())
             if (numbers[p](i) >= 0)
-              numbers[p](i) += *rows.owned.begin();
+              numbers[p](i) = numbers[p](i) + *rows.owned.begin();
           numbers[p].compress(VectorOperation::insert);
           const LA::Vector number = elasticity.with_ghosts(numbers[p]);
           rows.shares.emplace_back();
@@ -274,7 +274,7 @@ namespace Signorini
     for (const auto i : weight.locally_owned_elements())
       {
         for (unsigned int d = 0; d < normal.size(); ++d)
-          initial_gap(i) -= normal[d](i) * motion[*p][d];
+          initial_gap(i) = initial_gap(i) - normal[d](i) * motion[*p][d];
         ++p;
       }
     initial_gap.compress(VectorOperation::insert);
