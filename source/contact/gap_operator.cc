@@ -248,6 +248,7 @@ namespace Signorini
 
     auto         result  = std::make_unique<GapOperator>();
     GapOperator &contact = *result;
+    contact.dofs         = elasticity.owned();
     contact.pair         = rows.pair;
     contact.node         = rows.node;
     assemble(contact, rows, surfaces, elasticity.owned(), comm);
@@ -286,7 +287,8 @@ namespace Signorini
   GapOperator::gap(const LA::Vector &u) const
   {
     LA::Vector g = zero();
-    B.vmult(g, u);
+    if (!empty())
+      B.vmult(g, u);
     g += initial_gap;
     return g;
   }
@@ -296,11 +298,13 @@ namespace Signorini
   namespace
   {
     LA::Vector
-    transposed(const LA::SparseMatrix &B, const LA::Vector &weight, const LA::Vector &p)
+    transposed(const LA::SparseMatrix &B, const GapOperator &contact, const LA::Vector &p)
     {
+      LA::Vector force(contact.dofs, p.get_mpi_communicator());
+      if (contact.empty())
+        return force;
       LA::Vector weighted = p;
-      weighted.scale(weight);
-      LA::Vector force(B.locally_owned_domain_indices(), p.get_mpi_communicator());
+      weighted.scale(contact.weight);
       B.Tvmult(force, weighted);
       return force;
     }
@@ -311,7 +315,7 @@ namespace Signorini
   LA::Vector
   GapOperator::force(const LA::Vector &p) const
   {
-    return transposed(B_free, weight, p);
+    return transposed(B_free, *this, p);
   }
 
 
@@ -319,7 +323,7 @@ namespace Signorini
   LA::Vector
   GapOperator::total_force(const LA::Vector &p) const
   {
-    return transposed(B, weight, p);
+    return transposed(B, *this, p);
   }
 
 

@@ -22,6 +22,7 @@ namespace Signorini
   /// once.
   struct GapOperator
   {
+    dealii::IndexSet dofs;   ///< locally owned degrees of freedom
     LA::SparseMatrix B;      ///< columns: all degrees of freedom (hanging nodes resolved)
     LA::SparseMatrix B_free; ///< the same without the columns of prescribed displacements
     LA::Vector       weight; ///< area of each point; sums up to the slave area that has a partner
