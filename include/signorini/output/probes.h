@@ -1,0 +1,34 @@
+#pragma once
+
+#include <signorini/elasticity/elasticity.h>
+#include <signorini/output/settings.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  template <int dim>
+  struct ProbeValue
+  {
+    std::string                     name;
+    dealii::Tensor<1, dim>          displacement;
+    dealii::SymmetricTensor<2, dim> stress; ///< tension positive
+    double                          von_mises = 0;
+    bool                            found     = false;
+  };
+
+  /// Displacement and stress at each probe, the same on all ranks and independent of their number.
+  /// Of several cells that share the point, the one of the first body with the (lexicographically)
+  /// smallest center is evaluated. As meshes of curved bodies leave out points near their true
+  /// surface, a point may lie outside its cell by 2 % of the cell. Throws SceneError for one that
+  /// lies farther outside. Collective.
+  /// @param displacement without ghosts
+  template <int dim>
+  std::vector<ProbeValue<dim>>
+  evaluate_probes(const Elasticity<dim>         &elasticity,
+                  const LA::Vector              &displacement,
+                  const std::vector<Probe<dim>> &probes);
+} // namespace Signorini

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <signorini/output/probes.h>
+#include <signorini/output/snapshot.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace Signorini
+{
+  using Json = nlohmann::ordered_json;
+
+  /// Per contact pair: force and moment (about the origin) on the slave, contact area, and how well
+  /// the conditions (11)-(13) of the thesis hold. Forces act on the slave; pressure is positive in
+  /// compression.
+  template <int dim>
+  Json
+  pair_results(const Snapshot<dim> &snapshot);
+
+  /// Per support the force that it exerts, the total load, and the balance: the sum of all forces
+  /// on the bodies divided by the largest of them.
+  template <int dim>
+  Json
+  force_results(const Snapshot<dim> &snapshot, const std::vector<bool> &master_is_rigid);
+
+  /// Displacement, stress (xx, yy, [zz,] then the shear components as deal.II numbers them: 2D xy;
+  /// 3D xy, xz, yz) and von Mises stress at each probe.
+  template <int dim>
+  Json
+  probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes);
+
+  /// Peak memory of each rank in MB.
+  Json
+  peak_memory(MPI_Comm comm);
+
+  /// deal.II, Trilinos, p4est, MPI.
+  Json
+  library_versions();
+
+  /// Rank 0 writes the file; the others do nothing.
+  void
+  write_json(const Json &results, const std::string &file_name, MPI_Comm comm);
+} // namespace Signorini

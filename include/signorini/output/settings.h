@@ -1,0 +1,36 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  class Section;
+
+  /// A named point of a body, at its reference position.
+  template <int dim>
+  struct Probe
+  {
+    std::string        name;
+    std::string        body; ///< empty: any
+    dealii::Point<dim> point;
+
+    void
+    declare(Section &section);
+  };
+
+  /// What a run leaves behind, apart from the results file.
+  template <int dim>
+  struct OutputSettings
+  {
+    std::string             directory; ///< empty: output/ and the name of the scene
+    bool                    vtu = true;
+    std::string             reference_pressure; ///< formula in x,y,z,t; empty: none
+    std::vector<Probe<dim>> probes;
+
+    void
+    declare(Section &section);
+  };
+} // namespace Signorini

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <signorini/contact/gap_operator.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// One solution with what is needed to draw it. Refers to its parts, does not own them.
+  template <int dim>
+  struct Snapshot
+  {
+    const Elasticity<dim>                  &elasticity;
+    const std::vector<ContactPair<dim>>    &pairs;
+    const std::vector<ContactSurface<dim>> &surfaces; ///< pair by pair
+    const GapOperator                      &contact;
+    const LA::Vector                       &displacement; ///< owned, satisfies its constraints
+    /// On the rows of the gap operator: gap positive when open, pressure positive in compression,
+    /// active 1 or 0.
+    const LA::Vector &gap, &pressure, &active;
+    double            time;
+    unsigned int      step;
+  };
+} // namespace Signorini

@@ -1,0 +1,225 @@
+#include <signorini/output/contact_vtu.h>
+#include <signorini/output/nodal_fields.h>
+#include <signorini/output/pvd.h>
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The points of a face at which it is drawn, on the reference cell: (n+1)^(dim-1), the first
+    /// parameter of the face running fastest.
+    template <int dim>
+    Quadrature<dim>
+    points_of_face(const unsigned int face, const unsigned int n_subdivisions)
+    {
+      std::vector<Point<dim>> points;
+      for (unsigned int j = 0; j <= (dim == 3 ? n_subdivisions : 0); ++j)
+        for (unsigned int i = 0; i <= n_subdivisions; ++i)
+          {
+            Point<dim - 1> xi;
+            xi[dim - 2] = double(j) / n_subdivisions;
+            xi[0]       = double(i) / n_subdivisions;
+            points.push_back(unit_point<dim>(face, xi));
+          }
+      return Quadrature<dim>(points);
+    }
+
+
+
+    /// The nodal fields of one pair with ghosts.
+    template <int dim>
+    struct Fields
+    {
+      LA::Vector displacement, pressure, gap, status, coverage;
+
+      Fields(const Snapshot<dim> &snapshot, const unsigned int pair)
+      {
+        const auto nodal = [&](const LA::Vector &values) {
+          return snapshot.elasticity.with_ghosts(nodal_field(snapshot, values, pair));
+        };
+        displacement = snapshot.elasticity.with_ghosts(snapshot.displacement);
+        pressure     = nodal(snapshot.pressure);
+        gap          = nodal(snapshot.gap);
+        status       = nodal(snapshot.active);
+        coverage     = snapshot.elasticity.with_ghosts(nodal_coverage(snapshot, pair));
+      }
+    };
+
+
+
+    /// The slave faces of locally owned cells as patches.
+    template <int dim>
+    class ContactFaces : public DataOutInterface<dim - 1, dim>
+    {
+    public:
+      using Patch = DataOutBase::Patch<dim - 1, dim>;
+
+      ContactFaces(const Snapshot<dim> &snapshot);
+
+    private:
+      // Rows of the data: first the components of the displacement, then these; the library wants
+      // the positions last.
+      enum Row : unsigned int
+      {
+        pressure = dim,
+        gap,
+        status,
+        pair,
+        position
+      };
+
+      const std::vector<Patch> &
+      get_patches() const override
+      {
+        return patches;
+      }
+
+      std::vector<std::string>
+      get_dataset_names() const override
+      {
+        std::vector<std::string> names(dim, "displacement");
+        names.insert(names.end(), {"pressure", "gap", "status", "pair"});
+        return names;
+      }
+
+      std::vector<std::tuple<unsigned int,
+                             unsigned int,
+                             std::string,
+                             DataComponentInterpretation::DataComponentInterpretation>>
+      get_nonscalar_data_ranges() const override
+      {
+        return {std::make_tuple(
+          0, dim - 1, "displacement", DataComponentInterpretation::component_is_part_of_vector)};
+      }
+
+      void
+      add_pair(const Snapshot<dim> &snapshot, unsigned int pair);
+      void
+      add_patch(const FEValues<dim> &values, const Fields<dim> &fields, unsigned int pair);
+      void
+      set_fields(const FEValues<dim> &values,
+                 const Fields<dim>   &fields,
+                 Table<2, float>     &data) const;
+
+      const unsigned int                          n_subdivisions;
+      std::vector<std::unique_ptr<FEValues<dim>>> values_on_face;
+      std::vector<Patch>                          patches;
+    };
+
+
+
+    template <int dim>
+    ContactFaces<dim>::ContactFaces(const Snapshot<dim> &snapshot)
+      : n_subdivisions(snapshot.elasticity.degree())
+    {
+      for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
+        values_on_face.push_back(
+          std::make_unique<FEValues<dim>>(snapshot.elasticity.mesh().mapping(),
+                                          snapshot.elasticity.finite_element(),
+                                          points_of_face<dim>(f, n_subdivisions),
+                                          update_values | update_quadrature_points));
+      for (unsigned int p = 0; p < snapshot.pairs.size(); ++p)
+        add_pair(snapshot, p);
+    }
+
+
+
+    template <int dim>
+    void
+    ContactFaces<dim>::add_pair(const Snapshot<dim> &snapshot, const unsigned int pair)
+    {
+      const Fields<dim> fields(snapshot, pair);
+      const auto        id = snapshot.elasticity.mesh().boundary_id(snapshot.pairs[pair].slave);
+      for (const auto &cell : snapshot.elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+              {
+                values_on_face[f]->reinit(cell);
+                add_patch(*values_on_face[f], fields, pair);
+              }
+    }
+
+
+
+    template <int dim>
+    void
+    ContactFaces<dim>::add_patch(const FEValues<dim> &values,
+                                 const Fields<dim>   &fields,
+                                 const unsigned int   number)
+    {
+      Patch patch;
+      patch.patch_index          = patches.size();
+      patch.n_subdivisions       = n_subdivisions;
+      patch.reference_cell       = ReferenceCells::get_hypercube<dim - 1>();
+      patch.points_are_available = true;
+      patch.data.reinit(Row::position + dim, values.n_quadrature_points);
+      set_fields(values, fields, patch.data);
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          patch.data[Row::pair][q] = number;
+          for (unsigned int d = 0; d < dim; ++d)
+            patch.data[Row::position + d][q] = values.quadrature_point(q)[d];
+        }
+      for (unsigned int v = 0; v < GeometryInfo<dim - 1>::vertices_per_cell; ++v)
+        patch.vertices[v] =
+          values.quadrature_point(n_subdivisions * (v % 2 + (v / 2) * (n_subdivisions + 1)));
+      patches.push_back(std::move(patch));
+    }
+
+
+
+    template <int dim>
+    void
+    ContactFaces<dim>::set_fields(const FEValues<dim> &values,
+                                  const Fields<dim>   &fields,
+                                  Table<2, float>     &data) const
+    {
+      std::vector<Tensor<1, dim>> u(values.n_quadrature_points);
+      std::vector<double>         p(u.size()), g(u.size()), active(u.size()), coverage(u.size());
+      // Nodal fields live in the first component.
+      const FEValuesExtractors::Scalar first(0);
+      values[FEValuesExtractors::Vector(0)].get_function_values(fields.displacement, u);
+      values[first].get_function_values(fields.pressure, p);
+      values[first].get_function_values(fields.gap, g);
+      values[first].get_function_values(fields.status, active);
+      values[first].get_function_values(fields.coverage, coverage);
+      for (unsigned int q = 0; q < u.size(); ++q)
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            data[d][q] = u[q][d];
+          data[Row::pressure][q] = p[q];
+          data[Row::status][q]   = active[q] >= 0.5 ? 1 : 0;
+          // A gap of zero would look like contact where there is no partner at all.
+          data[Row::gap][q] =
+            coverage[q] > 1 - 1e-6 ? g[q] : std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  write_contact(const Snapshot<dim> &snapshot, const std::string &directory)
+  {
+    ContactFaces<dim> out(snapshot);
+    out.set_flags(vtk_flags());
+    return out.write_vtu_with_pvtu_record(
+      directory + "/", "contact", snapshot.step, snapshot.elasticity.mesh().communicator(), 4);
+  }
+
+
+
+  template std::string
+  write_contact(const Snapshot<2> &, const std::string &);
+  template std::string
+  write_contact(const Snapshot<3> &, const std::string &);
+} // namespace Signorini

@@ -1,0 +1,190 @@
+#include <signorini/output/profiles.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// x, y, z, pressure, gap, status
+    using Line = std::array<double, 6>;
+
+
+
+    // The points of this rank, number after number.
+    template <int dim>
+    std::vector<double>
+    own_lines(const Snapshot<dim> &snapshot, const unsigned int pair)
+    {
+      const GapOperator  &contact = snapshot.contact;
+      std::vector<double> numbers;
+      const IndexSet      rows = snapshot.pressure.locally_owned_elements();
+      auto                row  = rows.begin();
+      for (unsigned int k = 0; k < contact.pair.size(); ++k, ++row)
+        if (contact.pair[k] == pair)
+          {
+            for (unsigned int d = 0; d < 3; ++d)
+              numbers.push_back(d < dim ? contact.position[d](*row) : 0.);
+            for (const LA::Vector *v : {&snapshot.pressure, &snapshot.gap, &snapshot.active})
+              numbers.push_back((*v)(*row));
+          }
+      return numbers;
+    }
+
+
+
+    // All points of the pair on rank 0, where they have to fit: six numbers a point of the surface,
+    // which is little beside the share of the volume that any rank has.
+    template <int dim>
+    std::vector<Line>
+    gather_lines(const Snapshot<dim> &snapshot, const unsigned int pair)
+    {
+      std::vector<Line> lines;
+      for (const std::vector<double> &numbers :
+           Utilities::MPI::gather(snapshot.elasticity.mesh().communicator(),
+                                  own_lines(snapshot, pair)))
+        for (std::size_t i = 0; i < numbers.size(); i += std::tuple_size<Line>::value)
+          {
+            lines.emplace_back();
+            std::copy_n(numbers.begin() + i, lines.back().size(), lines.back().begin());
+          }
+      return lines;
+    }
+
+
+
+    // Places of the lines in the order of their coordinate d; coordinates that differ by rounding
+    // only share a place.
+    std::vector<unsigned int>
+    places(const std::vector<Line> &lines, const unsigned int d, const double tolerance)
+    {
+      std::vector<unsigned int> order(lines.size()), place(lines.size());
+      std::iota(order.begin(), order.end(), 0u);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return lines[a][d] < lines[b][d];
+      });
+      for (unsigned int i = 1; i < order.size(); ++i)
+        place[order[i]] =
+          place[order[i - 1]] + (lines[order[i]][d] - lines[order[i - 1]][d] > tolerance ? 1 : 0);
+      return place;
+    }
+
+
+
+    double
+    extent(const std::vector<Line> &lines)
+    {
+      double largest = 0;
+      for (const Line &line : lines)
+        for (unsigned int d = 0; d < 3; ++d)
+          largest = std::max(largest, std::abs(line[d] - lines.front()[d]));
+      return largest;
+    }
+
+
+
+    // Positions of nodes are rounded differently by the cells around them, and which of them wins
+    // depends on the distribution of the cells: neither the order nor a zero shall depend on it.
+    std::vector<Line>
+    sorted(const std::vector<Line> &lines)
+    {
+      const double                             tolerance = 1e-10 * extent(lines);
+      std::vector<std::array<unsigned int, 4>> keys(lines.size());
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          const std::vector<unsigned int> place = places(lines, d, tolerance);
+          for (unsigned int i = 0; i < lines.size(); ++i)
+            keys[i][d] = place[i];
+        }
+      for (unsigned int i = 0; i < lines.size(); ++i)
+        keys[i][3] = i;
+      std::sort(keys.begin(), keys.end());
+
+      std::vector<Line> result;
+      for (const auto &key : keys)
+        {
+          result.push_back(lines[key[3]]);
+          for (unsigned int d = 0; d < 3; ++d)
+            if (std::abs(result.back()[d]) <= tolerance)
+              result.back()[d] = 0;
+        }
+      return result;
+    }
+
+
+
+    std::string
+    number_text(const double x)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.12g", x);
+      return text;
+    }
+
+
+
+    template <int dim>
+    void
+    write_file(const std::string                    &path,
+               const std::vector<Line>              &lines,
+               const std::optional<Expression<dim>> &reference,
+               const double                          time)
+    {
+      std::ofstream out(path);
+      out << "x,y,z,pressure,gap,status" << (reference ? ",reference" : "") << '\n';
+      for (const Line &line : lines)
+        {
+          for (unsigned int i = 0; i < line.size(); ++i)
+            out << (i > 0 ? "," : "") << number_text(line[i]);
+          Point<dim> x;
+          std::copy_n(line.begin(), dim, x.begin_raw());
+          if (reference)
+            out << ',' << number_text(reference->value(x, time));
+          out << '\n';
+        }
+      if (!out.flush())
+        throw std::runtime_error("cannot write " + path);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  write_profiles(const Snapshot<dim> &snapshot,
+                 const std::string   &directory,
+                 const std::string   &reference_pressure)
+  {
+    std::optional<Expression<dim>> reference;
+    if (!reference_pressure.empty())
+      reference.emplace(reference_pressure);
+    const MPI_Comm comm = snapshot.elasticity.mesh().communicator();
+    for (unsigned int p = 0; p < snapshot.pairs.size(); ++p)
+      {
+        const std::vector<Line> lines = gather_lines(snapshot, p);
+        if (Utilities::MPI::this_mpi_process(comm) == 0)
+          write_file<dim>(directory + "/" + snapshot.pairs[p].name + ".csv",
+                          sorted(lines),
+                          reference,
+                          snapshot.time);
+      }
+  }
+
+
+
+  template void
+  write_profiles(const Snapshot<2> &, const std::string &, const std::string &);
+  template void
+  write_profiles(const Snapshot<3> &, const std::string &, const std::string &);
+} // namespace Signorini

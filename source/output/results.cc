@@ -1,0 +1,205 @@
+#include <signorini/output/results.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <Trilinos_version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <typename Container>
+    Json
+    list(const Container &numbers)
+    {
+      Json result = Json::array();
+      for (const double x : numbers)
+        result.push_back(x);
+      return result;
+    }
+
+    template <int dim>
+    Json
+    list(const Tensor<1, dim> &t)
+    {
+      return list(std::vector<double>(t.begin_raw(), t.end_raw()));
+    }
+
+    /// Sums over the points of one pair.
+    struct PairSums
+    {
+      explicit PairSums(const unsigned int dim)
+        : force(dim)
+        , moment(dim == 2 ? 1 : 3)
+      {}
+
+      std::vector<double> force, moment;
+      double              area = 0, active_points = 0, points = 0;
+      // Of each, the maximum.
+      double pressure = 0, penetration = 0, minus_gap = -std::numeric_limits<double>::max(),
+             tension = 0, complementarity = 0;
+
+      void
+      over_ranks(const MPI_Comm comm)
+      {
+        for (auto *numbers : {&force, &moment})
+          for (double &x : *numbers)
+            x = Utilities::MPI::sum(x, comm);
+        for (double *x : {&area, &active_points, &points})
+          *x = Utilities::MPI::sum(*x, comm);
+        for (double *x : {&pressure, &penetration, &minus_gap, &tension, &complementarity})
+          *x = Utilities::MPI::max(*x, comm);
+      }
+    };
+
+    template <int dim>
+    PairSums
+    sums_of(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      PairSums sums(dim);
+      auto     which = s.contact.pair.begin();
+      for (const auto i : s.pressure.locally_owned_elements())
+        if (*which++ == pair)
+          {
+            const double p = s.pressure(i), g = s.gap(i), force = p * s.contact.weight(i);
+            for (unsigned int d = 0; d < sums.force.size(); ++d)
+              sums.force[d] += force * s.contact.normal[d](i);
+            for (unsigned int d = 0; d < sums.moment.size(); ++d)
+              sums.moment[d] += force * s.contact.moment[d](i);
+            sums.points += 1;
+            sums.area += s.active(i) * s.contact.weight(i);
+            sums.active_points += s.active(i);
+            sums.pressure        = std::max(sums.pressure, p);
+            sums.penetration     = std::max(sums.penetration, -g);
+            sums.minus_gap       = std::max(sums.minus_gap, -g);
+            sums.tension         = std::max(sums.tension, -p);
+            sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
+          }
+      sums.over_ranks(s.elasticity.mesh().communicator());
+      return sums;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Json
+  pair_results(const Snapshot<dim> &snapshot)
+  {
+    Json result = Json::object();
+    for (unsigned int pair = 0; pair < snapshot.pairs.size(); ++pair)
+      {
+        const PairSums sums               = sums_of(snapshot, pair);
+        result[snapshot.pairs[pair].name] = {
+          {"force", list(sums.force)},
+          {"moment", list(sums.moment)},
+          {"area", sums.area},
+          {"points", sums.points},
+          {"active_points", sums.active_points},
+          {"max_pressure", sums.pressure},
+          {"max_penetration", sums.penetration},
+          {"min_gap", sums.points > 0 ? Json(-sums.minus_gap) : Json(nullptr)},
+          {"max_tension", sums.tension},
+          {"complementarity", sums.complementarity}};
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Json
+  force_results(const Snapshot<dim> &s, const std::vector<bool> &master_is_rigid)
+  {
+    const auto reactions =
+      s.elasticity.reactions(s.displacement, s.contact.total_force(s.pressure));
+    Json           supports = Json::object();
+    Tensor<1, dim> sum;
+    double         largest = 0;
+    for (unsigned int i = 0; i < s.elasticity.supports().size(); ++i)
+      supports[s.elasticity.supports()[i].name] = {{"reaction", list(reactions[i])}};
+    for (const auto &force : reactions)
+      {
+        sum += force;
+        largest = std::max(largest, force.norm());
+      }
+    for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
+      if (master_is_rigid[pair])
+        {
+          const PairSums sums = sums_of(s, pair);
+          Tensor<1, dim> force;
+          for (unsigned int d = 0; d < dim; ++d)
+            force[d] = sums.force[d];
+          sum += force;
+          largest = std::max(largest, force.norm());
+        }
+    return {{"supports", supports},
+            {"total_load", list(reactions.back())},
+            {"force_balance", largest > 0 ? sum.norm() / largest : 0.}};
+  }
+
+
+
+  template <int dim>
+  Json
+  probe_results(const Snapshot<dim> &s, const std::vector<Probe<dim>> &probes)
+  {
+    Json result = Json::object();
+    for (const ProbeValue<dim> &probe : evaluate_probes(s.elasticity, s.displacement, probes))
+      {
+        std::vector<double> stress(probe.stress.begin_raw(), probe.stress.end_raw());
+        result[probe.name] = {{"displacement", list(probe.displacement)},
+                              {"stress", list(stress)},
+                              {"von_mises", probe.von_mises}};
+      }
+    return result;
+  }
+
+
+
+  Json
+  peak_memory(const MPI_Comm comm)
+  {
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    return Json(Utilities::MPI::all_gather(comm, std::round(memory.VmHWM / 1024.)));
+  }
+
+
+
+  Json
+  library_versions()
+  {
+    return {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"Trilinos", TRILINOS_VERSION_STRING}};
+  }
+
+
+
+  void
+  write_json(const Json &results, const std::string &file_name, const MPI_Comm comm)
+  {
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      std::ofstream(file_name) << results.dump(2) << "\n";
+  }
+
+
+
+  template Json
+  pair_results(const Snapshot<2> &);
+  template Json
+  pair_results(const Snapshot<3> &);
+  template Json
+  probe_results(const Snapshot<2> &, const std::vector<Probe<2>> &);
+  template Json
+  probe_results(const Snapshot<3> &, const std::vector<Probe<3>> &);
+  template Json
+  force_results(const Snapshot<2> &, const std::vector<bool> &);
+  template Json
+  force_results(const Snapshot<3> &, const std::vector<bool> &);
+} // namespace Signorini

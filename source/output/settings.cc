@@ -1,0 +1,46 @@
+#include <signorini/output/settings.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  template <int dim>
+  void
+  OutputSettings<dim>::declare(Section &section)
+  {
+    section.add("Directory", directory, "where files go; empty: output/NAME-OF-THE-SCENE");
+    section.add("VTU",
+                vtu,
+                "yes or no: write solution.pvd (bodies) and contact.pvd (contact surfaces)");
+    section.add("Reference pressure",
+                reference_pressure,
+                "formula in x,y,z,t, drawn beside the computed pressure; empty: none [stress]");
+    section.add_named("Probes", probes, "Points whose displacement and stress are reported.");
+    if (!section.reading() || reference_pressure.empty())
+      return;
+    try
+      {
+        Expression<dim>{reference_pressure};
+      }
+    catch (const SceneError &error)
+      {
+        section.fail("Reference pressure", error.what());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Probe<dim>::declare(Section &section)
+  {
+    section.add("Body", body, "the body that the point belongs to; empty: any");
+    section.add("Point", point, "coordinates of the undeformed body, separated by commas [length]");
+  }
+
+
+
+  template struct OutputSettings<2>;
+  template struct OutputSettings<3>;
+  template struct Probe<2>;
+  template struct Probe<3>;
+} // namespace Signorini

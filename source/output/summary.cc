@@ -1,0 +1,50 @@
+#include <signorini/output/summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace Signorini
+{
+  using Json = nlohmann::ordered_json;
+
+  namespace
+  {
+    std::string
+    numbers(const Json &list)
+    {
+      std::ostringstream text;
+      text << std::setprecision(6) << "(";
+      for (unsigned int i = 0; i < list.size(); ++i)
+        text << (i > 0 ? ", " : "") << list[i].get<double>();
+      return text.str() + ")";
+    }
+  } // namespace
+
+
+
+  void
+  print_summary(const Json &results, std::ostream &out)
+  {
+    const Json &step = results["load_steps"].back();
+    out << std::setprecision(6);
+    for (const auto &[name, pair] : step["pairs"].items())
+      out << "\n  pair " << name << ":  force on the slave " << numbers(pair["force"]) << ", area "
+          << pair["area"].get<double>() << "\n    largest pressure "
+          << pair["max_pressure"].get<double>() << ", largest penetration "
+          << pair["max_penetration"].get<double>() << "\n";
+    for (const auto &[name, support] : step["supports"].items())
+      out << "  support " << name << ":  force " << numbers(support["reaction"]) << "\n";
+    out << "  sum of all forces / largest: " << step["force_balance"].get<double>() << "\n";
+
+    out << "\n  seconds:";
+    for (const auto &[name, time] : results["seconds"].items())
+      out << "  " << name << " " << std::fixed << std::setprecision(2) << time.get<double>();
+    out << std::defaultfloat << "\n  peak memory per rank: ";
+    for (const Json &mb : results["peak_memory_mb"])
+      out << mb.get<double>() << " ";
+    out << "MB\n";
+  }
+} // namespace Signorini
