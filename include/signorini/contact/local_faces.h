@@ -93,6 +93,13 @@ namespace Signorini
     std::optional<Candidate<dim>>
     candidate(const Query<dim> &query, const unsigned int face);
 
+    double
+    first_radius(const dealii::Point<dim> &x) const;
+
+    /// Distance of the box, index: those with inner < distance <= outer, nearest first.
+    const std::vector<std::pair<double, unsigned int>> &
+    ring(const dealii::Point<dim> &x, double inner, double outer);
+
     using Tree = decltype(dealii::pack_rtree_of_indices(
       std::declval<std::vector<dealii::BoundingBox<dim>> &>()));
 
@@ -101,6 +108,9 @@ namespace Signorini
     RankBox<dim>                          rank_box;
     std::vector<dealii::BoundingBox<dim>> boxes;
     Tree                                  tree;
-    std::vector<Candidate<dim>>           candidates; // kept between queries to spare the heap
+
+    // Kept between queries to spare the heap.
+    std::vector<Candidate<dim>>                  candidates;
+    std::vector<std::pair<double, unsigned int>> in_ring;
   };
 } // namespace Signorini
