@@ -300,7 +300,8 @@ namespace Signorini
     LA::Vector
     transposed(const LA::SparseMatrix &B, const GapOperator &contact, const LA::Vector &p)
     {
-      LA::Vector force(contact.dofs, p.get_mpi_communicator());
+      // Not the communicator of p: an empty vector may have been assigned without one.
+      LA::Vector force(contact.dofs, contact.weight.get_mpi_communicator());
       if (contact.empty())
         return force;
       LA::Vector weighted = p;
