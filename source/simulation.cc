@@ -174,27 +174,24 @@ namespace Signorini
   {
     // The solver refers to what is replaced here.
     newton.reset();
-    const ContactMethod &method   = scene.contact.chosen();
-    const unsigned int   n_points = scene.contact.quadrature_points > 0 ?
-                                      scene.contact.quadrature_points :
-                                      scene.degree + (method.sampling() == Sampling::nodes ? 3 : 1);
+    const ContactMethod &method      = scene.contact.chosen();
+    const Integration    integration = scene.contact.integration_of_degree(scene.degree);
     {
       TimerOutput::Scope scope(timer, "search");
       surfaces.clear();
       for (const ContactPair<dim> &pair : scene.pairs)
         surfaces.push_back(
-          make_contact_surface(*elasticity, pair, scene.obstacle_of(pair), n_points));
+          make_contact_surface(*elasticity, pair, scene.obstacle_of(pair), integration));
     }
     TimerOutput::Scope scope(timer, "contact");
     contact = make_gap_operator(*elasticity, surfaces, method.sampling());
     for (unsigned int i = 0; i < surfaces.size(); ++i)
       {
-        const auto faces    = Utilities::MPI::sum(surfaces[i].faces, comm);
-        const auto paired   = Utilities::MPI::sum(surfaces[i].points.size(), comm);
-        const auto unpaired = Utilities::MPI::sum(surfaces[i].unpaired.size(), comm);
+        const auto faces  = Utilities::MPI::sum(surfaces[i].faces, comm);
+        const auto paired = Utilities::MPI::sum(surfaces[i].points.size(), comm);
         out << "  pair " << scene.pairs[i].name << ": " << scene.pairs[i].slave << " (" << faces
-            << " faces) on " << scene.pairs[i].master << ", " << paired << " of "
-            << paired + unpaired << " points have a partner" << std::endl;
+            << " faces) on " << scene.pairs[i].master << ", " << paired << " points on "
+            << std::lround(100 * covered_share(surfaces[i], comm)) << " % of its area" << std::endl;
         if (paired == 0)
           throw SceneError(
             scene.pairs[i].master_place + ": no point of '" + scene.pairs[i].slave +

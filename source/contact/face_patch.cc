@@ -175,7 +175,8 @@ namespace Signorini
     for (const Point<dim> &a : nodes)
       for (const Point<dim> &b : nodes)
         size = std::max(size, a.distance(b));
-    bounds = box_of(nodes, degree);
+    bounds      = box_of(nodes, degree);
+    multilinear = largest_deviation(nodes, degree).norm() < 1e-12 * size;
   }
 
 
@@ -231,6 +232,24 @@ namespace Signorini
   {
     const Tensor<1, dim> n = outward * parametric_normal<dim>(tangents(xi));
     return n / n.norm();
+  }
+
+
+
+  template <int dim>
+  double
+  FacePatch<dim>::jacobian(const Parameter &xi) const
+  {
+    return parametric_normal<dim>(tangents(xi)).norm();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FacePatch<dim>::facets_per_line() const
+  {
+    return multilinear ? 1 : degree;
   }
 
 

@@ -68,11 +68,8 @@ namespace Signorini
       LA::Vector paired = elasticity.zero_vector(), all = elasticity.zero_vector();
       for (const auto &point : surface.points)
         for (const auto &[node, value] : point.shape)
-          {
-            paired(node) += value * point.weight;
-            all(node) += std::abs(value) * point.weight;
-          }
-      for (const auto &[shape, weight] : surface.unpaired)
+          paired(node) += value * point.weight;
+      for (const auto &[shape, weight] : surface.whole)
         for (const auto &[node, value] : shape)
           all(node) += std::abs(value) * weight;
       paired.compress(VectorOperation::add);

@@ -13,7 +13,6 @@ namespace Signorini
     constexpr double same          = 1e-9; // of a face's diameter: equal distances, equal centers
     constexpr double rim_tolerance = 1e-6; // of a face's diameter: rounding of matching rims
     constexpr double widest_wedge  = 0.3;  // tangential over normal distance
-    constexpr double facing_cosine = -0.1;
 
     template <int dim>
     bool
@@ -112,7 +111,7 @@ namespace Signorini
 
     Candidate<dim> c;
     c.partner.normal = patch.normal(projection.xi);
-    if (!(projection.distance <= query.limit) || !(query.normal * c.partner.normal < facing_cosine))
+    if (!(projection.distance <= query.limit) || !faces_each_other(query.normal, c.partner.normal))
       return {};
     c.partner.position    = projection.position;
     c.partner.distance    = projection.distance;
@@ -201,6 +200,20 @@ namespace Signorini
     if (!result.overhangs)
       master.complete(result.face, result.xi, result.partner);
     return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  LocalFaces<dim>::in(const BoundingBox<dim> &box) const
+  {
+    std::vector<unsigned int> faces;
+    const auto                meeting = boost::geometry::index::intersects(box);
+    for (auto face = tree.qbegin(meeting); face != tree.qend(); ++face)
+      faces.push_back(*face);
+    std::sort(faces.begin(), faces.end());
+    return faces;
   }
 
 

@@ -39,13 +39,54 @@ namespace Signorini
   ContactSettings::declare(Section &section)
   {
     section.add_choice("Method", method, method_names(), "how contact is imposed");
+    section.add_choice(
+      "Integration",
+      integration,
+      Integration::names(),
+      "of slave faces: exactly, on their intersections with master faces; by Gauss "
+      "points on whole faces (cheaper); at the nodes (cheapest)");
     section.add(
       "Quadrature points",
       quadrature_points,
-      "Gauss points a direction on a slave face; 0: degree + 3 for weighted, degree + 1 for point-wise methods",
+      "a direction on a segment or face; 0: 2 degree + 1 on segments, on faces degree + 3 for "
+      "weighted and degree + 1 for point-wise methods; nodes have degree + 1",
       Range{0, 20});
     for (const auto &[name, object] : methods)
       section.add_section(name, "", [&, object = object](Section &s) { object->declare(s); });
+  }
+
+
+
+  Integration
+  ContactSettings::integration_of_degree(const unsigned int degree) const
+  {
+    const unsigned int on_faces = degree + (chosen().sampling() == Sampling::nodes ? 3 : 1);
+    const unsigned int usual    = integration == "segments"   ? 2 * degree + 1 :
+                                  integration == "quadrature" ? on_faces :
+                                                                degree + 1;
+    return {integration,
+            quadrature_points == 0 || integration == "nodes" ? usual : quadrature_points};
+  }
+
+
+
+  void
+  ContactSettings::check(const unsigned int degree) const
+  {
+    constexpr double largest_factor = 100; // that an over-constrained face was seen to bear
+    const bool       many_points    = integration == "segments" || quadrature_points > degree + 1;
+    if (chosen().sampling() == Sampling::quadrature_points && many_points &&
+        integration != "nodes" && chosen().factor() > largest_factor)
+      throw SceneError(
+        "Contact method/Integration = " + integration +
+        (integration == "segments" ? "" :
+                                     ", Quadrature points = " + std::to_string(quadrature_points)) +
+        " penalises more points of a face than the displacement can follow: with a Factor above 100 "
+        "the pressure would oscillate; take Weighting = mortar, or Integration = quadrature with "
+        "Quadrature points = 0");
+    if (integration == "segments" && quadrature_points > 7)
+      throw SceneError("Contact method/Quadrature points = " + std::to_string(quadrature_points) +
+                       ": on segments there are rules with up to 7");
   }
 
 
@@ -174,12 +215,7 @@ namespace Signorini
       }
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
-    if (contact.chosen().sampling() == Sampling::quadrature_points &&
-        contact.quadrature_points > degree + 1 && contact.chosen().factor() > 100)
-      throw SceneError(
-        "Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
-        " penalises more points of a face than the displacement can follow: with this Factor the "
-        "pressure would oscillate; take Weighting = mortar, or Quadrature points = 0");
+    contact.check(degree);
     if (mesh.distribution == "METIS" && refinement.cycles > 0)
       throw SceneError(
         "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +

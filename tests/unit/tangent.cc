@@ -50,9 +50,10 @@ namespace
       pair.slave       = "upper.bottom";
       pair.master      = "lower.top";
       pair.initial_gap = "0.01*cos(5*x)";
-      contact          = make_gap_operator<dim>(elasticity,
-                                       {make_contact_surface<dim>(elasticity, pair, nullptr, 3)},
-                                       sampling);
+      contact          = make_gap_operator<dim>(
+        elasticity,
+        {make_contact_surface<dim>(elasticity, pair, nullptr, {"quadrature", 3})},
+        sampling);
     }
 
     static std::vector<Support<dim>>

@@ -49,8 +49,17 @@ namespace Signorini
     dealii::Tensor<1, dim>
     normal(const Parameter &xi) const;
 
+    /// Area of the face per area of the parameters.
+    double
+    jacobian(const Parameter &xi) const;
+
     unsigned int
     get_degree() const;
+
+    /// Multilinear facets along a parameter that follow the geometry: 1 if it is multilinear, else
+    /// its degree.
+    unsigned int
+    facets_per_line() const;
 
     /// A box that contains the face (inflated where the face is curved).
     const dealii::BoundingBox<dim> &
@@ -64,6 +73,13 @@ namespace Signorini
     dealii::Point<dim>
     center() const;
 
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &degree &nodes &outward &bounds &size &multilinear;
+    }
+
   private:
     /// Sets size and bounds from the nodes.
     void
@@ -73,7 +89,8 @@ namespace Signorini
     std::vector<dealii::Point<dim>> nodes;
     double                          outward = 1;
     dealii::BoundingBox<dim>        bounds;
-    double                          size = 0;
+    double                          size        = 0;
+    bool                            multilinear = true;
   };
 
   /// The point of the reference cell that belongs to parameter xi on a face of a hypercube.

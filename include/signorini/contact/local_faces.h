@@ -83,6 +83,10 @@ namespace Signorini
     std::optional<Candidate<dim>>
     find(const Query<dim> &query);
 
+    /// Numbers of the faces whose boxes meet this one.
+    std::vector<unsigned int>
+    in(const dealii::BoundingBox<dim> &box) const;
+
     const RankBox<dim> &
     extent() const
     {

@@ -34,6 +34,15 @@ namespace Signorini
     }
   };
 
+  /// Of the normals of two surfaces where they may touch.
+  template <int dim>
+  bool
+  faces_each_other(const dealii::Tensor<1, dim> &slave_normal,
+                   const dealii::Tensor<1, dim> &master_normal)
+  {
+    return slave_normal * master_normal < -0.1;
+  }
+
   /// The master side of one contact pair on this rank: the faces of locally owned cells. Supplies
   /// what the search cannot know: a face's row of shape functions and stiffness.
   template <int dim>
@@ -54,7 +63,7 @@ namespace Signorini
   };
 
   /// For each slave point of this rank the closest place on the master surface of all ranks, if
-  /// there is one within `reach`, facing the point (slave_normal . master_normal < -0.1) and not
+  /// there is one within `reach`, facing the point (see faces_each_other()) and not
   /// beyond the rim of the surface. Collective.
   ///
   /// Points travel to the faces: every rank announces one bounding box of its master faces, points

@@ -2,7 +2,8 @@
 
 #include <signorini/contact/obstacle.h>
 #include <signorini/contact/pair.h>
-#include <signorini/contact/search.h>
+#include <signorini/contact/pairing.h>
+#include <signorini/contact/trace.h>
 #include <signorini/elasticity/elasticity.h>
 
 #include <utility>
@@ -10,9 +11,7 @@
 
 namespace Signorini
 {
-  using SparseRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
-
-  /// A quadrature point of a slave face with its partner on the master.
+  /// A point of integration on a slave face with its partner on the master, ready for assembly.
   template <int dim>
   struct ContactPoint
   {
@@ -33,18 +32,24 @@ namespace Signorini
   struct ContactSurface
   {
     std::vector<ContactPoint<dim>> points;
-    /// (shape, weight) of points without a partner: what nodes at the rim of contact lose.
-    std::vector<std::pair<SparseRow, double>> unpaired;
+    /// (shape, weight) at points of whole slave faces, with or without partners: what the nodes
+    /// would have if the master were everywhere.
+    std::vector<std::pair<SparseRow, double>> whole;
     SearchStatistics                          statistics;
     unsigned int                              faces = 0;
   };
 
-  /// Integrate the slave with n_points Gauss points a direction and find the partners. Collective.
+  /// Share of the slave's area that has a partner. Collective.
+  template <int dim>
+  double
+  covered_share(const ContactSurface<dim> &surface, MPI_Comm comm);
+
+  /// Integrate the slave and find the partners. Collective.
   /// @param obstacle null if the master is a boundary of a body
   template <int dim>
   ContactSurface<dim>
   make_contact_surface(const Elasticity<dim>  &elasticity,
                        const ContactPair<dim> &pair,
                        const Obstacle<dim>    *obstacle,
-                       unsigned int            n_points);
+                       const Integration      &integration);
 } // namespace Signorini

@@ -31,12 +31,21 @@ namespace Signorini
     std::string method = "Lagrange multiplier";
     std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>>
                  methods; ///< all, each with its keys
-    unsigned int quadrature_points = 0;
+    std::string  integration       = "segments";
+    unsigned int quadrature_points = 0; ///< 0: as many as the method and the degree need
 
     ContactSettings();
 
     const ContactMethod &
     chosen() const;
+
+    /// With the number of points that the method needs for elements of that degree.
+    Integration
+    integration_of_degree(unsigned int degree) const;
+
+    /// Throws SceneError where method and integration do not go together.
+    void
+    check(unsigned int degree) const;
 
     void
     declare(Section &section);

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <signorini/contact/search.h>
+
+#include <deal.II/base/quadrature.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// Where contact integrals are evaluated on a slave face.
+  struct Integration
+  {
+    std::string  rule     = "segments"; ///< one of names()
+    unsigned int n_points = 3;          ///< quadrature points a direction; nodes: degree + 1
+
+    static const std::vector<std::string> &
+    names();
+  };
+
+  /// The points on a whole slave face (no segments).
+  template <int dim>
+  dealii::Quadrature<dim - 1>
+  face_rule(const Integration &integration);
+
+  /// A point of a slave face and its partner on the master.
+  template <int dim>
+  struct PairedPoint
+  {
+    unsigned int           face;   ///< number of the slave face on this rank
+    dealii::Point<dim - 1> xi;     ///< its parameter there
+    double                 weight; ///< area of the slave that it stands for
+    Partner<dim>           partner;
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &face &xi &weight &partner;
+    }
+  };
+
+  /// The points of quadrature on slave faces that have a partner. `nodes`: Gauss-Lobatto points,
+  /// which are the nodes of the finite element; `quadrature`: Gauss points; `segments`: Gauss
+  /// points on each segment (see segment_points()), with the partner on the segment's master face.
+  ///
+  /// A slave face that more than one layer of master faces lies opposite to, within `reach`, is
+  /// covered more than once by segments; it is paired by Gauss points, which take the nearest
+  /// layer.
+  ///
+  /// @param reach partners that are farther away do not count. Collective.
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  pair_points(const std::vector<FacePatch<dim>> &slave,
+              const MasterFaces<dim>            &master,
+              const Integration                 &integration,
+              double                             reach,
+              MPI_Comm                           comm,
+              SearchStatistics                  &statistics);
+} // namespace Signorini

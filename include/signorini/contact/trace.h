@@ -1,0 +1,43 @@
+#pragma once
+
+#include <signorini/elasticity/elasticity.h>
+
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  using SparseRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+  /// Sum entries of the same index.
+  void
+  unite(SparseRow &row);
+
+  /// Shape functions of a cell at points of its boundary, in terms of degrees of freedom (hanging
+  /// nodes resolved). Keeps a reference to its argument.
+  template <int dim>
+  class Trace
+  {
+  public:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    Trace(const Elasticity<dim> &elasticity);
+
+    void
+    reinit(const Cell &cell);
+
+    /// n . u at a point of the reference cell.
+    SparseRow
+    normal_displacement(const dealii::Point<dim>     &unit_point,
+                        const dealii::Tensor<1, dim> &n) const;
+
+    /// The scalar shape functions, each named by its node's first degree of freedom.
+    SparseRow
+    shape(const dealii::Point<dim> &unit_point) const;
+
+  private:
+    const dealii::FESystem<dim>                 &fe;
+    const dealii::AffineConstraints<double>     &hanging;
+    std::vector<dealii::types::global_dof_index> indices;
+  };
+} // namespace Signorini

@@ -1,0 +1,278 @@
+#include <signorini/contact/descent.h>
+#include <signorini/contact/local_faces.h>
+#include <signorini/contact/pairing.h>
+#include <signorini/contact/segments.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double covered_once = 1 + 1e-4; // of its area; the rest is the error of quadrature
+
+    // A slave face on its way to the master's faces.
+    template <int dim>
+    struct TravellingFace
+    {
+      FacePatch<dim> patch;
+      unsigned int   number; // on its own rank
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &patch &number;
+      }
+    };
+
+    template <int dim>
+    Projection<dim>
+    project_from(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &start)
+    {
+      Projection<dim> result;
+      result.xi                  = start;
+      result.converged_by_newton = descend_to_minimum(x, face, result.xi);
+      if (!result.converged_by_newton)
+        return project(x, face);
+      result.position = face.position(result.xi);
+      result.distance = x.distance(result.position);
+      return result;
+    }
+
+    // Segments of slave faces with the master faces of this rank.
+    template <int dim>
+    class LocalSegments
+    {
+    public:
+      LocalSegments(const MasterFaces<dim>    &master,
+                    const Quadrature<dim - 1> &rule,
+                    const double               reach,
+                    SearchStatistics          &statistics)
+        : master(master)
+        , faces(master, statistics)
+        , rule(rule)
+        , reach(reach)
+        , statistics(statistics)
+      {}
+
+      const RankBox<dim> &
+      extent() const
+      {
+        return faces.extent();
+      }
+
+      void
+      find(const TravellingFace<dim> &slave, std::vector<PairedPoint<dim>> &found)
+      {
+        for (const unsigned int face : faces.in(extruded_box(slave.patch, reach)))
+          for (const SegmentPoint<dim> &point :
+               segment_points(slave.patch, master.patches[face], rule))
+            if (const auto pair = paired(slave, face, point))
+              found.push_back(*pair);
+      }
+
+    private:
+      std::optional<PairedPoint<dim>>
+      paired(const TravellingFace<dim> &slave,
+             const unsigned int         face,
+             const SegmentPoint<dim>   &point)
+      {
+        const FacePatch<dim> &patch = master.patches[face];
+        const Point<dim>      x     = slave.patch.position(point.slave);
+        const Projection<dim> foot  = project_from(x, patch, point.master);
+        ++statistics.projections;
+        if (!foot.converged_by_newton)
+          ++statistics.fallbacks;
+
+        PairedPoint<dim> pair{slave.number, point.slave, point.weight, {}};
+        pair.partner.normal = patch.normal(foot.xi);
+        if (foot.distance > reach ||
+            !faces_each_other(slave.patch.normal(point.slave), pair.partner.normal))
+          return {};
+        pair.partner.position    = foot.position;
+        pair.partner.distance    = foot.distance;
+        pair.partner.face_center = patch.center();
+        master.complete(face, foot.xi, pair.partner);
+        return pair;
+      }
+
+      const MasterFaces<dim>    &master;
+      LocalFaces<dim>            faces;
+      const Quadrature<dim - 1> &rule;
+      const double               reach;
+      SearchStatistics          &statistics;
+    };
+
+    // Faces travel to the master faces of other ranks, points come back.
+    template <int dim>
+    std::vector<PairedPoint<dim>>
+    pair_by_segments(const std::vector<FacePatch<dim>> &slave,
+                     const MasterFaces<dim>            &master,
+                     const Quadrature<dim - 1>         &rule,
+                     const double                       reach,
+                     const MPI_Comm                     comm,
+                     SearchStatistics                  &statistics)
+    {
+      LocalSegments<dim>            segments(master, rule, reach, statistics);
+      std::vector<PairedPoint<dim>> points;
+      for (unsigned int i = 0; i < slave.size(); ++i)
+        segments.find({slave[i], i}, points);
+      if (Utilities::MPI::n_mpi_processes(comm) == 1)
+        return points;
+
+      const auto ranks = Utilities::MPI::all_gather(comm, segments.extent());
+      std::map<unsigned int, std::vector<TravellingFace<dim>>> outgoing;
+      for (unsigned int rank = 0; rank < ranks.size(); ++rank)
+        if (rank != Utilities::MPI::this_mpi_process(comm) && !ranks[rank].empty)
+          for (unsigned int i = 0; i < slave.size(); ++i)
+            if (extruded_box(slave[i], reach).get_neighbor_type(ranks[rank].box) !=
+                NeighborType::not_neighbors)
+              outgoing[rank].push_back({slave[i], i});
+
+      std::map<unsigned int, std::vector<PairedPoint<dim>>> answers;
+      for (const auto &[rank, visitors] : Utilities::MPI::some_to_some(comm, outgoing))
+        for (const TravellingFace<dim> &visitor : visitors)
+          segments.find(visitor, answers[rank]);
+      for (const auto &[rank, found] : Utilities::MPI::some_to_some(comm, answers))
+        points.insert(points.end(), found.begin(), found.end());
+      return points;
+    }
+
+    // The same points on each face of a list.
+    template <int dim>
+    std::vector<PairedPoint<dim>>
+    pair_by_projection(const std::vector<FacePatch<dim>> &slave,
+                       const std::vector<unsigned int>   &faces,
+                       const MasterFaces<dim>            &master,
+                       const Quadrature<dim - 1>         &rule,
+                       const double                       reach,
+                       const MPI_Comm                     comm,
+                       SearchStatistics                  &statistics)
+    {
+      std::vector<Point<dim>>     positions;
+      std::vector<Tensor<1, dim>> normals;
+      for (const unsigned int i : faces)
+        for (const Point<dim - 1> &xi : rule.get_points())
+          {
+            positions.push_back(slave[i].position(xi));
+            normals.push_back(slave[i].normal(xi));
+          }
+      auto partners = find_partners(positions, normals, master, reach, comm, &statistics);
+
+      std::vector<PairedPoint<dim>> points;
+      auto                          partner = partners.begin();
+      for (const unsigned int i : faces)
+        for (unsigned int q = 0; q < rule.size(); ++q, ++partner)
+          if (*partner)
+            points.push_back({i,
+                              rule.point(q),
+                              rule.weight(q) * slave[i].jacobian(rule.point(q)),
+                              std::move(**partner)});
+      return points;
+    }
+
+    // Take the points of faces that are covered more than once out of the list.
+    template <int dim>
+    std::vector<unsigned int>
+    remove_overcovered(const std::vector<FacePatch<dim>> &slave,
+                       std::vector<PairedPoint<dim>>     &points)
+    {
+      const QGauss<dim - 1> rule(slave.empty() ? 1 : slave.front().get_degree() + 2);
+      std::vector<double>   covered(slave.size(), 0.);
+      for (const PairedPoint<dim> &point : points)
+        covered[point.face] += point.weight;
+
+      std::vector<unsigned int> faces;
+      std::vector<bool>         more_than_once(slave.size(), false);
+      for (unsigned int i = 0; i < slave.size(); ++i)
+        {
+          double area = 0;
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            area += rule.weight(q) * slave[i].jacobian(rule.point(q));
+          more_than_once[i] = covered[i] > covered_once * area;
+          if (more_than_once[i])
+            faces.push_back(i);
+        }
+      points.erase(std::remove_if(points.begin(),
+                                  points.end(),
+                                  [&](const auto &point) { return more_than_once[point.face]; }),
+                   points.end());
+      return faces;
+    }
+  } // namespace
+
+
+
+  const std::vector<std::string> &
+  Integration::names()
+  {
+    static const std::vector<std::string> list = {"segments", "quadrature", "nodes"};
+    return list;
+  }
+
+
+
+  template <int dim>
+  Quadrature<dim - 1>
+  face_rule(const Integration &integration)
+  {
+    if (integration.rule == "nodes")
+      return QGaussLobatto<dim - 1>(integration.n_points);
+    return QGauss<dim - 1>(integration.n_points);
+  }
+
+
+
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  pair_points(const std::vector<FacePatch<dim>> &slave,
+              const MasterFaces<dim>            &master,
+              const Integration                 &integration,
+              const double                       reach,
+              const MPI_Comm                     comm,
+              SearchStatistics                  &statistics)
+  {
+    const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
+    std::vector<PairedPoint<dim>> points;
+    std::vector<unsigned int>     faces(slave.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    if (integration.rule == "segments")
+      {
+        const QWitherdenVincentSimplex<dim - 1> simplex_rule(integration.n_points);
+        points = pair_by_segments(slave, master, simplex_rule, reach, comm, statistics);
+        faces  = remove_overcovered(slave, points);
+        if (Utilities::MPI::max(faces.size(), comm) == 0)
+          return points;
+      }
+    for (auto &point : pair_by_projection(slave, faces, master, rule, reach, comm, statistics))
+      points.push_back(std::move(point));
+    return points;
+  }
+
+
+
+  template Quadrature<1>
+  face_rule<2>(const Integration &);
+  template Quadrature<2>
+  face_rule<3>(const Integration &);
+  template std::vector<PairedPoint<2>>
+  pair_points<2>(const std::vector<FacePatch<2>> &,
+                 const MasterFaces<2> &,
+                 const Integration &,
+                 double,
+                 MPI_Comm,
+                 SearchStatistics &);
+  template std::vector<PairedPoint<3>>
+  pair_points<3>(const std::vector<FacePatch<3>> &,
+                 const MasterFaces<3> &,
+                 const Integration &,
+                 double,
+                 MPI_Comm,
+                 SearchStatistics &);
+} // namespace Signorini

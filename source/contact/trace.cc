@@ -1,0 +1,103 @@
+#include <signorini/contact/trace.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  void
+  unite(SparseRow &row)
+  {
+    std::sort(row.begin(), row.end());
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < row.size(); ++i)
+      if (row[i].first == row[last].first)
+        row[last].second += row[i].second;
+      else
+        row[++last] = row[i];
+    if (!row.empty())
+      row.resize(last + 1);
+  }
+
+
+
+  namespace
+  {
+    /// Replace hanging nodes by the nodes that they hang on.
+    void
+    resolve(const AffineConstraints<double> &hanging, SparseRow &row)
+    {
+      const std::size_t n = row.size();
+      for (std::size_t i = 0; i < n; ++i)
+        if (const auto *entries = hanging.get_constraint_entries(row[i].first))
+          {
+            const double factor = row[i].second;
+            row[i].second       = 0;
+            for (const auto &[index, weight] : *entries)
+              row.emplace_back(index, factor * weight);
+          }
+      row.erase(std::remove_if(row.begin(),
+                               row.end(),
+                               [](const auto &entry) { return entry.second == 0; }),
+                row.end());
+      unite(row);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Trace<dim>::Trace(const Elasticity<dim> &elasticity)
+    : fe(elasticity.finite_element())
+    , hanging(elasticity.hanging_nodes())
+    , indices(fe.n_dofs_per_cell())
+  {}
+
+
+
+  template <int dim>
+  void
+  Trace<dim>::reinit(const Cell &cell)
+  {
+    cell->get_dof_indices(indices);
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  Trace<dim>::normal_displacement(const Point<dim> &unit_point, const Tensor<1, dim> &n) const
+  {
+    SparseRow row;
+    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+      if (const double value = fe.base_element(0).shape_value(i, unit_point);
+          std::abs(value) > 1e-14)
+        for (unsigned int d = 0; d < dim; ++d)
+          if (n[d] != 0)
+            row.emplace_back(indices[fe.component_to_system_index(d, i)], value * n[d]);
+    resolve(hanging, row);
+    return row;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  Trace<dim>::shape(const Point<dim> &unit_point) const
+  {
+    SparseRow row;
+    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+      if (const double value = fe.base_element(0).shape_value(i, unit_point);
+          std::abs(value) > 1e-14)
+        row.emplace_back(indices[fe.component_to_system_index(0, i)], value);
+    resolve(hanging, row);
+    return row;
+  }
+
+
+
+  template class Trace<2>;
+  template class Trace<3>;
+} // namespace Signorini
