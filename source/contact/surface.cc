@@ -158,6 +158,7 @@ namespace Signorini
         point.row.emplace_back(index, -value);
       unite(point.row);
       point.shape = trace.shape(unit_point);
+      point.face  = paired.face;
       return point;
     }
   } // namespace
@@ -203,6 +204,9 @@ namespace Signorini
                                 comm,
                                 surface.statistics);
     drop_far_faces(limit, points);
+    std::stable_sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
+      return a.face < b.face;
+    });
 
     Trace<dim> trace(elasticity);
     surface.faces = faces.size();

@@ -23,7 +23,8 @@ namespace Signorini
     SparseRow              row;       ///< (u^S - u^M).n = sum row . d, hanging nodes resolved
     /// Trace shape functions at the point: (first degree of freedom of the node, value), hanging
     /// nodes resolved.
-    SparseRow shape;
+    SparseRow    shape;
+    unsigned int face; ///< number of the slave face on this rank
   };
 
   /// The contact points of one pair on this rank (of locally owned slave faces) that have a
@@ -31,7 +32,7 @@ namespace Signorini
   template <int dim>
   struct ContactSurface
   {
-    std::vector<ContactPoint<dim>> points;
+    std::vector<ContactPoint<dim>> points; ///< face by face
     /// (shape, weight) at points of whole slave faces, with or without partners: what the nodes
     /// would have if the master were everywhere.
     std::vector<std::pair<SparseRow, double>> whole;
