@@ -21,6 +21,7 @@ class Runner:
     def __init__(self, arguments):
         self.arguments = arguments
         self.count = 0
+        self.last_folder = None
 
     def results(self, overrides=(), ranks=1, scene=None):
         """The results file of a run; ends the script if the program does not converge.
@@ -29,6 +30,7 @@ class Runner:
         """
         self.count += 1
         folder = os.path.join(self.arguments.directory, str(self.count))
+        self.last_folder = folder
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(os.path.dirname(folder) or ".", exist_ok=True)
         command = [self.arguments.mpiexec, "-n", str(ranks)] if ranks > 1 else []
