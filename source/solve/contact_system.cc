@@ -48,7 +48,19 @@ namespace Signorini
   void
   ContactSystem::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
-    K.vmult(dst.block(0), src.block(0));
+    contact_terms(dst, src);
+    LA::Vector &force = workspace;
+    force.reinit(src.block(0), true);
+    K.vmult(force, src.block(0));
+    dst.block(0) += force;
+  }
+
+
+
+  void
+  ContactSystem::contact_terms(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    dst = 0;
     if (contact.empty())
       return;
     LA::Vector gap = contact.zero();
@@ -67,9 +79,6 @@ namespace Signorini
       }
     else
       gap.scale(D);
-    LA::Vector force;
-    force.reinit(src.block(0));
-    contact.B_free.Tvmult(force, gap);
-    dst.block(0) += force;
+    contact.B_free.Tvmult(dst.block(0), gap);
   }
 } // namespace Signorini

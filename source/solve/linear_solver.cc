@@ -22,7 +22,7 @@ namespace Signorini
       "Krylov method",
       krylov,
       {"auto", "CG", "MINRES", "FGMRES"},
-      "auto: CG, or on saddle points MINRES with the block diagonal preconditioner, else FGMRES");
+      "auto: CG; with multipliers and block diagonal MINRES, with block triangular FGMRES");
     section.add_choice(
       "Direct solver",
       direct_solver,
@@ -65,10 +65,14 @@ namespace Signorini
           return settings.krylov == "auto" ? "CG" : settings.krylov;
         }
       if (settings.krylov == "auto")
-        return preconditioner.is_positive_definite() ? "MINRES" : "FGMRES";
-      if (settings.krylov == "CG")
+        return preconditioner.keeps_constraints()    ? "CG" :
+               preconditioner.is_positive_definite() ? "MINRES" :
+                                                       "FGMRES";
+      if (settings.krylov == "CG" && !preconditioner.keeps_constraints())
         throw SceneError(
-          "Solver/Krylov method = CG is for systems without multipliers; take FGMRES or auto");
+          "Solver/Krylov method = CG with multipliers needs a preconditioner that keeps the "
+          "constraints, but Solver/Preconditioner = " +
+          settings.preconditioner + " does not; take 'contact filter', or FGMRES");
       if (settings.krylov == "MINRES" && !preconditioner.is_positive_definite())
         throw SceneError(
           "Solver/Krylov method = MINRES needs a positive definite preconditioner, but Solver/Preconditioner = " +
@@ -132,6 +136,7 @@ namespace Signorini
     if (norm == 0)
       return 0;
     double tolerance = std::max(absolute_tolerance, settings.reduction * norm);
+    preconditioner->start(x, rhs);
     if (krylov == "MINRES")
       {
         // MINRES measures residuals in the norm of the preconditioner.

@@ -10,6 +10,8 @@
 #include <Epetra_LinearProblem.h>
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -22,11 +24,27 @@ namespace Signorini
     {
       const Epetra_CrsMatrix &A = matrix.trilinos_matrix();
       Epetra_Vector           columns(A.ColMap());
-      // Epetra has no importer where all columns are local.
-      const Epetra_Import importer(A.ColMap(), A.DomainMap());
-      const int           error = columns.Import(v.trilinos_vector(), importer, Insert);
+      // A matrix has no importer where all columns are local; the one made here then only copies.
+      const int error =
+        A.Importer() ?
+          columns.Import(v.trilinos_vector(), *A.Importer(), Insert) :
+          columns.Import(v.trilinos_vector(), Epetra_Import(A.ColMap(), A.DomainMap()), Insert);
       AssertThrow(error == 0, ExcTrilinosError(error));
       return std::vector<double>(columns.Values(), columns.Values() + columns.MyLength());
+    }
+
+    /// The owned elements in a row: access by global index costs ten times more, and is collective
+    /// now and then.
+    double *
+    values_of(LA::Vector &v)
+    {
+      return v.trilinos_vector()[0];
+    }
+
+    const double *
+    values_of(const LA::Vector &v)
+    {
+      return v.trilinos_vector()[0];
     }
 
     /// Local row of a matrix without the detour over iterators, which cost a hundred times more.
@@ -70,8 +88,9 @@ namespace Signorini
     , direct_solver("Amesos_" +
                     (direct_solver == "MUMPS" ? std::string("Mumps") : std::string("Klu")))
   {
-    for (const auto i : marker.locally_owned_elements())
-      if (marker(i) != 0)
+    const double *const marks = values_of(marker);
+    for (unsigned int i = 0; i < marker.locally_owned_size(); ++i)
+      if (marks[i] != 0)
         dofs.emplace_back(i, 0);
     const unsigned int n_rows = system.is_saddle_point() ? system.gap_operator().pair.size() : 0;
     const MPI_Comm     comm   = marker.get_mpi_communicator();
@@ -83,11 +102,7 @@ namespace Signorini
     number     = -1.;
     auto index = owned.begin();
     for (auto &[dof, zone] : dofs)
-      {
-        zone        = *index++;
-        number(dof) = zone;
-      }
-    number.compress(VectorOperation::insert);
+      values_of(number)[dof] = zone = *index++;
     if (n_rows > 0)
       first_row = *index;
 
@@ -99,6 +114,7 @@ namespace Signorini
         writable.add_index(static_cast<types::global_dof_index>(zone));
     left.reinit(owned, comm);
     right.reinit(owned, comm);
+    contact_terms = system.zero();
   }
 
 
@@ -110,11 +126,10 @@ namespace Signorini
   void
   ZoneSolver::collect(Entries &entries) const
   {
-    const LA::SparseMatrix &K     = system.stiffness();
-    const IndexSet          range = K.locally_owned_range_indices();
+    const LA::SparseMatrix &K = system.stiffness();
     for (const auto &[dof, zone] : dofs)
       {
-        const RowView row(K, range.index_within_set(dof));
+        const RowView row(K, dof);
         for (int k = 0; k < row.size; ++k)
           if (const double column = number_in_K[row.columns[k]]; column >= 0)
             entries.add(zone, column, row.values[k]);
@@ -190,25 +205,53 @@ namespace Signorini
   void
   ZoneSolver::add_correction(LA::BlockVector &x, const LA::BlockVector &r) const
   {
-    for (const auto &[dof, zone] : dofs)
-      right(zone) = r.block(0)(dof);
-    auto row = first_row;
+    double *at = values_of(right);
+    for (const auto &entry : dofs)
+      *at++ = values_of(r.block(0))[entry.first];
     if (system.is_saddle_point())
-      for (const auto i : r.block(1).locally_owned_elements())
-        right(row++) = r.block(1)(i);
-    right.compress(VectorOperation::insert);
+      std::copy_n(values_of(r.block(1)), r.block(1).locally_owned_size(), at);
+    add_solution(x);
+  }
 
+
+
+  void
+  ZoneSolver::correct(LA::BlockVector &x, const LA::BlockVector &r) const
+  {
+    system.contact_terms(contact_terms, x);
+    const LA::SparseMatrix   &K   = system.stiffness();
+    const std::vector<double> x_K = on_columns(K, x.block(0));
+    double                   *at  = values_of(right);
+    for (const auto &entry : dofs)
+      {
+        const unsigned int dof = entry.first;
+        const RowView      row(K, dof);
+        double             force = values_of(contact_terms.block(0))[dof];
+        for (int k = 0; k < row.size; ++k)
+          force += row.values[k] * x_K[row.columns[k]];
+        *at++ = values_of(r.block(0))[dof] - force;
+      }
+    if (system.is_saddle_point())
+      for (unsigned int i = 0; i < r.block(1).locally_owned_size(); ++i)
+        *at++ = values_of(r.block(1))[i] - values_of(contact_terms.block(1))[i];
+    add_solution(x);
+  }
+
+
+
+  void
+  ZoneSolver::add_solution(LA::BlockVector &x) const
+  {
     problem->SetLHS(&left.trilinos_vector());
     problem->SetRHS(&right.trilinos_vector());
     const int error = solver->Solve();
     AssertThrow(error == 0, ExcTrilinosError(error));
 
-    for (const auto &[dof, zone] : dofs)
-      x.block(0)(dof) += left(zone);
-    row = first_row;
+    const double *from = values_of(left);
+    for (const auto &entry : dofs)
+      values_of(x.block(0))[entry.first] += *from++;
     if (system.is_saddle_point())
-      for (const auto i : x.block(1).locally_owned_elements())
-        x.block(1)(i) += left(row++);
-    x.compress(VectorOperation::add);
+      for (unsigned int i = 0; i < x.block(1).locally_owned_size(); ++i)
+        values_of(x.block(1))[i] += *from++;
   }
 } // namespace Signorini

@@ -31,6 +31,10 @@ namespace Signorini
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
+    /// The same without K.
+    void
+    contact_terms(LA::BlockVector &dst, const LA::BlockVector &src) const;
+
     /// A zero vector (u, q).
     LA::BlockVector
     zero() const;
@@ -77,5 +81,6 @@ namespace Signorini
     const bool              saddle;
     const double            factor;
     LA::Vector              D, A, I;
+    mutable LA::Vector      workspace;
   };
 } // namespace Signorini

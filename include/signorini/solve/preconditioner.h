@@ -20,6 +20,11 @@ namespace Signorini
     virtual void
     update() = 0;
 
+    /// Where Krylov methods have to start (from a zero vector), if the preconditioner relies on it.
+    virtual void
+    start(LA::BlockVector & /*x*/, const LA::BlockVector & /*rhs*/) const
+    {}
+
     virtual void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const = 0;
 
@@ -27,6 +32,14 @@ namespace Signorini
     /// condensed systems all are.)
     virtual bool
     is_positive_definite() const = 0;
+
+    /// True: applied to residuals that satisfy the constraints of a saddle point system it yields
+    /// vectors that do too, and is symmetric and positive definite among them: CG is for it.
+    virtual bool
+    keeps_constraints() const
+    {
+      return false;
+    }
 
     /// True: one application solves the system.
     virtual bool

@@ -32,6 +32,11 @@ namespace Signorini
     void
     add_correction(LA::BlockVector &x, const LA::BlockVector &r) const;
 
+    /// x += R^T (R A R^T)^-1 R (r - A x): afterwards the residual of x vanishes on the zone. Only
+    /// the rows of the zone are evaluated.
+    void
+    correct(LA::BlockVector &x, const LA::BlockVector &r) const;
+
     dealii::types::global_dof_index
     size() const
     {
@@ -44,19 +49,24 @@ namespace Signorini
     void
     collect(Entries &entries) const;
 
+    /// x += R^T (R A R^T)^-1 right
+    void
+    add_solution(LA::BlockVector &x) const;
+
     const ContactSystem &system;
     const std::string    direct_solver;
 
-    /// Zone index of each local degree of freedom of the zone: (position among the owned, zone
-    /// index).
-    std::vector<std::pair<dealii::types::global_dof_index, dealii::types::global_dof_index>> dofs;
-    dealii::types::global_dof_index first_row =
+    /// The owned degrees of freedom of the zone: number among those that this rank owns, zone
+    /// index. The zone's owned indices are these, then the multipliers of this rank.
+    std::vector<std::pair<unsigned int, dealii::types::global_dof_index>> dofs;
+    dealii::types::global_dof_index                                       first_row =
       0; ///< zone index of the first multiplier of this rank
     dealii::IndexSet    owned, writable;
     std::vector<double> number_in_K, number_in_B; ///< zone index of each local column, or -1
 
     LA::SparseMatrix                      matrix;
     mutable LA::Vector                    left, right;
+    mutable LA::BlockVector               contact_terms;
     std::unique_ptr<Epetra_LinearProblem> problem;
     std::unique_ptr<Amesos_BaseSolver>    solver; ///< looks at matrix and problem until it is gone
   };

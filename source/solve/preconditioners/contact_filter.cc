@@ -46,8 +46,6 @@ namespace Signorini
     : system(system)
     , amg(amg)
     , direct_solver(direct_solver)
-    , residual(system.zero())
-    , correction(residual.block(0))
   {}
 
 
@@ -63,21 +61,20 @@ namespace Signorini
 
 
   void
+  ContactFilter::start(LA::BlockVector &x, const LA::BlockVector &rhs) const
+  {
+    if (zone->size() > 0)
+      zone->add_correction(x, rhs);
+  }
+
+
+
+  void
   ContactFilter::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
     dst = 0;
-    if (zone->size() == 0)
-      return amg.vmult(dst.block(0), src.block(0));
-
-    const auto compute_residual = [&]() {
-      system.vmult(residual, dst);
-      residual.sadd(-1, 1, src);
-    };
-    zone->add_correction(dst, src);
-    compute_residual();
-    amg.vmult(correction, residual.block(0));
-    dst.block(0) += correction;
-    compute_residual();
-    zone->add_correction(dst, residual);
+    amg.vmult(dst.block(0), src.block(0));
+    if (zone->size() > 0)
+      zone->correct(dst, src);
   }
 } // namespace Signorini

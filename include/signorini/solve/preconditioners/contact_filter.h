@@ -5,10 +5,18 @@
 
 namespace Signorini
 {
-  /// F-V-F: an exact solve on the degrees of freedom that contact touches (F), one V-cycle of the
-  /// multigrid method for K alone (V), F again. The hierarchy of K never changes; the stiff contact
-  /// terms, or the constraints in a saddle point system, are seen by F only, so that the iteration
-  /// count depends neither on the penalty nor on the size of the mesh. One V-cycle an application.
+  /// F-V-F: an exact solve on the degrees of freedom that contact touches, and on all multipliers
+  /// (F), one V-cycle of the multigrid method for K alone (V), F again. The hierarchy of K never
+  /// changes; the stiff contact terms, or the constraints in a saddle point system, are seen by F
+  /// only, so that the iteration count depends neither on the penalty nor on the size of the mesh.
+  ///
+  /// After F the residual vanishes on the zone. It does so for the start value, hence for all
+  /// residuals of a Krylov method, for which the first F is void: what remains is one V-cycle and
+  /// one F an application.
+  ///
+  /// On saddle points F keeps the constraints, A B du = A g from the start on: all that CG sees is
+  /// the energy on their null space, where F-V-F is symmetric and positive definite (a constraint
+  /// preconditioner: Gould, Hribar, Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376-1395).
   class ContactFilter : public Preconditioner
   {
   public:
@@ -16,6 +24,9 @@ namespace Signorini
 
     void
     update() override;
+
+    void
+    start(LA::BlockVector &x, const LA::BlockVector &rhs) const override;
 
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override;
@@ -26,12 +37,16 @@ namespace Signorini
       return false;
     }
 
+    bool
+    keeps_constraints() const override
+    {
+      return true;
+    }
+
   private:
     const ContactSystem        &system;
     const AMG                  &amg;
     const std::string           direct_solver;
     std::unique_ptr<ZoneSolver> zone; ///< what active contact touches
-    mutable LA::BlockVector     residual;
-    mutable LA::Vector          correction;
   };
 } // namespace Signorini
