@@ -1,6 +1,8 @@
 #include <signorini/contact/method.h>
+#include <signorini/contact/methods/augmented_lagrangian.h>
 #include <signorini/contact/methods/lagrange_multiplier.h>
 #include <signorini/contact/methods/penalty.h>
+#include <signorini/contact/methods/perturbed_lagrangian.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -17,6 +19,8 @@ namespace Signorini
     // The registry: one line a method.
     const std::vector<std::pair<std::string, Maker>> registry = {
       {"penalty", [] { return std::make_shared<Penalty>(); }},
+      {"augmented Lagrangian", [] { return std::make_shared<AugmentedLagrangian>(); }},
+      {"perturbed Lagrangian", [] { return std::make_shared<PerturbedLagrangian>(); }},
       {"Lagrange multiplier", [] { return std::make_shared<LagrangeMultiplier>(); }}};
   } // namespace
 
@@ -52,6 +56,7 @@ namespace Signorini
   apply_contact_law(const ContactMethod &method,
                     const GapOperator   &contact,
                     const LA::Vector    &gap,
+                    const LA::Vector    &predicted,
                     LA::Vector          &pressure,
                     LA::Vector          &active)
   {
@@ -60,11 +65,12 @@ namespace Signorini
     unsigned int n_active    = 0;
     for (const auto i : contact.weight.locally_owned_elements())
       {
-        const double predicted = multipliers ? pressure(i) : 0.;
-        const double bracket   = predicted - factor * contact.stiffness(i) * gap(i);
-        const bool   touches   = bracket > 0 && contact.weight(i) > 0;
-        active(i)              = touches ? 1. : 0.;
-        pressure(i)            = touches ? (multipliers ? predicted : bracket) : 0.;
+        const double before = predicted(i);
+        const double law =
+          (method.compliance() > 0 ? 0. : before) - factor * contact.stiffness(i) * gap(i);
+        const bool touches = law > 0 && contact.weight(i) > 0;
+        active(i)          = touches ? 1. : 0.;
+        pressure(i)        = touches ? (multipliers ? before : law) : 0.;
         n_active += touches;
       }
     active.compress(VectorOperation::insert);

@@ -11,6 +11,7 @@ namespace Signorini
     , contact(contact)
     , saddle(method.has_multipliers() && !contact.empty())
     , factor(method.factor())
+    , compliance(method.compliance())
     , D(contact.zero())
     , A(contact.zero())
     , I(contact.zero())
@@ -26,7 +27,7 @@ namespace Signorini
         const double scale = contact.weight(i) * contact.stiffness(i);
         D(i)               = saddle ? 0. : factor * scale * active(i);
         A(i)               = saddle ? scale * active(i) : 0.;
-        I(i)               = saddle ? scale * (1 - active(i)) : 0.;
+        I(i)               = saddle ? scale * (active(i) > 0 ? compliance : 1.) : 0.;
       }
     for (LA::Vector *v : {&D, &A, &I})
       v->compress(VectorOperation::insert);

@@ -63,6 +63,7 @@ namespace Signorini
     , active_set(contact.zero())
     , last_active_set(contact.zero())
     , changes(contact.zero())
+    , augmented(contact.zero())
   {}
 
 
@@ -99,6 +100,8 @@ namespace Signorini
     cautious      = false;
     largest_force = 0;
     changes       = 0.;
+    if (method.augments())
+      augmented = p;
 
     LA::BlockVector x = system.zero(), rhs = system.zero();
     LA::Vector      gap, p_start           = p;
@@ -115,19 +118,21 @@ namespace Signorini
         const LA::Vector r = residual(f, u, p);
         rhs.block(0)       = r;
         if (system.is_saddle_point())
-          {
-            // A g on active points; A itself belongs to the present active set from here on.
-            rhs.block(1) = gap;
-            rhs.block(1).scale(contact.weight);
-            rhs.block(1).scale(contact.stiffness);
-            rhs.block(1).scale(active_set);
-          }
+          rhs.block(1) = gap_defect(gap, p);
         const double scale = force_scale > 0 ? force_scale : 1.;
         step.residual      = r.l2_norm() / scale;
-        step.gap_residual  = system.is_saddle_point() ? rhs.block(1).l2_norm() / scale : 0.;
+        if (system.is_saddle_point() || method.augments())
+          step.gap_residual = gap_defect(gap, p).l2_norm() / scale;
 
-        report.converged =
-          step.residual <= settings.tolerance && step.gap_residual <= settings.tolerance;
+        const bool balanced = step.residual <= settings.tolerance;
+        report.converged    = balanced && step.gap_residual <= settings.tolerance;
+        if (balanced && !report.converged && method.augments() && n < settings.maximum_steps)
+          {
+            augmented = p;
+            report.steps.push_back(step);
+            print_row(out, n, step);
+            continue;
+          }
         if (!report.converged && n == settings.maximum_steps)
           report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" +
                           chattering_points();
@@ -176,7 +181,8 @@ namespace Signorini
       return;
     last_active_set           = active_set;
     const LA::Vector p_before = p;
-    step.active               = apply_contact_law(method, contact, gap, p, active_set);
+    step.active               = apply_contact_law(
+      method, contact, gap, method.has_multipliers() ? p : augmented, p, active_set);
     if (method.has_multipliers() && (cautious || seen_before()))
       {
         if (!cautious)
@@ -191,6 +197,20 @@ namespace Signorini
       changes(i) += std::abs(difference(i));
     changes.compress(VectorOperation::add);
     step.changes = static_cast<unsigned int>(difference.l1_norm() + 0.5);
+  }
+
+
+
+  LA::Vector
+  Newton::gap_defect(const LA::Vector &gap, const LA::Vector &p) const
+  {
+    LA::Vector defect = contact.zero();
+    for (const auto i : defect.locally_owned_elements())
+      if (active_set(i) > 0)
+        defect(i) =
+          contact.weight(i) * (contact.stiffness(i) * gap(i) + method.compliance() * p(i));
+    defect.compress(VectorOperation::insert);
+    return defect;
   }
 
 
@@ -259,8 +279,9 @@ namespace Signorini
       double sum = 0;
       for (const auto i : gap.locally_owned_elements())
         {
-          const double p_new =
-            std::max(0., -method.factor() * contact.stiffness(i) * (gap(i) + a * B_du(i)));
+          const double p_new = std::max(0.,
+                                        augmented(i) - method.factor() * contact.stiffness(i) *
+                                                         (gap(i) + a * B_du(i)));
           sum += contact.weight(i) * (p_new - p(i)) * B_du(i);
         }
       return slope + a * curvature - Utilities::MPI::sum(sum, comm);

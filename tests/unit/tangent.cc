@@ -96,7 +96,7 @@ namespace
                  LA::Vector           &active)
   {
     LA::Vector p = scene.contact->zero();
-    apply_contact_law(method, *scene.contact, scene.contact->gap(u), p, active);
+    apply_contact_law(method, *scene.contact, scene.contact->gap(u), p, p, active);
     LA::Vector r = scene.elasticity.zero_vector();
     scene.elasticity.stiffness().vmult(r, u);
     r -= scene.contact->force(p);

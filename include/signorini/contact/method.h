@@ -28,10 +28,25 @@ namespace Signorini
     virtual Sampling
     sampling() const = 0;
 
-    /// True: the pressure is an unknown of its own (p^ = p, so that g = 0 where active); false: it
-    /// follows from the gap (p^ = 0, so that p = -eps g where active).
+    /// True: the pressure is an unknown of its own, p^ = p, so that g = 0 where active; false: it
+    /// follows from the gap.
     virtual bool
     has_multipliers() const = 0;
+
+    /// Where the pressure is an unknown: the law is g + compliance p / (E/h) = 0 where active.
+    virtual double
+    compliance() const
+    {
+      return 0;
+    }
+
+    /// Where the pressure follows from the gap: true: p^ is the pressure of the last solution, and
+    /// one solution follows the other until the gap is closed; false: p^ = 0.
+    virtual bool
+    augments() const
+    {
+      return false;
+    }
 
     /// eps = factor * E/h: dimensionless, so that nothing depends on the units of the scene.
     virtual double
@@ -45,12 +60,14 @@ namespace Signorini
   const std::vector<std::string> &
   method_names();
 
-  /// The law above at all points. In: gap, and for methods with multipliers their pressure.
-  /// Out: pressure (zero where inactive) and active (1 or 0). Returns the number of active points.
+  /// The law above at all points. In: gap, and p^ (with multipliers: their pressure). Out: pressure
+  /// (zero where inactive; may be the same vector as p^) and active (1 or 0). Returns the number of
+  /// active points.
   unsigned int
   apply_contact_law(const ContactMethod &method,
                     const GapOperator   &contact,
                     const LA::Vector    &gap,
+                    const LA::Vector    &predicted,
                     LA::Vector          &pressure,
                     LA::Vector          &active);
 

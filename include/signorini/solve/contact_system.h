@@ -13,8 +13,10 @@ namespace Signorini
   /// Saddle point (the pressure is unknown), thesis (49):
   ///     [  K      -B^T A ] [du]   [ r   ]
   ///     [ -A B     -I    ] [q ] = [ A g ],   dp = k q,
-  /// A = k W on active points, I = k W on inactive ones. The scaling with k = E/h makes q a length
-  /// and both residuals forces: nothing depends on the units of the scene.
+  /// A = k W on active points, I = k W on inactive ones and c k W on active ones, where the law is
+  /// g + c p / k = 0 (c = 0 but for perturbed multipliers, and its right-hand side as well). The
+  /// scaling with k = E/h makes q a length and both residuals forces: nothing depends on the units
+  /// of the scene.
   ///
   /// Vectors are blocks (u, q); q is empty in the condensed form. K belongs to the mesh and is
   /// never touched; what changes with the active set are three vectors on the contact surface.
@@ -79,7 +81,7 @@ namespace Signorini
     const LA::SparseMatrix &K;
     const GapOperator      &contact;
     const bool              saddle;
-    const double            factor;
+    const double            factor, compliance;
     LA::Vector              D, A, I;
     mutable LA::Vector      workspace;
   };

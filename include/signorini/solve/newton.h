@@ -40,7 +40,8 @@ namespace Signorini
   /// Kunisch, SIAM J. Optim. 13 (2003) 865). Lives as long as the mesh does.
   ///
   /// Globalised: methods without multipliers minimise a convex energy, along which each step is
-  /// searched exactly (it costs vectors of the surface only). Methods with multipliers watch for
+  /// searched exactly (it costs vectors of the surface only); if the method augments, one minimum
+  /// follows the other. Methods with multipliers watch for
   /// cycles of the active set and then change one point at a time, the worst.
   class Newton
   {
@@ -85,6 +86,9 @@ namespace Signorini
     keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p_before, LA::Vector &p);
     bool
     seen_before();
+    /// What the active points lack to obey the law, as a force.
+    LA::Vector
+    gap_defect(const LA::Vector &gap, const LA::Vector &p) const;
     LA::Vector
     residual(const LA::Vector &f, const LA::Vector &u, const LA::Vector &p);
     double
@@ -102,6 +106,7 @@ namespace Signorini
     LinearSolver                             linear_solver;
 
     LA::Vector         active_set, last_active_set, changes;
+    LA::Vector         augmented; ///< p^ of the law, where it is not the pressure itself
     std::set<uint64_t> history;
     bool               cautious    = false;
     double             force_scale = 0, largest_force = 0;

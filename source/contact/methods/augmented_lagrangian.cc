@@ -1,0 +1,15 @@
+#include <signorini/contact/methods/augmented_lagrangian.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  void
+  AugmentedLagrangian::declare(Section &section)
+  {
+    section.add(
+      "Factor",
+      penalty_factor,
+      "penalty in units of E/h: larger needs fewer augmentations, the result does not depend on it",
+      positive);
+  }
+} // namespace Signorini

@@ -1,0 +1,14 @@
+#include <signorini/contact/methods/perturbed_lagrangian.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  void
+  PerturbedLagrangian::declare(Section &section)
+  {
+    section.add("Factor",
+                penalty_factor,
+                "stiffness of the contact in units of E/h: the penetration is p h / (Factor E)",
+                positive);
+  }
+} // namespace Signorini
