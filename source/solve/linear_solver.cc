@@ -6,6 +6,9 @@
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/solver_minres.h>
 
+#include <iomanip>
+#include <sstream>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -44,6 +47,14 @@ namespace Signorini
 
   namespace
   {
+    std::string
+    short_text(const double value)
+    {
+      std::ostringstream text;
+      text << std::setprecision(2) << value;
+      return text.str();
+    }
+
     std::string
     choose_direct(const LinearSolverSettings &settings, const MPI_Comm comm)
     {
@@ -160,8 +171,9 @@ namespace Signorini
         throw SolverFailure(
           krylov + " with the preconditioner '" + settings.preconditioner + "' stopped after " +
           std::to_string(failure.last_step) + " iterations with residual " +
-          std::to_string(failure.last_residual / rhs.l2_norm()) +
-          " of the start; choose another Solver/Preconditioner ('contact filter', 'direct')");
+          short_text(failure.last_residual / norm) +
+          " of the start; choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller Factor "
+          "if the method has one");
       }
     return control.last_step();
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace Signorini
@@ -83,11 +84,26 @@ namespace Signorini
         scale = std::max(scale, force.l2_norm());
       }
     constraints.set_zero(r);
-    // The forces at work now. Those of a cold start may be far larger, as penalties of bodies that
-    // overlap; their rounding is all that they leave behind.
-    largest_force = std::max(largest_force, scale);
-    force_scale   = std::max(scale, 1e-15 / settings.tolerance * largest_force);
+    force_scale = scale;
+    // The forces of a cold start may be far larger, as penalties of bodies that overlap; their
+    // rounding is all that they leave behind. A penalty multiplies the rounding of the gap.
+    largest_force  = std::max(largest_force, scale);
+    force_rounding = std::max(1e-15 * largest_force, penalty_rounding(u));
     return r;
+  }
+
+
+
+  double
+  Newton::penalty_rounding(const LA::Vector &u) const
+  {
+    if (contact.empty() || method.has_multipliers())
+      return 0;
+    LA::Vector springs = contact.weight;
+    springs.scale(contact.stiffness);
+    springs.scale(active_set);
+    const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
+    return std::numeric_limits<double>::epsilon() * length * method.factor() * springs.l2_norm();
   }
 
 
@@ -124,8 +140,12 @@ namespace Signorini
         if (system.is_saddle_point() || method.augments())
           step.gap_residual = gap_defect(gap, p).l2_norm() / scale;
 
-        const bool balanced = step.residual <= settings.tolerance;
-        report.converged    = balanced && step.gap_residual <= settings.tolerance;
+        const double before    = n > 0 ? report.steps.back().residual : 0;
+        const bool   at_bottom = n > 0 && step.changes == 0 && step.residual > before / 2 &&
+                               step.residual <= force_rounding / scale;
+        const double tolerance = at_bottom ? force_rounding / scale : settings.tolerance;
+        const bool   balanced  = step.residual <= tolerance;
+        report.converged       = balanced && step.gap_residual <= tolerance;
         if (balanced && !report.converged && method.augments() && n < settings.maximum_steps)
           {
             augmented = p;
@@ -149,7 +169,6 @@ namespace Signorini
             linear_solver.update();
             factorised = true;
           }
-        const double before    = n > 0 ? report.steps.back().residual : 0;
         step.krylov_iterations = linear_solver.solve(x, rhs, 0.1 * settings.tolerance * scale);
         damping =
           system.is_saddle_point() || contact.empty() ? 1. : line_search(r, gap, p, x.block(0));

@@ -91,6 +91,9 @@ namespace Signorini
     gap_defect(const LA::Vector &gap, const LA::Vector &p) const;
     LA::Vector
     residual(const LA::Vector &f, const LA::Vector &u, const LA::Vector &p);
+    /// Of the contact forces, in the norm of the residual.
+    double
+    penalty_rounding(const LA::Vector &u) const;
     double
     line_search(const LA::Vector &r,
                 const LA::Vector &gap,
@@ -109,6 +112,6 @@ namespace Signorini
     LA::Vector         augmented; ///< p^ of the law, where it is not the pressure itself
     std::set<uint64_t> history;
     bool               cautious    = false;
-    double             force_scale = 0, largest_force = 0;
+    double             force_scale = 0, largest_force = 0, force_rounding = 0;
   };
 } // namespace Signorini

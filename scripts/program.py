@@ -1,0 +1,26 @@
+"""Running the program from a study script."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+class Failed(Exception):
+    """The program ended without a result; the text is its message."""
+
+
+def run(scene, sets, ranks, folder):
+    """The results file of a run as a dictionary. A missed expectation of the scene (exit code 4) is no failure."""
+    command = ["mpirun", "--oversubscribe", "-np", str(ranks), ROOT / "build" / "release" / "signorini", scene]
+    for key, value in {**sets, "Output/VTU": "no", "Output/Directory": folder}.items():
+        command += ["--set", f"{key}={value}"]
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+                   "OMP_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1"}
+    done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode not in (0, 4):
+        message = [line for line in done.stdout.splitlines() if line.startswith("error:")]
+        raise Failed(message[0] if message else f"exit code {done.returncode}")
+    return json.loads((Path(folder) / "results.json").read_text())
