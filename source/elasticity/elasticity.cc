@@ -1,6 +1,7 @@
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/elasticity/expression_function.h>
 #include <signorini/elasticity/kernel.h>
+#include <signorini/parameters/raw.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -9,6 +10,7 @@
 #include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Signorini
 {
@@ -65,20 +67,45 @@ namespace Signorini
     all_constraints.reinit(locally_relevant);
     all_constraints.merge(hanging);
     for (const Support<dim> &support : my_supports)
-      {
-        const DisplacementFunction<dim> displacement(support.displacement, t);
-        ComponentMask                   mask(dim, false);
-        for (unsigned int d = 0; d < dim; ++d)
-          mask.set(d, support.displacement.prescribed(d));
-        for (const std::string &boundary : support.boundaries)
-          VectorTools::interpolate_boundary_values(my_mesh.mapping(),
-                                                   dofs,
-                                                   my_mesh.boundary_id(boundary),
-                                                   displacement,
-                                                   all_constraints,
-                                                   mask);
-      }
+      prescribe(support);
     all_constraints.close();
+  }
+
+
+
+  // Where supports meet, the first one counts; the others must agree with it.
+  template <int dim>
+  void
+  Elasticity<dim>::prescribe(const Support<dim> &support)
+  {
+    const DisplacementFunction<dim> displacement(support.displacement, time);
+    ComponentMask                   mask(dim, false);
+    for (unsigned int d = 0; d < dim; ++d)
+      mask.set(d, support.displacement.prescribed(d));
+    std::map<types::global_dof_index, double> values;
+    for (const std::string &boundary : support.boundaries)
+      VectorTools::interpolate_boundary_values(
+        my_mesh.mapping(), dofs, my_mesh.boundary_id(boundary), displacement, values, mask);
+
+    const double negligible  = 1e-12 * my_mesh.size(); // collective
+    bool         contradicts = false;
+    for (const auto &[dof, value] : values)
+      if (!all_constraints.is_constrained(dof))
+        {
+          all_constraints.add_line(dof);
+          all_constraints.set_inhomogeneity(dof, value);
+        }
+      else if (!hanging.is_constrained(dof))
+        {
+          const double first = all_constraints.get_inhomogeneity(dof);
+          contradicts |= std::abs(first - value) >
+                         1e-8 * std::max(std::abs(first), std::abs(value)) + negligible;
+        }
+    if (Utilities::MPI::max(contradicts ? 1 : 0, my_mesh.communicator()) > 0)
+      throw SceneError(
+        support.place + ": the Displacement of the support '" + support.name +
+        "' contradicts that of a support before it, at nodes that they share at t = " +
+        Utilities::to_string(time) + "; leave a component free in one of them");
   }
 
 
@@ -209,6 +236,7 @@ namespace Signorini
     residual -= contact_force;
 
     std::vector<Tensor<1, dim>> result;
+    IndexSet                    counted(dofs.n_dofs()); // by a support before
     for (const Support<dim> &support : my_supports)
       {
         std::set<types::boundary_id> ids;
@@ -220,9 +248,12 @@ namespace Signorini
             {
               ComponentMask mask(dim, false);
               mask.set(d, true);
-              for (const auto i : DoFTools::extract_boundary_dofs(dofs, mask, ids) & locally_owned)
-                if (all_constraints.is_constrained(i) && !hanging.is_constrained(i))
+              IndexSet held = DoFTools::extract_boundary_dofs(dofs, mask, ids) & locally_owned;
+              held.subtract_set(counted);
+              for (const auto i : held)
+                if (!hanging.is_constrained(i))
                   force[d] += residual(i);
+              counted.add_indices(held);
             }
         result.push_back(Utilities::MPI::sum(force, my_mesh.communicator()));
       }

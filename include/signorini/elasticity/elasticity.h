@@ -158,6 +158,8 @@ namespace Signorini
 
   private:
     void
+    prescribe(const Support<dim> &support);
+    void
     make_constraints(double t);
 
     const Mesh<dim>                &my_mesh;
