@@ -23,6 +23,7 @@ def parse():
     parser.add_argument("--pressure", type=float, required=True)
     parser.add_argument("--exact", type=float, default=1e-6)
     parser.add_argument("--uniform", type=float, default=1e-9)
+    parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--penetrates", action="store_true")
     return parser.parse_args()
 
@@ -30,7 +31,7 @@ def parse():
 def main():
     arguments = parse()
     runner = Runner(arguments)
-    runner.results(["Newton/Tolerance=1e-12"])
+    runner.results(["Newton/Tolerance=1e-12"], arguments.ranks)
     with open(os.path.join(runner.last_folder, "profiles", arguments.pair + ".csv")) as file:
         rows = list(csv.DictReader(file))
     pressure = [float(row["pressure"]) for row in rows]

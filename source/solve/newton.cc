@@ -143,9 +143,10 @@ namespace Signorini
         const double before    = n > 0 ? report.steps.back().residual : 0;
         const bool   at_bottom = n > 0 && step.changes == 0 && step.residual > before / 2 &&
                                step.residual <= force_rounding / scale;
-        const double tolerance = at_bottom ? force_rounding / scale : settings.tolerance;
-        const bool   balanced  = step.residual <= tolerance;
-        report.converged       = balanced && step.gap_residual <= tolerance;
+        const double tolerance =
+          std::max(settings.tolerance, at_bottom ? force_rounding / scale : 0.);
+        const bool balanced = step.residual <= tolerance;
+        report.converged    = balanced && step.gap_residual <= tolerance;
         if (balanced && !report.converged && method.augments() && n < settings.maximum_steps)
           {
             augmented = p;
