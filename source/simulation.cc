@@ -181,10 +181,10 @@ namespace Signorini
       surfaces.clear();
       for (const ContactPair<dim> &pair : scene.pairs)
         surfaces.push_back(
-          make_contact_surface(*elasticity, pair, scene.obstacle_of(pair), integration));
+          make_contact_surface(*elasticity, pair, scene.obstacle_of(pair), method, integration));
     }
     TimerOutput::Scope scope(timer, "contact");
-    contact = make_gap_operator(*elasticity, surfaces, method.sampling());
+    contact = make_gap_operator(*elasticity, surfaces, method);
     for (unsigned int i = 0; i < surfaces.size(); ++i)
       {
         const auto faces  = Utilities::MPI::sum(surfaces[i].faces, comm);

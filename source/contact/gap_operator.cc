@@ -1,4 +1,6 @@
+#include <signorini/contact/contact_rows.h>
 #include <signorini/contact/gap_operator.h>
+#include <signorini/contact/method.h>
 
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
@@ -6,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 namespace Signorini
 {
@@ -14,128 +16,14 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    Tensor<1, 3>
-    moment_of(const Point<dim> &x, const Tensor<1, dim> &n)
-    {
-      Tensor<1, 3> m;
-      if constexpr (dim == 2)
-        m[0] = x[0] * n[1] - x[1] * n[0];
-      else
-        m = cross_product_3d(x, n);
-      return m;
-    }
-
-    /// A share of a contact point that goes to a row of the gap operator.
-    struct Share
-    {
-      types::global_dof_index row;
-      double                  weight;
-    };
-
-    /// Which rows there are, and which shares of each contact point they take.
-    struct Rows
-    {
-      IndexSet owned;
-      IndexSet writable; ///< owned, and those that points of this rank contribute to
-      std::vector<std::vector<std::vector<Share>>> shares; ///< [pair][point]
-      std::vector<unsigned int>                    pair;
-      std::vector<types::global_dof_index>         node;
-    };
-
-    template <int dim>
-    Rows
-    quadrature_rows(const std::vector<ContactSurface<dim>> &surfaces, const MPI_Comm comm)
-    {
-      Rows rows;
-      for (unsigned int p = 0; p < surfaces.size(); ++p)
-        rows.pair.insert(rows.pair.end(), surfaces[p].points.size(), p);
-      rows.owned    = LA::contiguous_partition(rows.pair.size(), comm);
-      rows.writable = rows.owned;
-      auto row      = rows.owned.begin();
-      for (const auto &surface : surfaces)
-        {
-          rows.shares.emplace_back();
-          for (const auto &point : surface.points)
-            rows.shares.back().push_back({{*row++, point.weight}});
-        }
-      return rows;
-    }
-
-    /// Areas of the nodes of one pair, at their first degree of freedom: with a partner, and all.
-    template <int dim>
-    std::pair<LA::Vector, LA::Vector>
-    node_areas(const Elasticity<dim> &elasticity, const ContactSurface<dim> &surface)
-    {
-      LA::Vector paired = elasticity.zero_vector(), all = elasticity.zero_vector();
-      for (const auto &point : surface.points)
-        for (const auto &[node, value] : point.shape)
-          paired(node) += value * point.weight;
-      for (const auto &[shape, weight] : surface.whole)
-        for (const auto &[node, value] : shape)
-          all(node) += std::abs(value) * weight;
-      paired.compress(VectorOperation::add);
-      all.compress(VectorOperation::add);
-      return {paired, all};
-    }
-
-    template <int dim>
-    Rows
-    node_rows(const Elasticity<dim> &elasticity, const std::vector<ContactSurface<dim>> &surfaces)
-    {
-      Rows                    rows;
-      std::vector<LA::Vector> numbers; // row of each node, one vector a pair; -1: none
-      for (unsigned int p = 0; p < surfaces.size(); ++p)
-        {
-          const auto [paired, all] = node_areas(elasticity, surfaces[p]);
-          numbers.push_back(elasticity.zero_vector());
-          numbers.back() = -1.;
-          for (const auto i : elasticity.owned())
-            // A node beyond the rim of the master, with next to no area, has no gap to speak of.
-            if (all(i) > 0 && paired(i) > 0.01 * all(i))
-              {
-                numbers.back()(i) = rows.node.size();
-                rows.node.push_back(i);
-                rows.pair.push_back(p);
-              }
-          numbers.back().compress(VectorOperation::insert);
-        }
-      rows.owned    = LA::contiguous_partition(rows.node.size(), elasticity.mesh().communicator());
-      rows.writable = rows.owned;
-      for (unsigned int p = 0; p < surfaces.size(); ++p)
-        {
-          for (const auto i : elasticity.owned())
-            if (numbers[p](i) >= 0)
-              numbers[p](i) = numbers[p](i) + *rows.owned.begin();
-          numbers[p].compress(VectorOperation::insert);
-          const LA::Vector                  number = elasticity.with_ghosts(numbers[p]);
-          std::set<types::global_dof_index> foreign;
-          rows.shares.emplace_back();
-          for (const auto &point : surfaces[p].points)
-            {
-              rows.shares.back().emplace_back();
-              for (const auto &[node, value] : point.shape)
-                if (number(node) >= 0)
-                  {
-                    const auto row = static_cast<types::global_dof_index>(number(node));
-                    rows.shares.back().back().push_back({row, value * point.weight});
-                    if (!rows.owned.is_element(row))
-                      foreign.insert(row);
-                  }
-            }
-          rows.writable.add_indices(foreign.begin(), foreign.end());
-        }
-      return rows;
-    }
-
     using Indices = std::vector<types::global_dof_index>;
 
-    /// The rows of B that the points of one slave face contribute to, as a dense matrix: adding it
-    /// to B at once costs a fraction of adding point by point.
+    /// The rows of B and S that some points of one slave face contribute to, as dense matrices:
+    /// adding them at once costs a fraction of adding point by point.
     struct FaceMatrix
     {
       Indices            rows, columns;
-      FullMatrix<double> values;
+      FullMatrix<double> displacement, stress;
     };
 
     void
@@ -152,6 +40,27 @@ namespace Signorini
     }
 
     template <int dim>
+    void
+    append_columns(const ContactPoint<dim> &point, Indices &columns)
+    {
+      for (const SparseRow *row : {&point.row, &point.stress})
+        for (const auto &entry : *row)
+          columns.push_back(entry.first);
+    }
+
+    template <int dim>
+    bool
+    same_columns(const ContactPoint<dim> &a, const ContactPoint<dim> &b)
+    {
+      Indices of_a, of_b;
+      append_columns(a, of_a);
+      append_columns(b, of_b);
+      sort_and_unite(of_a);
+      sort_and_unite(of_b);
+      return of_a == of_b;
+    }
+
+    template <int dim>
     FaceMatrix
     face_matrix(const ContactSurface<dim>             &surface,
                 const std::vector<std::vector<Share>> &shares,
@@ -163,25 +72,31 @@ namespace Signorini
         {
           for (const Share &share : shares[q])
             matrix.rows.push_back(share.row);
-          for (const auto &entry : surface.points[q].row)
-            matrix.columns.push_back(entry.first);
+          append_columns(surface.points[q], matrix.columns);
         }
       sort_and_unite(matrix.rows);
       sort_and_unite(matrix.columns);
-      matrix.values.reinit(matrix.rows.size(), matrix.columns.size());
-      for (unsigned int q = first; q < last; ++q)
-        for (const auto &[column, value] : surface.points[q].row)
-          {
-            const unsigned int j = position_in(matrix.columns, column);
-            for (const auto &[row, weight] : shares[q])
-              matrix.values(position_in(matrix.rows, row), j) += weight * value;
-          }
+      const auto fill = [&](FullMatrix<double> &values, SparseRow ContactPoint<dim>::*member) {
+        values.reinit(matrix.rows.size(), matrix.columns.size());
+        for (unsigned int q = first; q < last; ++q)
+          for (const auto &[column, value] : surface.points[q].*member)
+            {
+              const unsigned int j = position_in(matrix.columns, column);
+              for (const auto &[row, weight] : shares[q])
+                values(position_in(matrix.rows, row), j) += weight * value;
+            }
+      };
+      fill(matrix.displacement, &ContactPoint<dim>::row);
+      if (!surface.points[first].stress.empty())
+        fill(matrix.stress, &ContactPoint<dim>::stress);
       return matrix;
     }
 
     template <int dim>
     std::vector<FaceMatrix>
-    face_matrices(const Rows &rows, const std::vector<ContactSurface<dim>> &surfaces)
+    face_matrices(const ContactRows                      &rows,
+                  const std::vector<ContactSurface<dim>> &surfaces,
+                  const Sampling                          sampling)
     {
       std::vector<FaceMatrix> matrices;
       for (unsigned int p = 0; p < surfaces.size(); ++p)
@@ -189,7 +104,9 @@ namespace Signorini
           const auto &points = surfaces[p].points;
           for (unsigned int first = 0, last = 0; first < points.size(); first = last)
             {
-              while (last < points.size() && points[last].face == points[first].face)
+              // Rows of points have the columns of their own partner only.
+              while (last < points.size() && points[last].face == points[first].face &&
+                     (sampling == Sampling::nodes || same_columns(points[first], points[last])))
                 ++last;
               matrices.push_back(face_matrix(surfaces[p], rows.shares[p], first, last));
             }
@@ -199,35 +116,45 @@ namespace Signorini
 
     template <int dim>
     void
-    assemble_matrix(GapOperator                            &contact,
-                    const Rows                             &rows,
-                    const std::vector<ContactSurface<dim>> &surfaces,
-                    const IndexSet                         &columns,
-                    const MPI_Comm                          comm)
+    assemble_matrices(GapOperator                            &contact,
+                      const ContactRows                      &rows,
+                      const std::vector<ContactSurface<dim>> &surfaces,
+                      const ContactMethod                    &method,
+                      const MPI_Comm                          comm)
     {
-      const std::vector<FaceMatrix>     matrices = face_matrices(rows, surfaces);
-      TrilinosWrappers::SparsityPattern pattern(rows.owned, columns, rows.writable, comm, 0u);
+      const std::vector<FaceMatrix>     matrices = face_matrices(rows, surfaces, method.sampling());
+      TrilinosWrappers::SparsityPattern pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
       for (const FaceMatrix &matrix : matrices)
         for (const auto row : matrix.rows)
           pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
       pattern.compress();
       contact.B.reinit(pattern);
       for (const FaceMatrix &matrix : matrices)
-        contact.B.add(matrix.rows, matrix.columns, matrix.values);
+        contact.B.add(matrix.rows, matrix.columns, matrix.displacement);
       contact.B.compress(VectorOperation::add);
+      if (method.predictor() != Predictor::normal_stress)
+        return;
+      contact.theta = method.theta();
+      contact.S.reinit(pattern);
+      for (const FaceMatrix &matrix : matrices)
+        contact.S.add(matrix.rows, matrix.columns, matrix.stress);
+      contact.S.compress(VectorOperation::add);
     }
 
     template <int dim>
     void
     assemble_vectors(GapOperator                            &contact,
-                     const Rows                             &rows,
+                     const ContactRows                      &rows,
                      const std::vector<ContactSurface<dim>> &surfaces,
+                     const ContactMethod                    &method,
+                     const double                            size,
                      const MPI_Comm                          comm)
     {
       const unsigned int n_moments = dim == 2 ? 1 : 3;
       contact.weight.reinit(rows.owned, comm);
       contact.rest_gap.reinit(contact.weight);
       contact.stiffness.reinit(contact.weight);
+      contact.epsilon.reinit(contact.weight);
       contact.position.assign(dim, contact.zero());
       contact.normal.assign(dim, contact.zero());
       contact.moment.assign(n_moments, contact.zero());
@@ -237,11 +164,14 @@ namespace Signorini
           {
             const ContactPoint<dim> &point  = surfaces[p].points[q];
             const Tensor<1, 3>       moment = moment_of(point.position, point.normal);
+            const double             epsilon =
+              method.penalty({point.stiffness, size / point.depth, point.bound});
             for (const auto &[row, weight] : rows.shares[p][q])
               {
                 contact.weight(row) += weight;
                 contact.rest_gap(row) += weight * point.gap;
                 contact.stiffness(row) += weight * point.stiffness;
+                contact.epsilon(row) += weight * epsilon;
                 for (unsigned int d = 0; d < dim; ++d)
                   {
                     contact.position[d](row) += weight * point.position[d];
@@ -299,7 +229,7 @@ namespace Signorini
         inverse(i) = 1 / contact.weight(i);
       inverse.compress(VectorOperation::insert);
 
-      std::vector<LA::Vector *> means = {&contact.rest_gap, &contact.stiffness};
+      std::vector<LA::Vector *> means = {&contact.rest_gap, &contact.stiffness, &contact.epsilon};
       for (auto *group : {&contact.position, &contact.normal, &contact.moment})
         for (LA::Vector &v : *group)
           means.push_back(&v);
@@ -309,6 +239,8 @@ namespace Signorini
           v->scale(inverse);
         }
       LA::scale_rows(contact.B, inverse);
+      if (contact.has_stress())
+        LA::scale_rows(contact.S, inverse);
     }
   } // namespace
 
@@ -318,21 +250,19 @@ namespace Signorini
   std::unique_ptr<GapOperator>
   make_gap_operator(const Elasticity<dim>                  &elasticity,
                     const std::vector<ContactSurface<dim>> &surfaces,
-                    const Sampling                          sampling)
+                    const ContactMethod                    &method)
   {
-    const MPI_Comm comm = elasticity.mesh().communicator();
-    const Rows     rows = sampling == Sampling::nodes ? node_rows(elasticity, surfaces) :
-                                                        quadrature_rows(surfaces, comm);
-
-    auto         result  = std::make_unique<GapOperator>();
-    GapOperator &contact = *result;
-    contact.dofs         = elasticity.owned();
-    contact.pair         = rows.pair;
-    contact.node         = rows.node;
-    assemble_matrix(contact, rows, surfaces, elasticity.owned(), comm);
-    assemble_vectors(contact, rows, surfaces, comm);
+    const MPI_Comm    comm    = elasticity.mesh().communicator();
+    const ContactRows rows    = make_contact_rows(elasticity, surfaces, method.sampling());
+    auto              result  = std::make_unique<GapOperator>();
+    GapOperator      &contact = *result;
+    contact.dofs              = elasticity.owned();
+    contact.pair              = rows.pair;
+    contact.node              = rows.node;
+    assemble_matrices(contact, rows, surfaces, method, comm);
+    assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), comm);
     normalise(contact);
-    if (sampling == Sampling::nodes)
+    if (method.sampling() == Sampling::nodes)
       move_to_nodes(contact, elasticity);
 
     LA::Vector free = elasticity.zero_vector();
@@ -340,6 +270,11 @@ namespace Signorini
     elasticity.constraints().set_zero(free);
     contact.B_free.copy_from(contact.B);
     LA::scale_columns(contact.B_free, free);
+    if (contact.has_stress())
+      {
+        contact.S_free.copy_from(contact.S);
+        LA::scale_columns(contact.S_free, free);
+      }
     contact.initial_gap = contact.rest_gap;
     return result;
   }
@@ -374,36 +309,56 @@ namespace Signorini
 
 
 
-  namespace
-  {
-    LA::Vector
-    transposed(const LA::SparseMatrix &B, const GapOperator &contact, const LA::Vector &p)
-    {
-      // Not the communicator of p: an empty vector may have been assigned without one.
-      LA::Vector force(contact.dofs, contact.weight.get_mpi_communicator());
-      if (contact.empty())
-        return force;
-      LA::Vector weighted = p;
-      weighted.scale(contact.weight);
-      B.Tvmult(force, weighted);
-      return force;
-    }
-  } // namespace
-
-
-
   LA::Vector
-  GapOperator::force(const LA::Vector &p) const
+  GapOperator::stress(const LA::Vector &u) const
   {
-    return transposed(B_free, *this, p);
+    LA::Vector s = zero();
+    if (has_stress() && !empty())
+      S.vmult(s, u);
+    return s;
   }
 
 
 
   LA::Vector
-  GapOperator::total_force(const LA::Vector &p) const
+  GapOperator::transposed(const LA::SparseMatrix &B_or_free,
+                          const LA::SparseMatrix &S_or_free,
+                          const LA::Vector       &p,
+                          const LA::Vector       &s) const
   {
-    return transposed(B, *this, p);
+    // Not the communicator of p: an empty vector may have been assigned without one.
+    LA::Vector result(dofs, weight.get_mpi_communicator());
+    if (empty())
+      return result;
+    LA::Vector weighted = p;
+    weighted.scale(weight);
+    B_or_free.Tvmult(result, weighted);
+    if (theta == 0)
+      return result;
+    for (const auto i : weighted.locally_owned_elements())
+      weighted(i) = theta * weight(i) / epsilon(i) * (s(i) - p(i));
+    weighted.compress(VectorOperation::insert);
+    LA::Vector of_stress;
+    of_stress.reinit(result);
+    S_or_free.Tvmult(of_stress, weighted);
+    result += of_stress;
+    return result;
+  }
+
+
+
+  LA::Vector
+  GapOperator::force(const LA::Vector &p, const LA::Vector &s) const
+  {
+    return transposed(B_free, S_free, p, s);
+  }
+
+
+
+  LA::Vector
+  GapOperator::total_force(const LA::Vector &p, const LA::Vector &s) const
+  {
+    return transposed(B, S, p, s);
   }
 
 
@@ -433,7 +388,11 @@ namespace Signorini
 
 
   template std::unique_ptr<GapOperator>
-  make_gap_operator(const Elasticity<2> &, const std::vector<ContactSurface<2>> &, Sampling);
+  make_gap_operator(const Elasticity<2> &,
+                    const std::vector<ContactSurface<2>> &,
+                    const ContactMethod &);
   template std::unique_ptr<GapOperator>
-  make_gap_operator(const Elasticity<3> &, const std::vector<ContactSurface<3>> &, Sampling);
+  make_gap_operator(const Elasticity<3> &,
+                    const std::vector<ContactSurface<3>> &,
+                    const ContactMethod &);
 } // namespace Signorini

@@ -1,6 +1,8 @@
 #include <signorini/contact/method.h>
 #include <signorini/contact/methods/augmented_lagrangian.h>
+#include <signorini/contact/methods/direct_elimination.h>
 #include <signorini/contact/methods/lagrange_multiplier.h>
+#include <signorini/contact/methods/nitsche.h>
 #include <signorini/contact/methods/penalty.h>
 #include <signorini/contact/methods/perturbed_lagrangian.h>
 
@@ -21,7 +23,9 @@ namespace Signorini
       {"penalty", [] { return std::make_shared<Penalty>(); }},
       {"augmented Lagrangian", [] { return std::make_shared<AugmentedLagrangian>(); }},
       {"perturbed Lagrangian", [] { return std::make_shared<PerturbedLagrangian>(); }},
-      {"Lagrange multiplier", [] { return std::make_shared<LagrangeMultiplier>(); }}};
+      {"Lagrange multiplier", [] { return std::make_shared<LagrangeMultiplier>(); }},
+      {"direct elimination", [] { return std::make_shared<DirectElimination>(); }},
+      {"Nitsche", [] { return std::make_shared<Nitsche>(); }}};
   } // namespace
 
 
@@ -60,39 +64,18 @@ namespace Signorini
                     LA::Vector          &pressure,
                     LA::Vector          &active)
   {
-    const bool   multipliers = method.has_multipliers();
-    const double factor      = method.factor();
-    unsigned int n_active    = 0;
+    unsigned int n_active = 0;
     for (const auto i : contact.weight.locally_owned_elements())
       {
-        const double before = predicted(i);
-        const double law =
-          (method.compliance() > 0 ? 0. : before) - factor * contact.stiffness(i) * gap(i);
-        const bool touches = law > 0 && contact.weight(i) > 0;
-        active(i)          = touches ? 1. : 0.;
-        pressure(i)        = touches ? (multipliers ? before : law) : 0.;
+        const double before  = pressure(i);
+        const double law     = predicted(i) - contact.epsilon(i) * gap(i);
+        const bool   touches = law > 0 && contact.weight(i) > 0;
+        active(i)            = touches ? 1. : 0.;
+        pressure(i)          = !touches ? 0. : method.has_multipliers() ? before : law;
         n_active += touches;
       }
     active.compress(VectorOperation::insert);
     pressure.compress(VectorOperation::insert);
     return Utilities::MPI::sum(n_active, active.get_mpi_communicator());
-  }
-
-
-
-  ContactConditions
-  contact_conditions(const LA::Vector &gap, const LA::Vector &pressure)
-  {
-    std::array<double, 3> worst{{0, 0, 0}};
-    for (const auto i : gap.locally_owned_elements())
-      {
-        worst[0] = std::max(worst[0], -gap(i));
-        worst[1] = std::max(worst[1], -pressure(i));
-        worst[2] = std::max(worst[2], std::abs(gap(i) * pressure(i)));
-      }
-    const MPI_Comm comm = gap.get_mpi_communicator();
-    return {Utilities::MPI::max(worst[0], comm),
-            Utilities::MPI::max(worst[1], comm),
-            Utilities::MPI::max(worst[2], comm)};
   }
 } // namespace Signorini

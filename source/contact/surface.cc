@@ -1,4 +1,7 @@
+#include <signorini/contact/method.h>
+#include <signorini/contact/normal_stress.h>
 #include <signorini/contact/surface.h>
+#include <signorini/parameters/section.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -14,13 +17,19 @@ namespace Signorini
     template <int dim>
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
+    template <int dim>
+    double
+    depth(const Cell<dim> &cell, const unsigned int face)
+    {
+      return cell->measure() / cell->face(face)->measure();
+    }
+
     /// E/h of a cell behind a face, h being the depth of the cell.
     template <int dim>
     double
     stiffness(const Elasticity<dim> &elasticity, const Cell<dim> &cell, const unsigned int face)
     {
-      return elasticity.material(cell->material_id()).youngs_modulus * cell->face(face)->measure() /
-             cell->measure();
+      return elasticity.material(cell->material_id()).youngs_modulus / depth<dim>(cell, face);
     }
 
     template <int dim>
@@ -53,21 +62,60 @@ namespace Signorini
       return result;
     }
 
+    /// Bounds of the normal stress on faces, see NormalStress::bound(), each found when it is first
+    /// asked for. Faces of one cell share its energy.
+    template <int dim>
+    class StressBounds
+    {
+    public:
+      StressBounds(const Faces<dim> &faces)
+        : faces(faces)
+        , bounds(faces.size(), -1.)
+      {}
+
+      /// @param stress on the cell of face i
+      double
+      operator()(const NormalStress<dim> &stress, const unsigned int i)
+      {
+        if (bounds[i] < 0)
+          bounds[i] = stress.bound(faces[i].second) *
+                      std::count_if(faces.begin(), faces.end(), [&](const auto &other) {
+                        return other.first == faces[i].first;
+                      });
+        return bounds[i];
+      }
+
+    private:
+      const Faces<dim>    faces;
+      std::vector<double> bounds;
+    };
+
     template <int dim>
     MasterFaces<dim>
-    master_faces(const Elasticity<dim> &elasticity, const Faces<dim> &faces)
+    master_faces(const Elasticity<dim> &elasticity, const Faces<dim> &faces, const bool with_stress)
     {
       MasterFaces<dim> master;
-      master.patches = patches(elasticity, faces);
-      master.complete =
-        [&elasticity, faces, trace = Trace<dim>(elasticity)](const unsigned int    i,
-                                                             const Point<dim - 1> &xi,
-                                                             Partner<dim> &partner) mutable {
-          const auto &[cell, face] = faces[i];
-          trace.reinit(cell);
-          partner.row       = trace.normal_displacement(unit_point<dim>(face, xi), partner.normal);
-          partner.stiffness = stiffness(elasticity, cell, face);
-        };
+      master.patches  = patches(elasticity, faces);
+      master.complete = [&elasticity,
+                         faces,
+                         with_stress,
+                         trace  = Trace<dim>(elasticity),
+                         stress = std::make_shared<NormalStress<dim>>(elasticity),
+                         bound  = StressBounds<dim>(faces)](const unsigned int    i,
+                                                           const Point<dim - 1> &xi,
+                                                           Partner<dim>         &partner) mutable {
+        const auto &[cell, face]    = faces[i];
+        const Point<dim>      place = unit_point<dim>(face, xi);
+        const Tensor<1, dim> &n     = partner.normal;
+        trace.reinit(cell);
+        partner.row       = trace.normal_displacement(place, n);
+        partner.stiffness = stiffness(elasticity, cell, face);
+        if (!with_stress)
+          return;
+        stress->reinit(cell);
+        partner.stress = stress->row(place, -n, n);
+        partner.bound  = bound(*stress, i);
+      };
       return master;
     }
 
@@ -103,6 +151,7 @@ namespace Signorini
             point.partner.normal    = place.normal;
             point.partner.distance  = std::abs(place.gap);
             point.partner.stiffness = std::numeric_limits<double>::infinity();
+            point.partner.bound     = std::numeric_limits<double>::infinity();
             points.push_back(std::move(point));
           }
       return points;
@@ -157,9 +206,240 @@ namespace Signorini
       for (const auto &[index, value] : partner.row)
         point.row.emplace_back(index, -value);
       unite(point.row);
-      point.shape = trace.shape(unit_point);
-      point.face  = paired.face;
+      point.face = paired.face;
       return point;
+    }
+
+    /// The mean of both bodies' stresses whose bound is the smallest: they count by the inverse of
+    /// their bounds, so that a stiff body does not matter beside a soft one, whichever is the slave
+    /// (Annavarapu, Hautefeuille, Dolbow, Comput. Methods Appl. Mech. Engrg. 225-228 (2012) 44-54).
+    template <int dim>
+    void
+    set_stress(const SparseRow    &own,
+               const double        own_bound,
+               const Partner<dim> &partner,
+               const bool          own_alone,
+               ContactPoint<dim>  &point)
+    {
+      const double share =
+        own_alone || std::isinf(partner.bound) ? 1. : partner.bound / (own_bound + partner.bound);
+      for (const auto &[index, value] : own)
+        point.stress.emplace_back(index, share * value);
+      if (share < 1)
+        for (const auto &[index, value] : partner.stress)
+          point.stress.emplace_back(index, (1 - share) * value);
+      unite(point.stress);
+      point.bound = share * own_bound;
+    }
+
+    /// Nodes of a face whose displacement along the normal is prescribed, or nearly so.
+    template <int dim>
+    std::set<types::global_dof_index>
+    prescribed_nodes(const Elasticity<dim> &elasticity,
+                     const Cell<dim>       &cell,
+                     const unsigned int     face,
+                     const FacePatch<dim>  &patch)
+    {
+      const auto                          &fe = elasticity.finite_element();
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      std::set<types::global_dof_index> nodes;
+      for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+        {
+          const unsigned int first = fe.component_to_system_index(0, i);
+          if (!fe.has_support_on_face(first, face))
+            continue;
+          Point<dim - 1>   xi;
+          const Point<dim> place = fe.base_element(0).unit_support_point(i);
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            xi[d] = place[(face / 2 + 1 + d) % dim]; // see unit_point()
+          const Tensor<1, dim> n         = patch.normal(xi);
+          double               can_move2 = 0;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const auto dof = indices[fe.component_to_system_index(d, i)];
+              if (!elasticity.constraints().is_constrained(dof) ||
+                  elasticity.hanging_nodes().is_constrained(dof))
+                can_move2 += n[d] * n[d];
+            }
+          if (can_move2 < 0.01)
+            nodes.insert(indices[first]);
+        }
+      return nodes;
+    }
+
+    /// The slave side of a pair on this rank.
+    template <int dim>
+    struct Slave
+    {
+      Faces<dim>                  faces;
+      std::vector<FacePatch<dim>> patches;
+    };
+
+    /// The contact points of paired points, which are sorted by faces; all but the functions of the
+    /// pressure.
+    template <int dim>
+    std::vector<ContactPoint<dim>>
+    contact_points(const Elasticity<dim>               &elasticity,
+                   const ContactPair<dim>              &pair,
+                   const ContactMethod                 &method,
+                   const Slave<dim>                    &slave,
+                   const std::vector<PairedPoint<dim>> &paired_points)
+    {
+      std::vector<ContactPoint<dim>> result;
+      Trace<dim>                     trace(elasticity);
+      NormalStress<dim>              stress(elasticity);
+      StressBounds<dim>              bound(slave.faces);
+      const bool                     with_stress = method.predictor() == Predictor::normal_stress;
+      for (const PairedPoint<dim> &paired : paired_points)
+        {
+          const auto &[cell, face] = slave.faces[paired.face];
+          const auto      &patch   = slave.patches[paired.face];
+          const Point<dim> place   = unit_point<dim>(face, paired.xi);
+          const bool       is_new  = result.empty() || result.back().face != paired.face;
+          if (is_new)
+            trace.reinit(cell);
+          result.push_back(contact_point(
+            pair, patch, paired, place, stiffness<dim>(elasticity, cell, face), trace));
+          result.back().depth = depth<dim>(cell, face);
+          if (!with_stress)
+            continue;
+          if (is_new)
+            stress.reinit(cell);
+          set_stress(stress.row(place, paired.partner.normal, patch.normal(paired.xi)),
+                     bound(stress, paired.face),
+                     paired.partner,
+                     method.unbiased(),
+                     result.back());
+        }
+      return result;
+    }
+
+    /// Sets the functions of the pressure at the points. Returns the number of faces that can carry
+    /// none, since the displacement of all their nodes is prescribed.
+    template <int dim>
+    unsigned int
+    set_shapes(const Elasticity<dim>               &elasticity,
+               const ContactMethod                 &method,
+               const Slave<dim>                    &slave,
+               const std::vector<PairedPoint<dim>> &paired_points,
+               std::vector<ContactPoint<dim>>      &points)
+    {
+      // Otherwise a law says what the pressure is, whatever nodes can do.
+      const bool must_balance = method.predictor() == Predictor::multiplier ||
+                                method.predictor() == Predictor::last_pressure;
+      Trace<dim>             trace(elasticity);
+      std::vector<SparseRow> shapes;
+      std::vector<double>    weights;
+      unsigned int           n_prescribed = 0;
+      for (unsigned int first = 0, last = 0; first < points.size(); first = last)
+        {
+          const auto &[cell, face] = slave.faces[points[first].face];
+          trace.reinit(cell);
+          shapes.clear();
+          weights.clear();
+          for (; last < points.size() && points[last].face == points[first].face; ++last)
+            {
+              shapes.push_back(
+                trace.unresolved_shape(unit_point<dim>(face, paired_points[last].xi)));
+              weights.push_back(points[last].weight);
+            }
+          const PressureBasis basis(
+            shapes,
+            weights,
+            method.basis(),
+            must_balance ?
+              prescribed_nodes(elasticity, cell, face, slave.patches[points[first].face]) :
+              std::set<types::global_dof_index>());
+          n_prescribed += basis.empty();
+          for (unsigned int q = first; q < last; ++q)
+            {
+              points[q].shape = basis.at(shapes[q - first]);
+              resolve(elasticity.hanging_nodes(), points[q].shape);
+            }
+        }
+      return n_prescribed;
+    }
+
+    template <int dim>
+    std::vector<std::pair<SparseRow, double>>
+    whole_faces(const Elasticity<dim> &elasticity, const Slave<dim> &slave)
+    {
+      std::vector<std::pair<SparseRow, double>> result;
+      Trace<dim>                                trace(elasticity);
+      const QGauss<dim - 1>                     rule(elasticity.finite_element().degree + 1);
+      for (unsigned int i = 0; i < slave.faces.size(); ++i)
+        {
+          trace.reinit(slave.faces[i].first);
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            result.emplace_back(trace.shape(unit_point<dim>(slave.faces[i].second, rule.point(q))),
+                                rule.weight(q) * slave.patches[i].jacobian(rule.point(q)));
+        }
+      return result;
+    }
+
+    /// With the pair's slave and master as they are.
+    template <int dim>
+    ContactSurface<dim>
+    one_sided(const Elasticity<dim>  &elasticity,
+              const ContactPair<dim> &pair,
+              const Obstacle<dim>    *obstacle,
+              const ContactMethod    &method,
+              const Integration      &integration)
+    {
+      const MPI_Comm      comm = elasticity.mesh().communicator();
+      ContactSurface<dim> surface;
+      Slave<dim>          slave;
+      slave.faces   = owned_faces(elasticity, pair.slave);
+      slave.patches = patches(elasticity, slave.faces);
+      surface.faces = slave.faces.size();
+      const double limit =
+        pair.search_distance > 0 ? pair.search_distance : elasticity.mesh().size() / 10;
+      // Distances change by no more than its diameter on a face: this reach finds all points of
+      // each face that has one within the limit.
+      const double reach  = limit + largest_diameter(slave.patches, comm);
+      auto         paired = obstacle ?
+                              obstacle_points(slave.patches, *obstacle, integration, reach) :
+                              pair_points(slave.patches,
+                                  master_faces(elasticity,
+                                               owned_faces(elasticity, pair.master),
+                                               method.predictor() == Predictor::normal_stress),
+                                  integration,
+                                  reach,
+                                  comm,
+                                  surface.statistics);
+      drop_far_faces(limit, paired);
+      std::stable_sort(paired.begin(), paired.end(), [](const auto &a, const auto &b) {
+        return a.face < b.face;
+      });
+      surface.points          = contact_points(elasticity, pair, method, slave, paired);
+      const auto n_prescribed = set_shapes(elasticity, method, slave, paired, surface.points);
+      if (!obstacle && Utilities::MPI::max(n_prescribed, comm) > 0)
+        throw SceneError(
+          pair.slave_place + ": the displacement of faces of '" + pair.slave +
+          "' is prescribed along the normal at all their nodes, so that they cannot carry an "
+          "unknown pressure; exchange Slave and Master, or take Contact method/Method = penalty");
+      surface.whole = whole_faces(elasticity, slave);
+      return surface;
+    }
+
+    /// Adds the points of the master as slave.
+    template <int dim>
+    void
+    add_other_side(ContactSurface<dim> &surface, const ContactSurface<dim> &other)
+    {
+      for (const ContactPoint<dim> &point : other.points)
+        {
+          surface.points.push_back(point);
+          surface.points.back().face += surface.faces;
+          surface.points.back().normal *= -1;
+        }
+      surface.whole.insert(surface.whole.end(), other.whole.begin(), other.whole.end());
+      for (ContactPoint<dim> &point : surface.points)
+        point.weight /= 2;
+      for (auto &entry : surface.whole)
+        entry.second /= 2;
+      surface.faces += other.faces;
     }
   } // namespace
 
@@ -184,52 +464,16 @@ namespace Signorini
   make_contact_surface(const Elasticity<dim>  &elasticity,
                        const ContactPair<dim> &pair,
                        const Obstacle<dim>    *obstacle,
+                       const ContactMethod    &method,
                        const Integration      &integration)
   {
-    const MPI_Comm      comm = elasticity.mesh().communicator();
-    ContactSurface<dim> surface;
-    const Faces<dim>    faces = owned_faces(elasticity, pair.slave);
-    const auto          slave = patches(elasticity, faces);
-    const double        limit =
-      pair.search_distance > 0 ? pair.search_distance : elasticity.mesh().size() / 10;
-    // Distances change by no more than its diameter on a face: this reach finds all points of each
-    // face that has one within the limit.
-    const double reach  = limit + largest_diameter(slave, comm);
-    auto         points = obstacle ?
-                            obstacle_points(slave, *obstacle, integration, reach) :
-                            pair_points(slave,
-                                master_faces(elasticity, owned_faces(elasticity, pair.master)),
-                                integration,
-                                reach,
-                                comm,
-                                surface.statistics);
-    drop_far_faces(limit, points);
-    std::stable_sort(points.begin(), points.end(), [](const auto &a, const auto &b) {
-      return a.face < b.face;
-    });
-
-    Trace<dim> trace(elasticity);
-    surface.faces = faces.size();
-    for (const PairedPoint<dim> &point : points)
+    ContactSurface<dim> surface = one_sided(elasticity, pair, obstacle, method, integration);
+    if (method.unbiased() && !obstacle)
       {
-        const auto &[cell, face] = faces[point.face];
-        trace.reinit(cell);
-        surface.points.push_back(contact_point(pair,
-                                               slave[point.face],
-                                               point,
-                                               unit_point<dim>(face, point.xi),
-                                               stiffness(elasticity, cell, face),
-                                               trace));
+        ContactPair<dim> other = pair;
+        std::swap(other.slave, other.master);
+        add_other_side(surface, one_sided<dim>(elasticity, other, nullptr, method, integration));
       }
-    const QGauss<dim - 1> rule(elasticity.finite_element().degree + 1);
-    for (unsigned int i = 0; i < faces.size(); ++i)
-      for (unsigned int q = 0; q < rule.size(); ++q)
-        {
-          const Point<dim - 1> &xi = rule.point(q);
-          trace.reinit(faces[i].first);
-          surface.whole.emplace_back(trace.shape(unit_point<dim>(faces[i].second, xi)),
-                                     rule.weight(q) * slave[i].jacobian(xi));
-        }
     return surface;
   }
 
@@ -243,10 +487,12 @@ namespace Signorini
   make_contact_surface(const Elasticity<2> &,
                        const ContactPair<2> &,
                        const Obstacle<2> *,
+                       const ContactMethod &,
                        const Integration &);
   template ContactSurface<3>
   make_contact_surface(const Elasticity<3> &,
                        const ContactPair<3> &,
                        const Obstacle<3> *,
+                       const ContactMethod &,
                        const Integration &);
 } // namespace Signorini

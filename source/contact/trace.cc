@@ -23,28 +23,24 @@ namespace Signorini
 
 
 
-  namespace
+  void
+  resolve(const AffineConstraints<double> &hanging, SparseRow &row)
   {
-    /// Replace hanging nodes by the nodes that they hang on.
-    void
-    resolve(const AffineConstraints<double> &hanging, SparseRow &row)
-    {
-      const std::size_t n = row.size();
-      for (std::size_t i = 0; i < n; ++i)
-        if (const auto *entries = hanging.get_constraint_entries(row[i].first))
-          {
-            const double factor = row[i].second;
-            row[i].second       = 0;
-            for (const auto &[index, weight] : *entries)
-              row.emplace_back(index, factor * weight);
-          }
-      row.erase(std::remove_if(row.begin(),
-                               row.end(),
-                               [](const auto &entry) { return entry.second == 0; }),
-                row.end());
-      unite(row);
-    }
-  } // namespace
+    const std::size_t n = row.size();
+    for (std::size_t i = 0; i < n; ++i)
+      if (const auto *entries = hanging.get_constraint_entries(row[i].first))
+        {
+          const double factor = row[i].second;
+          row[i].second       = 0;
+          for (const auto &[index, weight] : *entries)
+            row.emplace_back(index, factor * weight);
+        }
+    row.erase(std::remove_if(row.begin(),
+                             row.end(),
+                             [](const auto &entry) { return entry.second == 0; }),
+              row.end());
+    unite(row);
+  }
 
 
 
@@ -85,13 +81,23 @@ namespace Signorini
 
   template <int dim>
   SparseRow
-  Trace<dim>::shape(const Point<dim> &unit_point) const
+  Trace<dim>::unresolved_shape(const Point<dim> &unit_point) const
   {
     SparseRow row;
     for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
       if (const double value = fe.base_element(0).shape_value(i, unit_point);
           std::abs(value) > 1e-14)
         row.emplace_back(indices[fe.component_to_system_index(0, i)], value);
+    return row;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  Trace<dim>::shape(const Point<dim> &unit_point) const
+  {
+    SparseRow row = unresolved_shape(unit_point);
     resolve(hanging, row);
     return row;
   }

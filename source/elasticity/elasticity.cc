@@ -6,6 +6,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 
@@ -199,7 +200,21 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<Tensor<1, dim>>
+  Tensor<1, 3>
+  moment_of(const Point<dim> &x, const Tensor<1, dim> &f)
+  {
+    Tensor<1, 3> m;
+    if constexpr (dim == 2)
+      m[0] = x[0] * f[1] - x[1] * f[0];
+    else
+      m = cross_product_3d(x, f);
+    return m;
+  }
+
+
+
+  template <int dim>
+  std::vector<Resultant<dim>>
   Elasticity<dim>::reactions(const LA::Vector &u, const LA::Vector &contact_force) const
   {
     // Unconstrained residual: internal forces - loads, hanging nodes resolved.
@@ -212,7 +227,13 @@ namespace Signorini
     FullMatrix<double>                   cell_matrix(n);
     Vector<double>                       cell_force(n), cell_load(n), values(n);
     std::vector<types::global_dof_index> indices(n);
-    Tensor<1, dim>                       total_load;
+    Resultant<dim>                       total_load;
+    // Of the nodes of supported cells; a node is a point in the middle of a cell, too.
+    std::map<types::global_dof_index, Point<dim>> position;
+    FEValues<dim>                                 nodes(my_mesh.mapping(),
+                        fe,
+                        Quadrature<dim>(fe.get_unit_support_points()),
+                        update_quadrature_points);
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -221,10 +242,17 @@ namespace Signorini
           const bool supported = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
             return all_constraints.is_constrained(i);
           });
-          for (unsigned int i = 0; loaded && i < n; ++i)
-            total_load[fe.system_to_component_index(i).first] += cell_load[i];
           if (!supported && !loaded)
             continue;
+          nodes.reinit(cell);
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              position[indices[i]] = nodes.quadrature_point(i);
+              Tensor<1, dim> force;
+              force[fe.system_to_component_index(i).first] = loaded ? cell_load[i] : 0.;
+              total_load.force += force;
+              total_load.moment += moment_of(nodes.quadrature_point(i), force);
+            }
           kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
           cell->get_dof_values(ghosted, values);
           cell_matrix.vmult(cell_force, values);
@@ -235,14 +263,14 @@ namespace Signorini
     residual.compress(VectorOperation::add);
     residual -= contact_force;
 
-    std::vector<Tensor<1, dim>> result;
+    std::vector<Resultant<dim>> result;
     IndexSet                    counted(dofs.n_dofs()); // by a support before
     for (const Support<dim> &support : my_supports)
       {
         std::set<types::boundary_id> ids;
         for (const std::string &boundary : support.boundaries)
           ids.insert(my_mesh.boundary_id(boundary));
-        Tensor<1, dim> force;
+        Resultant<dim> sum;
         for (unsigned int d = 0; d < dim; ++d)
           if (support.displacement.prescribed(d))
             {
@@ -252,17 +280,31 @@ namespace Signorini
               held.subtract_set(counted);
               for (const auto i : held)
                 if (!hanging.is_constrained(i))
-                  force[d] += residual(i);
+                  {
+                    Tensor<1, dim> force;
+                    force[d] = residual(i);
+                    sum.force += force;
+                    sum.moment += moment_of(position.at(i), force);
+                  }
               counted.add_indices(held);
             }
-        result.push_back(Utilities::MPI::sum(force, my_mesh.communicator()));
+        result.push_back(sum);
       }
-    result.push_back(Utilities::MPI::sum(total_load, my_mesh.communicator()));
+    result.push_back(total_load);
+    for (Resultant<dim> &resultant : result)
+      {
+        resultant.force  = Utilities::MPI::sum(resultant.force, my_mesh.communicator());
+        resultant.moment = Utilities::MPI::sum(resultant.moment, my_mesh.communicator());
+      }
     return result;
   }
 
 
 
+  template Tensor<1, 3>
+  moment_of(const Point<2> &, const Tensor<1, 2> &);
+  template Tensor<1, 3>
+  moment_of(const Point<3> &, const Tensor<1, 3> &);
   template class Elasticity<2>;
   template class Elasticity<3>;
 } // namespace Signorini

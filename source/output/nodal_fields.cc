@@ -10,15 +10,6 @@ namespace Signorini
 
   namespace
   {
-    // A rank may have contact points but no node of its own, so all ranks are asked.
-    bool
-    samples_nodes(const GapOperator &contact, const MPI_Comm comm)
-    {
-      return Utilities::MPI::max(contact.node.empty() ? 0u : 1u, comm) == 1;
-    }
-
-
-
     template <int dim>
     LA::Vector
     from_nodes(const Snapshot<dim> &snapshot, const LA::Vector &values, const unsigned int pair)
@@ -96,13 +87,21 @@ namespace Signorini
 
 
 
+  bool
+  samples_nodes(const GapOperator &contact)
+  {
+    return Utilities::MPI::max(contact.node.empty() ? 0u : 1u,
+                               contact.weight.get_mpi_communicator()) == 1;
+  }
+
+
+
   template <int dim>
   LA::Vector
   nodal_field(const Snapshot<dim> &snapshot, const LA::Vector &values, const unsigned int pair)
   {
-    LA::Vector field = samples_nodes(snapshot.contact, snapshot.elasticity.mesh().communicator()) ?
-                         from_nodes(snapshot, values, pair) :
-                         from_points(snapshot, values, pair);
+    LA::Vector field = samples_nodes(snapshot.contact) ? from_nodes(snapshot, values, pair) :
+                                                         from_points(snapshot, values, pair);
     snapshot.elasticity.hanging_nodes().distribute(field);
     return field;
   }

@@ -1,3 +1,4 @@
+#include <signorini/output/nodal_fields.h>
 #include <signorini/output/results.h>
 
 #include <deal.II/base/utilities.h>
@@ -81,6 +82,15 @@ namespace Signorini
             sums.tension         = std::max(sums.tension, -p);
             sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
           }
+      // Within a face, a pressure at points varies by more than the solution does; its means with
+      // the nodes' shape functions are what other methods call the pressure.
+      if (!samples_nodes(s.contact))
+        {
+          sums.pressure          = 0;
+          const LA::Vector nodal = nodal_field(s, s.pressure, pair);
+          for (const auto i : nodal.locally_owned_elements())
+            sums.pressure = std::max(sums.pressure, nodal(i));
+        }
       sums.over_ranks(s.elasticity.mesh().communicator());
       return sums;
     }
@@ -118,30 +128,37 @@ namespace Signorini
   force_results(const Snapshot<dim> &s, const std::vector<bool> &master_is_rigid)
   {
     const auto reactions =
-      s.elasticity.reactions(s.displacement, s.contact.total_force(s.pressure));
+      s.elasticity.reactions(s.displacement,
+                             s.contact.total_force(s.pressure, s.contact.stress(s.displacement)));
     Json           supports = Json::object();
-    Tensor<1, dim> sum;
+    Resultant<dim> sum;
     double         largest = 0;
     for (unsigned int i = 0; i < s.elasticity.supports().size(); ++i)
-      supports[s.elasticity.supports()[i].name] = {{"reaction", list(reactions[i])}};
-    for (const auto &force : reactions)
+      supports[s.elasticity.supports()[i].name] = {{"reaction", list(reactions[i].force)}};
+    for (const Resultant<dim> &one : reactions)
       {
-        sum += force;
-        largest = std::max(largest, force.norm());
+        sum.force += one.force;
+        sum.moment += one.moment;
+        largest = std::max(largest, one.force.norm());
       }
     for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
-      if (master_is_rigid[pair])
-        {
-          const PairSums sums = sums_of(s, pair);
-          Tensor<1, dim> force;
-          for (unsigned int d = 0; d < dim; ++d)
-            force[d] = sums.force[d];
-          sum += force;
-          largest = std::max(largest, force.norm());
-        }
+      {
+        const PairSums sums = sums_of(s, pair);
+        Tensor<1, dim> force;
+        for (unsigned int d = 0; d < dim; ++d)
+          force[d] = sums.force[d];
+        largest = std::max(largest, force.norm());
+        if (!master_is_rigid[pair])
+          continue;
+        sum.force += force;
+        for (unsigned int d = 0; d < sums.moment.size(); ++d)
+          sum.moment[d] += sums.moment[d];
+      }
+    const double lever = s.elasticity.mesh().size();
     return {{"supports", supports},
-            {"total_load", list(reactions.back())},
-            {"force_balance", largest > 0 ? sum.norm() / largest : 0.}};
+            {"total_load", list(reactions.back().force)},
+            {"force_balance", largest > 0 ? sum.force.norm() / largest : 0.},
+            {"moment_balance", largest > 0 ? sum.moment.norm() / (largest * lever) : 0.}};
   }
 
 

@@ -37,7 +37,9 @@ namespace Signorini
           << pair["max_penetration"].get<double>() << "\n";
     for (const auto &[name, support] : step["supports"].items())
       out << "  support " << name << ":  force " << numbers(support["reaction"]) << "\n";
-    out << "  sum of all forces / largest: " << step["force_balance"].get<double>() << "\n";
+    out << "  sum of all forces / largest: " << step["force_balance"].get<double>()
+        << ", of moments / (largest force times size): " << step["moment_balance"].get<double>()
+        << "\n";
 
     out << "\n  seconds:";
     for (const auto &[name, time] : results["seconds"].items())

@@ -38,12 +38,14 @@ namespace Signorini
   void
   ContactSettings::declare(Section &section)
   {
+    std::vector<std::string> integrations = Integration::names();
+    integrations.insert(integrations.begin(), "auto");
     section.add_choice("Method", method, method_names(), "how contact is imposed");
     section.add_choice(
       "Integration",
       integration,
-      Integration::names(),
-      "of slave faces: exactly, on their intersections with master faces; by Gauss "
+      integrations,
+      "of slave faces: auto: what suits the method; segments: exactly, on their intersections with master faces; by Gauss "
       "points on whole faces (cheaper); at the nodes (cheapest)");
     section.add(
       "Quadrature points",
@@ -60,12 +62,12 @@ namespace Signorini
   Integration
   ContactSettings::integration_of_degree(const unsigned int degree) const
   {
+    const std::string  rule = integration == "auto" ? chosen().usual_integration() : integration;
     const unsigned int on_faces = degree + (chosen().sampling() == Sampling::nodes ? 3 : 1);
-    const unsigned int usual    = integration == "segments"   ? 2 * degree + 1 :
-                                  integration == "quadrature" ? on_faces :
-                                                                degree + 1;
-    return {integration,
-            quadrature_points == 0 || integration == "nodes" ? usual : quadrature_points};
+    const unsigned int usual    = rule == "segments"   ? 2 * degree + 1 :
+                                  rule == "quadrature" ? on_faces :
+                                                         degree + 1;
+    return {rule, quadrature_points == 0 || rule == "nodes" ? usual : quadrature_points};
   }
 
 
@@ -73,18 +75,8 @@ namespace Signorini
   void
   ContactSettings::check(const unsigned int degree) const
   {
-    constexpr double largest_factor = 10; // peaks of 3 % seen with it in Hertz contact, 8 % with 30
-    const bool       many_points    = integration == "segments" || quadrature_points > degree + 1;
-    if (chosen().sampling() == Sampling::quadrature_points && many_points &&
-        integration != "nodes" && chosen().factor() > largest_factor)
-      throw SceneError(
-        "Contact method/Integration = " + integration +
-        (integration == "segments" ? "" :
-                                     ", Quadrature points = " + std::to_string(quadrature_points)) +
-        " penalises more points of a face than the displacement can follow: with a Factor above 10 "
-        "the pressure would oscillate; take Weighting = mortar, or Integration = quadrature with "
-        "Quadrature points = 0");
-    if (integration == "segments" && quadrature_points > 7)
+    chosen().check(integration_of_degree(degree), degree);
+    if (integration_of_degree(degree).rule == "segments" && quadrature_points > 7)
       throw SceneError("Contact method/Quadrature points = " + std::to_string(quadrature_points) +
                        ": on segments there are rules with up to 7");
   }

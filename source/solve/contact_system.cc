@@ -10,9 +10,10 @@ namespace Signorini
     : K(stiffness)
     , contact(contact)
     , saddle(method.has_multipliers() && !contact.empty())
-    , factor(method.factor())
-    , compliance(method.compliance())
+    , compliant(method.predictor() == Predictor::none)
     , D(contact.zero())
+    , X(contact.zero())
+    , Y(contact.zero())
     , A(contact.zero())
     , I(contact.zero())
   {}
@@ -24,12 +25,15 @@ namespace Signorini
   {
     for (const auto i : active.locally_owned_elements())
       {
-        const double scale = contact.weight(i) * contact.stiffness(i);
-        D(i)               = saddle ? 0. : factor * scale * active(i);
-        A(i)               = saddle ? scale * active(i) : 0.;
-        I(i)               = saddle ? scale * (active(i) > 0 ? compliance : 1.) : 0.;
+        const bool   touches = active(i) > 0;
+        const double W = contact.weight(i), k = contact.stiffness(i), epsilon = contact.epsilon(i);
+        D(i) = !saddle && touches ? epsilon * W : 0.;
+        X(i) = contact.has_stress() && touches ? W : 0.;
+        Y(i) = contact.has_stress() && !touches ? W / epsilon : 0.;
+        A(i) = saddle && touches ? k * W : 0.;
+        I(i) = !saddle ? 0. : !touches ? k * W : compliant ? k * k / epsilon * W : 0.;
       }
-    for (LA::Vector *v : {&D, &A, &I})
+    for (LA::Vector *v : {&D, &X, &Y, &A, &I})
       v->compress(VectorOperation::insert);
   }
 
@@ -64,9 +68,18 @@ namespace Signorini
     dst = 0;
     if (contact.empty())
       return;
-    LA::Vector gap = contact.zero();
+    LA::Vector gap = contact.zero(), stress;
     contact.B_free.vmult(gap, src.block(0));
-    if (saddle)
+    if (contact.has_stress())
+      {
+        stress = contact.zero();
+        contact.S_free.vmult(stress, src.block(0));
+        add_stress_terms(dst.block(0), gap, stress);
+        gap.scale(D);
+        stress.scale(X);
+        gap -= stress;
+      }
+    else if (saddle)
       {
         dst.block(1) = gap;
         dst.block(1).scale(A);
@@ -80,6 +93,23 @@ namespace Signorini
       }
     else
       gap.scale(D);
-    contact.B_free.Tvmult(dst.block(0), gap);
+    contact.B_free.Tvmult_add(dst.block(0), gap);
+  }
+
+
+
+  void
+  ContactSystem::add_stress_terms(LA::Vector       &dst,
+                                  const LA::Vector &gap,
+                                  const LA::Vector &stress) const
+  {
+    if (contact.theta == 0)
+      return;
+    LA::Vector terms = stress, of_gap = gap;
+    terms.scale(Y);
+    of_gap.scale(X);
+    terms += of_gap;
+    terms *= -contact.theta;
+    contact.S_free.Tvmult_add(dst, terms);
   }
 } // namespace Signorini

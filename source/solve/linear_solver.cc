@@ -68,6 +68,14 @@ namespace Signorini
                   const ContactSystem        &system,
                   const Preconditioner       &preconditioner)
     {
+      if (!system.is_symmetric())
+        {
+          if (settings.krylov == "CG" || settings.krylov == "MINRES")
+            throw SceneError("Solver/Krylov method = " + settings.krylov +
+                             " needs a symmetric system, which Nitsche's method with Theta = 0 or "
+                             "-1 does not have; take Theta = 1, or Krylov method = auto (FGMRES)");
+          return "FGMRES";
+        }
       if (!system.is_saddle_point())
         {
           if (settings.krylov == "MINRES")

@@ -70,7 +70,10 @@ namespace Signorini
 
 
   LA::Vector
-  Newton::residual(const LA::Vector &f, const LA::Vector &u, const LA::Vector &p)
+  Newton::residual(const LA::Vector &f,
+                   const LA::Vector &u,
+                   const LA::Vector &p,
+                   const LA::Vector &stress)
   {
     LA::Vector r;
     r.reinit(f);
@@ -79,7 +82,7 @@ namespace Signorini
     double scale = f.l2_norm();
     if (!contact.empty())
       {
-        const LA::Vector force = contact.force(p);
+        const LA::Vector force = contact.force(p, stress);
         r += force;
         scale = std::max(scale, force.l2_norm());
       }
@@ -100,10 +103,10 @@ namespace Signorini
     if (contact.empty() || method.has_multipliers())
       return 0;
     LA::Vector springs = contact.weight;
-    springs.scale(contact.stiffness);
+    springs.scale(contact.epsilon);
     springs.scale(active_set);
     const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
-    return std::numeric_limits<double>::epsilon() * length * method.factor() * springs.l2_norm();
+    return std::numeric_limits<double>::epsilon() * length * springs.l2_norm();
   }
 
 
@@ -113,14 +116,17 @@ namespace Signorini
   {
     NewtonReport report;
     history.clear();
-    cautious      = false;
-    largest_force = 0;
-    changes       = 0.;
-    if (method.augments())
+    cautious            = false;
+    largest_force       = 0;
+    changes             = 0.;
+    const bool augments = method.predictor() == Predictor::last_pressure;
+    if (augments)
       augmented = p;
 
+    const bool has_energy = !contact.empty() && !system.is_saddle_point() && system.is_symmetric();
+
     LA::BlockVector x = system.zero(), rhs = system.zero();
-    LA::Vector      gap, p_start           = p;
+    LA::Vector      gap, stress;
     bool            factorised = false;
     double          damping    = 1;
     print_head(out);
@@ -129,15 +135,16 @@ namespace Signorini
         NewtonStep step;
         step.damping = damping;
         gap          = contact.gap(u);
-        update_active_set(gap, p, step);
+        stress       = contact.stress(u);
+        update_active_set(gap, stress, p, step);
 
-        const LA::Vector r = residual(f, u, p);
+        const LA::Vector r = residual(f, u, p, stress);
         rhs.block(0)       = r;
         if (system.is_saddle_point())
           rhs.block(1) = gap_defect(gap, p);
         const double scale = force_scale > 0 ? force_scale : 1.;
         step.residual      = r.l2_norm() / scale;
-        if (system.is_saddle_point() || method.augments())
+        if (system.is_saddle_point() || augments)
           step.gap_residual = gap_defect(gap, p).l2_norm() / scale;
 
         const double before    = n > 0 ? report.steps.back().residual : 0;
@@ -147,7 +154,7 @@ namespace Signorini
           std::max(settings.tolerance, at_bottom ? force_rounding / scale : 0.);
         const bool balanced = step.residual <= tolerance;
         report.converged    = balanced && step.gap_residual <= tolerance;
-        if (balanced && !report.converged && method.augments() && n < settings.maximum_steps)
+        if (balanced && !report.converged && augments && n < settings.maximum_steps)
           {
             augmented = p;
             report.steps.push_back(step);
@@ -171,8 +178,7 @@ namespace Signorini
             factorised = true;
           }
         step.krylov_iterations = linear_solver.solve(x, rhs, 0.1 * settings.tolerance * scale);
-        damping =
-          system.is_saddle_point() || contact.empty() ? 1. : line_search(r, gap, p, x.block(0));
+        damping                = has_energy ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
           {
@@ -195,14 +201,16 @@ namespace Signorini
 
 
   void
-  Newton::update_active_set(const LA::Vector &gap, LA::Vector &p, NewtonStep &step)
+  Newton::update_active_set(const LA::Vector &gap,
+                            const LA::Vector &stress,
+                            LA::Vector       &p,
+                            NewtonStep       &step)
   {
     if (contact.empty())
       return;
     last_active_set           = active_set;
     const LA::Vector p_before = p;
-    step.active               = apply_contact_law(
-      method, contact, gap, method.has_multipliers() ? p : augmented, p, active_set);
+    step.active = apply_contact_law(method, contact, gap, predicted(p, stress), p, active_set);
     if (method.has_multipliers() && (cautious || seen_before()))
       {
         if (!cautious)
@@ -221,14 +229,31 @@ namespace Signorini
 
 
 
+  const LA::Vector &
+  Newton::predicted(const LA::Vector &p, const LA::Vector &stress) const
+  {
+    switch (method.predictor())
+      {
+        case Predictor::multiplier:
+          return p;
+        case Predictor::normal_stress:
+          return stress;
+        default:
+          return augmented; // zero for methods that do not augment
+      }
+  }
+
+
+
   LA::Vector
   Newton::gap_defect(const LA::Vector &gap, const LA::Vector &p) const
   {
-    LA::Vector defect = contact.zero();
+    LA::Vector defect    = contact.zero();
+    const bool compliant = method.has_multipliers() && method.predictor() == Predictor::none;
     for (const auto i : defect.locally_owned_elements())
       if (active_set(i) > 0)
-        defect(i) =
-          contact.weight(i) * (contact.stiffness(i) * gap(i) + method.compliance() * p(i));
+        defect(i) = contact.weight(i) * contact.stiffness(i) *
+                    (gap(i) + (compliant ? p(i) / contact.epsilon(i) : 0.));
     defect.compress(VectorOperation::insert);
     return defect;
   }
@@ -241,7 +266,7 @@ namespace Signorini
     const auto violation = [&](const auto i) {
       return active_set(i) == last_active_set(i) ?
                0. :
-               std::abs(p_before(i) - method.factor() * contact.stiffness(i) * gap(i));
+               std::abs(p_before(i) - contact.epsilon(i) * gap(i));
     };
     double worst = 0;
     for (const auto i : gap.locally_owned_elements())
@@ -283,26 +308,33 @@ namespace Signorini
   double
   Newton::line_search(const LA::Vector &r,
                       const LA::Vector &gap,
+                      const LA::Vector &stress,
                       const LA::Vector &p,
                       const LA::Vector &du) const
   {
-    // The energy along u + a du is convex with derivative
-    //   phi'(a) = -r.du + a du.K du - sum w (p(g + a B du) - p(g)) B du,   r = f + B^T W p - K u.
+    // The energy along u + a du is convex; its derivative is minus the residual there:
+    //   phi'(a) = -r.du + a du.K du - [B du].W (p(a) - p(0)) - [S du].W/eps (a S du - p(a) + p(0)),
+    // the last term with Nitsche's method (theta = 1) only, and p(a) from the law.
     LA::Vector K_du, B_du = contact.zero();
     K_du.reinit(du);
     K.vmult(K_du, du);
     contact.B_free.vmult(B_du, du);
-    const double slope = -(r * du), curvature = K_du * du;
+    const LA::Vector  S_du  = contact.has_stress() ? contact.stress(du) : contact.zero();
+    const double      slope = -(r * du), curvature = K_du * du;
+    const double      theta = contact.theta;
+    const LA::Vector &start = predicted(p, stress);
 
     const MPI_Comm comm       = gap.get_mpi_communicator();
     const auto     derivative = [&](const double a) {
       double sum = 0;
       for (const auto i : gap.locally_owned_elements())
         {
-          const double p_new = std::max(0.,
-                                        augmented(i) - method.factor() * contact.stiffness(i) *
-                                                         (gap(i) + a * B_du(i)));
-          sum += contact.weight(i) * (p_new - p(i)) * B_du(i);
+          const double epsilon = contact.epsilon(i);
+          const double p_new =
+            std::max(0., start(i) + a * S_du(i) - epsilon * (gap(i) + a * B_du(i)));
+          const double dp = p_new - p(i);
+          sum +=
+            contact.weight(i) * (dp * B_du(i) + theta / epsilon * S_du(i) * (a * S_du(i) - dp));
         }
       return slope + a * curvature - Utilities::MPI::sum(sum, comm);
     };

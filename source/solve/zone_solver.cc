@@ -137,31 +137,80 @@ namespace Signorini
     if (system.gap_operator().empty())
       return;
 
-    const LA::SparseMatrix &B     = system.gap_operator().B_free;
-    unsigned int            local = 0;
-    for (const auto i : system.gap_operator().weight.locally_owned_elements())
+    collect_springs(entries);
+    if (system.is_saddle_point())
+      collect_multipliers(entries);
+  }
+
+
+
+  void
+  ZoneSolver::collect_springs(Entries &entries) const
+  {
+    const GapOperator  &contact = system.gap_operator();
+    const bool          stress  = contact.has_stress();
+    const double        theta   = contact.theta;
+    const int           n_rows  = contact.weight.locally_owned_size();
+    std::vector<double> block; // sum over points that have the same columns: those of a face
+    for (int first = 0, last = 0; first < n_rows; first = last)
       {
-        const RowView row(B, local);
-        const double  spring = system.spring()(i), coupling = system.coupling()(i);
-        const auto    multiplier = first_row + local;
-        ++local;
-        for (int k = 0; k < row.size; ++k)
+        const RowView columns(contact.B_free, first);
+        const int     n = columns.size;
+        block.assign(n * n, 0.);
+        bool any = false;
+        for (; last < n_rows; ++last)
           {
-            const double column = number_in_B[row.columns[k]];
-            if (column < 0)
+            const RowView B(contact.B_free, last);
+            if (B.size != n || !std::equal(B.columns, B.columns + n, columns.columns))
+              break;
+            const double D = values_of(system.spring())[last],
+                         X = values_of(system.stress_spring())[last],
+                         Y = values_of(system.stress_compliance())[last];
+            if (D == 0 && (Y == 0 || theta == 0))
               continue;
-            if (coupling != 0)
+            any = true;
+            if (!stress)
+              for (int k = 0; k < n; ++k)
+                for (int l = 0; l < n; ++l)
+                  block[k * n + l] += D * B.values[k] * B.values[l];
+            else
               {
-                entries.add(column, multiplier, -coupling * row.values[k]);
-                entries.add(multiplier, column, -coupling * row.values[k]);
+                const RowView S(contact.S_free, last);
+                for (int k = 0; k < n; ++k)
+                  for (int l = 0; l < n; ++l)
+                    block[k * n + l] += B.values[k] * (D * B.values[l] - X * S.values[l]) -
+                                        theta * S.values[k] * (X * B.values[l] + Y * S.values[l]);
               }
-            if (spring != 0)
-              for (int l = 0; l < row.size; ++l)
-                if (const double other = number_in_B[row.columns[l]]; other >= 0)
-                  entries.add(column, other, spring * row.values[k] * row.values[l]);
           }
-        if (system.is_saddle_point())
-          entries.add(multiplier, multiplier, -system.identity()(i));
+        if (any)
+          for (int k = 0; k < n; ++k)
+            for (int l = 0; l < n; ++l)
+              {
+                const double row    = number_in_B[columns.columns[k]],
+                             column = number_in_B[columns.columns[l]];
+                if (row >= 0 && column >= 0 && block[k * n + l] != 0)
+                  entries.add(row, column, block[k * n + l]);
+              }
+      }
+  }
+
+
+
+  void
+  ZoneSolver::collect_multipliers(Entries &entries) const
+  {
+    const int n_rows = system.gap_operator().weight.locally_owned_size();
+    for (int i = 0; i < n_rows; ++i)
+      {
+        const RowView row(system.gap_operator().B_free, i);
+        const double  coupling = values_of(system.coupling())[i];
+        for (int k = 0; k < row.size; ++k)
+          if (const double column = number_in_B[row.columns[k]]; column >= 0 && coupling != 0)
+            {
+              entries.add(column, first_row + i, -coupling * row.values[k]);
+              entries.add(first_row + i, column, -coupling * row.values[k]);
+            }
+        entries.add(first_row + i, first_row + i, -values_of(system.identity())[i]);
       }
   }
 

@@ -2,9 +2,10 @@
 // overlap a little here and gap a little there, so that both states of contact occur.
 
 #include <signorini/contact/gap_operator.h>
-#include <signorini/contact/methods/lagrange_multiplier.h>
-#include <signorini/contact/methods/penalty.h>
+#include <signorini/contact/method.h>
+#include <signorini/contact/normal_stress.h>
 #include <signorini/elasticity/expression_function.h>
+#include <signorini/elasticity/kernel.h>
 #include <signorini/parameters/section.h>
 #include <signorini/solve/contact_system.h>
 
@@ -35,7 +36,7 @@ namespace
   template <int dim>
   struct TwoBlocks
   {
-    TwoBlocks(const Sampling sampling, const unsigned int degree)
+    TwoBlocks(const ContactMethod &method, const unsigned int degree)
       : mesh(
           {{"lower", dim == 2 ? box<dim>("0,0 : 1,1", "4,3") : box<dim>("0,0,0 : 1,1,1", "3,3,2")},
            {"upper", dim == 2 ? box<dim>("0,1 : 1,2", "3,2") : box<dim>("0,0,1 : 1,1,2", "2,2,2")}},
@@ -52,8 +53,8 @@ namespace
       pair.initial_gap = "0.01*cos(5*x)";
       contact          = make_gap_operator<dim>(
         elasticity,
-        {make_contact_surface<dim>(elasticity, pair, nullptr, {"quadrature", 3})},
-        sampling);
+        {make_contact_surface<dim>(elasticity, pair, nullptr, method, {"quadrature", 3})},
+        method);
     }
 
     static std::vector<Support<dim>>
@@ -87,7 +88,20 @@ namespace
     std::unique_ptr<GapOperator> contact;
   };
 
-  /// K u - B^T W p(u), and the active set at u.
+  std::shared_ptr<ContactMethod>
+  make_method(const std::string                                      &name,
+              const std::vector<std::pair<std::string, std::string>> &settings = {})
+  {
+    const auto method = ContactMethod::create(name);
+    RawSection raw;
+    for (const auto &[key, value] : settings)
+      raw.set_value(key, value, "test");
+    Section section(raw);
+    method->declare(section);
+    return method;
+  }
+
+  /// K u minus the contact forces, and the active set at u.
   template <int dim>
   LA::Vector
   internal_force(const TwoBlocks<dim> &scene,
@@ -95,35 +109,23 @@ namespace
                  const LA::Vector     &u,
                  LA::Vector           &active)
   {
-    LA::Vector p = scene.contact->zero();
-    apply_contact_law(method, *scene.contact, scene.contact->gap(u), p, p, active);
+    LA::Vector       p = scene.contact->zero();
+    const LA::Vector s = scene.contact->stress(u); // zero for the penalty, as its predictor
+    apply_contact_law(method, *scene.contact, scene.contact->gap(u), s, p, active);
     LA::Vector r = scene.elasticity.zero_vector();
     scene.elasticity.stiffness().vmult(r, u);
-    r -= scene.contact->force(p);
+    r -= scene.contact->force(p, s);
     scene.elasticity.constraints().set_zero(r);
     return r;
   }
 
-  void
-  set(Penalty &method, const std::string &weighting)
-  {
-    RawSection raw;
-    raw.set_value("Factor", "5", "test");
-    raw.set_value("Weighting", weighting, "test");
-    Section section(raw);
-    method.declare(section);
-  }
-
   template <int dim>
   void
-  check_penalty(const std::string &weighting, const unsigned int degree)
+  check_tangent(const ContactMethod &method, const unsigned int degree)
   {
     CAPTURE(dim);
-    CAPTURE(weighting);
     CAPTURE(degree);
-    Penalty method;
-    set(method, weighting);
-    const TwoBlocks<dim> scene(method.sampling(), degree);
+    const TwoBlocks<dim> scene(method, degree);
     const LA::Vector     u = scene.field(2e-3, 1.7), du = scene.field(1, 0.9);
 
     LA::Vector active = scene.contact->zero(), active_plus = active, active_minus = active;
@@ -161,9 +163,9 @@ namespace
   {
     CAPTURE(dim);
     CAPTURE(degree);
-    LagrangeMultiplier   method;
-    const TwoBlocks<dim> scene(method.sampling(), degree);
-    ContactSystem        system(scene.elasticity.stiffness(), *scene.contact, method);
+    const auto           method = make_method("Lagrange multiplier");
+    const TwoBlocks<dim> scene(*method, degree);
+    ContactSystem        system(scene.elasticity.stiffness(), *scene.contact, *method);
     LA::Vector           active = scene.contact->zero();
     for (const auto i : active.locally_owned_elements())
       active(i) = i % 2;
@@ -199,7 +201,7 @@ namespace
     pressure.compress(VectorOperation::insert);
     LA::Vector force = scene.elasticity.zero_vector();
     scene.elasticity.stiffness().vmult(force, x.block(0));
-    force -= scene.contact->force(pressure);
+    force -= scene.contact->force(pressure, scene.contact->zero());
     force -= Ax.block(0);
     CHECK(force.l2_norm() < 1e-12 * Ax.block(0).l2_norm());
   }
@@ -212,9 +214,127 @@ TEST_CASE("tangent of the penalty method against finite differences")
   for (const char *weighting : {"mortar", "pointwise"})
     for (const unsigned int degree : {1, 2})
       {
-        check_penalty<2>(weighting, degree);
-        check_penalty<3>(weighting, degree);
+        CAPTURE(weighting);
+        const auto method = make_method("penalty", {{"Factor", "5"}, {"Weighting", weighting}});
+        check_tangent<2>(*method, degree);
+        check_tangent<3>(*method, degree);
       }
+}
+
+
+
+TEST_CASE("tangent of Nitsche's method against finite differences")
+{
+  for (const char *theta : {"1", "0", "-1"})
+    for (const char *unbiased : {"no", "yes"})
+      for (const unsigned int degree : {1, 2})
+        {
+          CAPTURE(theta);
+          CAPTURE(unbiased);
+          const auto method = make_method("Nitsche", {{"Theta", theta}, {"Unbiased", unbiased}});
+          check_tangent<2>(*method, degree);
+          check_tangent<3>(*method, degree);
+        }
+}
+
+
+
+namespace
+{
+  template <int dim>
+  void
+  check_bound(const unsigned int degree)
+  {
+    CAPTURE(dim);
+    CAPTURE(degree);
+    const TwoBlocks<dim> scene(*make_method("Nitsche"), degree);
+    const auto          &fe   = scene.elasticity.finite_element();
+    auto                 cell = scene.elasticity.dof_handler().begin_active();
+    while (cell != scene.elasticity.dof_handler().end() && !cell->is_locally_owned())
+      ++cell;
+    if (cell == scene.elasticity.dof_handler().end())
+      return;
+    const unsigned int                   face = 1;
+    const Tensor<1, dim>                 n    = Point<dim>::unit_vector(0);
+    NormalStress<dim>                    stress(scene.elasticity);
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+    stress.reinit(cell);
+    const double bound = stress.bound(face);
+
+    StiffnessKernel<dim> kernel(scene.mesh.mapping(), fe);
+    FullMatrix<double>   K(fe.n_dofs_per_cell());
+    kernel.assemble(cell, scene.elasticity.material(cell->material_id()), K);
+    const QGauss<dim - 1> rule(degree + 2);
+    FullMatrix<double>    M(K.m()); // int (n . sigma n)^2 dA
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const SparseRow row = stress.row(unit_point<dim>(face, rule.point(q)), n, n);
+        Vector<double>  s(K.m());
+        for (const auto &[index, value] : row)
+          s[std::find(indices.begin(), indices.end(), index) - indices.begin()] = value;
+        FullMatrix<double> outer(K.m());
+        outer.outer_product(s, s);
+        M.add(rule.weight(q) * cell->face(face)->measure(), outer);
+      }
+
+    // The quotient of any displacement is below the bound; power iteration with K + M, whose
+    // quotient grows with the other, comes close to it.
+    FullMatrix<double> inverse = K;
+    for (unsigned int i = 0; i < K.m(); ++i)
+      inverse(i, i) += 1e-6 * K.trace() / K.m();
+    inverse.gauss_jordan();
+    Vector<double> v(K.m()), Mv(K.m());
+    for (unsigned int i = 0; i < v.size(); ++i)
+      v[i] = std::sin(1. + i * i);
+    double quotient = 0;
+    for (unsigned int n_steps = 0; n_steps < 300; ++n_steps)
+      {
+        quotient = M.matrix_norm_square(v) / K.matrix_norm_square(v);
+        CHECK(quotient < bound * (1 + 1e-4));
+        M.vmult(Mv, v);
+        inverse.vmult(v, Mv);
+        v /= v.l2_norm();
+      }
+    CHECK(quotient > 0.98 * bound);
+  }
+} // namespace
+
+TEST_CASE("the bound of the normal stress by the energy is sharp")
+{
+  for (const unsigned int degree : {1, 2})
+    {
+      check_bound<2>(degree);
+      check_bound<3>(degree);
+    }
+}
+
+
+
+TEST_CASE("a uniform stress is found at the contact points, none in rigid motions")
+{
+  for (const char *unbiased : {"no", "yes"})
+    {
+      const TwoBlocks<2> scene(*make_method("Nitsche", {{"Unbiased", unbiased}}), 2);
+      // u_y = -c y in bodies of plane strain with sigma_yy = -c E (1-nu)/((1+nu)(1-2nu)).
+      LA::Vector u = scene.elasticity.zero_vector();
+      VectorTools::interpolate(scene.mesh.mapping(),
+                               scene.elasticity.dof_handler(),
+                               DisplacementFunction<2>(VectorExpression<2>("0; -y"), 0),
+                               u);
+      const LA::Vector s     = scene.contact->stress(u);
+      const double     lower = 10 * 0.7 / (1.3 * 0.4), upper = 20 * 0.8 / (1.2 * 0.6);
+      for (const auto i : s.locally_owned_elements())
+        {
+          CHECK(s(i) > 0.999999 * std::min(lower, upper));
+          CHECK(s(i) < 1.000001 * std::max(lower, upper));
+        }
+      VectorTools::interpolate(scene.mesh.mapping(),
+                               scene.elasticity.dof_handler(),
+                               DisplacementFunction<2>(VectorExpression<2>("3-y; 2+x"), 0),
+                               u);
+      CHECK(scene.contact->stress(u).linfty_norm() < 1e-11);
+    }
 }
 
 
@@ -232,13 +352,25 @@ TEST_CASE("saddle point system is symmetric and consistent with gap and force")
 
 TEST_CASE("a contact pressure exerts balanced forces")
 {
-  const TwoBlocks<3> scene(Sampling::nodes, 1);
+  const TwoBlocks<3> scene(*make_method("Lagrange multiplier"), 1);
   LA::Vector         p = scene.contact->zero();
   for (const auto i : p.locally_owned_elements())
     p(i) = 1 + std::sin(i);
   p.compress(VectorOperation::insert);
   // All components of all forces together: action and reaction.
-  CHECK(std::abs(scene.contact->total_force(p).mean_value()) < 1e-14);
+  CHECK(std::abs(scene.contact->total_force(p, scene.contact->zero()).mean_value()) < 1e-14);
+  // The gap does not change in rigid motions, so that the forces do no work: no moment either.
+  for (const std::vector<double> &mode : scene.elasticity.rigid_body_modes())
+    {
+      LA::Vector u  = scene.elasticity.zero_vector();
+      auto       at = mode.begin();
+      for (const auto i : scene.elasticity.owned())
+        u(i) = *at++;
+      u.compress(VectorOperation::insert);
+      LA::Vector change = scene.contact->gap(u);
+      change -= scene.contact->initial_gap;
+      CHECK(change.linfty_norm() < 1e-12);
+    }
   // The points' areas sum up to the area of the slave, constant pressure to its resultant.
   CHECK(scene.contact->weight.l1_norm() == doctest::Approx(1));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/surface.h>
+#include <signorini/contact/contact_rows.h>
 #include <signorini/linear_algebra.h>
 
 #include <memory>
@@ -8,26 +8,27 @@
 
 namespace Signorini
 {
-  /// Where a method imposes contact.
-  enum class Sampling
-  {
-    quadrature_points, ///< point-wise
-    nodes              ///< weighted with the trace shape functions of the slave (mortar)
-  };
+  class ContactMethod;
 
   /// The discrete gap g = B u + g_0 at the points where the method imposes contact, one row a
   /// point: a quadrature point, or a slave node A with g_A = int psi_A g dA / int psi_A dA. A
   /// pressure p on the points exerts the force B^T W p, where W are the points' areas. Positive
   /// pressure is compression. Knows nothing of the dimension, so that what uses it is compiled
   /// once.
+  ///
+  /// With Nitsche's method there is also the normal stress s = S u of the bodies at the points,
+  /// positive in compression, and p exerts B^T W p + theta S^T W (s - p)/eps.
   struct GapOperator
   {
-    dealii::IndexSet dofs;   ///< locally owned degrees of freedom
-    LA::SparseMatrix B;      ///< columns: all degrees of freedom (hanging nodes resolved)
-    LA::SparseMatrix B_free; ///< the same without the columns of prescribed displacements
+    dealii::IndexSet dofs;      ///< locally owned degrees of freedom
+    LA::SparseMatrix B;         ///< columns: all degrees of freedom (hanging nodes resolved)
+    LA::SparseMatrix B_free;    ///< the same without the columns of prescribed displacements
+    LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
+    double           theta = 0; ///< see above
     LA::Vector       weight; ///< area of each point; sums up to the slave area that has a partner
     LA::Vector       rest_gap;
     LA::Vector       stiffness;       ///< E/h [force/length^3]
+    LA::Vector       epsilon;         ///< of the contact law, ContactMethod::penalty(), likewise
     std::vector<LA::Vector> position; ///< dim vectors
     std::vector<LA::Vector>
       normal; ///< dim vectors: mean normal, not of unit length on curved faces
@@ -48,13 +49,17 @@ namespace Signorini
     LA::Vector
     gap(const LA::Vector &u) const;
 
-    /// B_free^T W p: the force on the free degrees of freedom.
+    /// S u, the normal stress of the bodies; zero if there is no S.
     LA::Vector
-    force(const LA::Vector &p) const;
+    stress(const LA::Vector &u) const;
 
-    /// B^T W p, on prescribed degrees of freedom too.
+    /// The force on the free degrees of freedom. @param s normal stress; ignored without theta
     LA::Vector
-    total_force(const LA::Vector &p) const;
+    force(const LA::Vector &p, const LA::Vector &s) const;
+
+    /// The same on prescribed degrees of freedom too.
+    LA::Vector
+    total_force(const LA::Vector &p, const LA::Vector &s) const;
 
     /// For methods that sample at nodes: copy values of points to the first degree of freedom of
     /// their nodes (other entries are kept), and back. Without nodes nothing happens.
@@ -76,11 +81,24 @@ namespace Signorini
     {
       return weight.size() == 0;
     }
+
+    bool
+    has_stress() const
+    {
+      return S.m() > 0;
+    }
+
+  private:
+    LA::Vector
+    transposed(const LA::SparseMatrix &B_or_free,
+               const LA::SparseMatrix &S_or_free,
+               const LA::Vector       &p,
+               const LA::Vector       &s) const;
   };
 
   template <int dim>
   std::unique_ptr<GapOperator>
   make_gap_operator(const Elasticity<dim>                  &elasticity,
                     const std::vector<ContactSurface<dim>> &surfaces,
-                    Sampling                                sampling);
+                    const ContactMethod                    &method);
 } // namespace Signorini

@@ -8,6 +8,23 @@
 
 namespace Signorini
 {
+  /// What the pressure p^ of the contact law is.
+  enum class Predictor
+  {
+    none,          ///< p^ = 0
+    multiplier,    ///< the pressure itself, an unknown
+    last_pressure, ///< that of the last solution: one follows the other until the gap is closed
+    normal_stress  ///< that of the bodies at the contact point
+  };
+
+  /// What a penalty may be measured by at a contact point.
+  struct PenaltyScale
+  {
+    double stiffness; ///< E/h of slave and master in series [force/length^3]
+    double fineness;  ///< L/h: size of the scene over the depth of the slave's cell
+    double bound;     ///< of the normal stress, see NormalStress::bound() [force/length^3]
+  };
+
   /// How contact is imposed. All methods share one law at the contact points (pressure positive in
   /// compression, gap positive when open):
   ///
@@ -28,29 +45,52 @@ namespace Signorini
     virtual Sampling
     sampling() const = 0;
 
-    /// True: the pressure is an unknown of its own, p^ = p, so that g = 0 where active; false: it
-    /// follows from the gap.
+    virtual Predictor
+    predictor() const = 0;
+
+    /// True: the pressure is an unknown of its own, and the law an equation for it: g = 0 where
+    /// active if it is its own predictor, else g + p/eps = 0. False: it follows from the law.
     virtual bool
     has_multipliers() const = 0;
 
-    /// Where the pressure is an unknown: the law is g + compliance p / (E/h) = 0 where active.
+    /// eps: a dimensionless number times one of the scales, so that nothing depends on the units of
+    /// the scene.
     virtual double
-    compliance() const
+    penalty(const PenaltyScale &scale) const = 0;
+
+    /// The basis of the pressure, for methods that sample at nodes.
+    virtual Basis
+    basis() const
+    {
+      return Basis::standard;
+    }
+
+    /// Nitsche's method: weight of the normal stress of virtual displacements.
+    virtual double
+    theta() const
     {
       return 0;
     }
 
-    /// Where the pressure follows from the gap: true: p^ is the pressure of the last solution, and
-    /// one solution follows the other until the gap is closed; false: p^ = 0.
+    /// True: either surface of a pair is slave to the other, with half the weight.
     virtual bool
-    augments() const
+    unbiased() const
     {
       return false;
     }
 
-    /// eps = factor * E/h: dimensionless, so that nothing depends on the units of the scene.
-    virtual double
-    factor() const = 0;
+    /// The rule of integration that serves the method best.
+    virtual std::string
+    usual_integration() const
+    {
+      return "segments";
+    }
+
+    /// Throws SceneError where method and integration do not go together. The method's place in the
+    /// scene file is "Contact method".
+    virtual void
+    check(const Integration & /*integration*/, unsigned int /*degree*/) const
+    {}
 
     /// `name` is one of method_names().
     static std::shared_ptr<ContactMethod>
@@ -60,9 +100,9 @@ namespace Signorini
   const std::vector<std::string> &
   method_names();
 
-  /// The law above at all points. In: gap, and p^ (with multipliers: their pressure). Out: pressure
-  /// (zero where inactive; may be the same vector as p^) and active (1 or 0). Returns the number of
-  /// active points.
+  /// The law above at all points. In: gap, and p^. Out: pressure (zero where inactive; an unknown
+  /// pressure is else left as it is; may be the same vector as p^) and active (1 or 0). Returns the
+  /// number of active points.
   unsigned int
   apply_contact_law(const ContactMethod &method,
                     const GapOperator   &contact,
@@ -70,16 +110,4 @@ namespace Signorini
                     const LA::Vector    &predicted,
                     LA::Vector          &pressure,
                     LA::Vector          &active);
-
-  /// How well the conditions of Hertz, Signorini and Moreau hold, thesis (11)-(13), at the contact
-  /// points.
-  struct ContactConditions
-  {
-    double penetration     = 0; ///< largest -g [length]
-    double tension         = 0; ///< largest -p [stress]
-    double complementarity = 0; ///< largest |p g| [force/length]
-  };
-
-  ContactConditions
-  contact_conditions(const LA::Vector &gap, const LA::Vector &pressure);
 } // namespace Signorini

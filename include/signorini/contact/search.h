@@ -22,15 +22,19 @@ namespace Signorini
     dealii::Point<dim>
            face_center; ///< identity of the face: breaks ties alike on any number of ranks
     double stiffness;   ///< E/h of the master cell (force / length^3)
+    double bound = 0;   ///< of the master cell's normal stress, see NormalStress::bound()
     /// Value of a displacement's normal component there as a combination of degrees of freedom:
     /// n . u(position) = sum_j coefficient_j d_j, hanging nodes already resolved.
     std::vector<std::pair<dealii::types::global_dof_index, double>> row;
+    /// The normal stress of the master there, positive in compression, likewise; for methods that
+    /// ask for it.
+    std::vector<std::pair<dealii::types::global_dof_index, double>> stress;
 
     template <class Archive>
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &position &normal &distance &face_center &stiffness &row;
+      ar &position &normal &distance &face_center &stiffness &bound &row &stress;
     }
   };
 
@@ -44,13 +48,13 @@ namespace Signorini
   }
 
   /// The master side of one contact pair on this rank: the faces of locally owned cells. Supplies
-  /// what the search cannot know: a face's row of shape functions and stiffness.
+  /// what the search cannot know: a face's rows of shape functions and its stiffness.
   template <int dim>
   struct MasterFaces
   {
     std::vector<FacePatch<dim>> patches;
-    /// Fill `row` and `stiffness` of a partner on face i at parameter xi; position and normal are
-    /// set.
+    /// Fill the rows, `stiffness` and `bound` of a partner on face i at parameter xi; position and
+    /// normal are set.
     std::function<void(unsigned int i, const dealii::Point<dim - 1> &xi, Partner<dim> &partner)>
       complete;
   };

@@ -3,7 +3,7 @@
 #include <signorini/contact/obstacle.h>
 #include <signorini/contact/pair.h>
 #include <signorini/contact/pairing.h>
-#include <signorini/contact/trace.h>
+#include <signorini/contact/pressure_basis.h>
 #include <signorini/elasticity/elasticity.h>
 
 #include <utility>
@@ -11,6 +11,8 @@
 
 namespace Signorini
 {
+  class ContactMethod;
+
   /// A point of integration on a slave face with its partner on the master, ready for assembly.
   template <int dim>
   struct ContactPoint
@@ -20,11 +22,16 @@ namespace Signorini
     double                 weight;    ///< area that the point stands for
     double                 gap;       ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
     double                 stiffness; ///< E/h of slave and master in series [force/length^3]
+    double                 depth;     ///< of the slave's cell behind the face: h
     SparseRow              row;       ///< (u^S - u^M).n = sum row . d, hanging nodes resolved
-    /// Trace shape functions at the point: (first degree of freedom of the node, value), hanging
-    /// nodes resolved.
+    /// The functions of the pressure at the point: (first degree of freedom of the node, value),
+    /// hanging nodes resolved. For point-wise methods the trace shape functions.
     SparseRow    shape;
     unsigned int face; ///< number of the slave face on this rank
+
+    // For methods that predict the pressure by the stress of the bodies:
+    SparseRow stress;    ///< normal stress, positive in compression, a mean of both bodies
+    double    bound = 0; ///< of its square by the energy of the cells [force/length^3]
   };
 
   /// The contact points of one pair on this rank (of locally owned slave faces) that have a
@@ -45,12 +52,14 @@ namespace Signorini
   double
   covered_share(const ContactSurface<dim> &surface, MPI_Comm comm);
 
-  /// Integrate the slave and find the partners. Collective.
+  /// Integrate the slave and find the partners. Collective. Unbiased methods get both surfaces, as
+  /// slaves of each other with half their areas; all normals point out of the pair's master.
   /// @param obstacle null if the master is a boundary of a body
   template <int dim>
   ContactSurface<dim>
   make_contact_surface(const Elasticity<dim>  &elasticity,
                        const ContactPair<dim> &pair,
                        const Obstacle<dim>    *obstacle,
+                       const ContactMethod    &method,
                        const Integration      &integration);
 } // namespace Signorini

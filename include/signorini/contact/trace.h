@@ -13,6 +13,10 @@ namespace Signorini
   void
   unite(SparseRow &row);
 
+  /// Replace hanging nodes by the nodes that they hang on.
+  void
+  resolve(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
+
   /// Shape functions of a cell at points of its boundary, in terms of degrees of freedom (hanging
   /// nodes resolved). Keeps a reference to its argument.
   template <int dim>
@@ -34,6 +38,10 @@ namespace Signorini
     /// The scalar shape functions, each named by its node's first degree of freedom.
     SparseRow
     shape(const dealii::Point<dim> &unit_point) const;
+
+    /// The same with hanging nodes as they are.
+    SparseRow
+    unresolved_shape(const dealii::Point<dim> &unit_point) const;
 
   private:
     const dealii::FESystem<dim>                 &fe;

@@ -12,6 +12,19 @@
 
 namespace Signorini
 {
+  /// What acts on some nodes together.
+  template <int dim>
+  struct Resultant
+  {
+    dealii::Tensor<1, dim> force;
+    dealii::Tensor<1, 3>   moment; ///< about the origin; 2D: the first component alone
+  };
+
+  /// x cross f; in 2D its only component comes first.
+  template <int dim>
+  dealii::Tensor<1, 3>
+  moment_of(const dealii::Point<dim> &x, const dealii::Tensor<1, dim> &f);
+
   /// Linear elasticity of all bodies on the present mesh: sum over bodies of the virtual work
   /// int sigma(u):eps(v) dV = int b.v dV + int t.v dA, thesis (28), discretised to K d = f
   /// (38)-(41). K is assembled once per mesh; supports and loads depend on time.
@@ -61,11 +74,11 @@ namespace Signorini
       all_constraints.distribute(u);
     }
 
-    /// Forces that the supports exert: internal forces minus loads minus contact forces at the
+    /// What the supports exert: internal forces minus loads minus contact forces at the
     /// degrees of freedom of each support. @param contact_force forces of contact on all degrees of
-    /// freedom (hanging nodes resolved). Returns one vector a support, and last the total of the
+    /// freedom (hanging nodes resolved). Returns one resultant a support, and last that of the
     /// loads.
-    std::vector<dealii::Tensor<1, dim>>
+    std::vector<Resultant<dim>>
     reactions(const LA::Vector &u, const LA::Vector &contact_force) const;
 
     /// Rigid-body modes (dim translations, then rotations about the center, scaled to size one) on

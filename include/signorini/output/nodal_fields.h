@@ -4,6 +4,10 @@
 
 namespace Signorini
 {
+  /// True if the method samples at nodes. Collective: a rank may have no node of its own.
+  bool
+  samples_nodes(const GapOperator &contact);
+
   /// A quantity on the rows of the gap operator as a field on the slave surface of one pair: a
   /// vector of the layout of the displacement (without ghosts) with the value of a node at the
   /// node's first degree of freedom, hanging nodes interpolated, zero everywhere else. Rows that

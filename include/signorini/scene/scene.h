@@ -31,7 +31,7 @@ namespace Signorini
     std::string method = "Lagrange multiplier";
     std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>>
                  methods; ///< all, each with its keys
-    std::string  integration       = "segments";
+    std::string  integration       = "auto";
     unsigned int quadrature_points = 0; ///< 0: as many as the method and the degree need
 
     ContactSettings();

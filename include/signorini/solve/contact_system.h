@@ -8,18 +8,20 @@ namespace Signorini
   /// The linear system of one Newton step, for a given active set, in two forms.
   ///
   /// Condensed (the pressure follows from the gap): (K + B^T D B) du = r, D = eps W on the active
-  /// points.
+  /// points. With Nitsche's method also the normal stress S u of the points takes part:
+  ///
+  ///     K + [B; S]^T [ D   -X             ] [B; S],   X = W on active points,
+  ///                  [ -theta X  -theta Y ]           Y = W/eps on inactive ones.
   ///
   /// Saddle point (the pressure is unknown), thesis (49):
   ///     [  K      -B^T A ] [du]   [ r   ]
   ///     [ -A B     -I    ] [q ] = [ A g ],   dp = k q,
-  /// A = k W on active points, I = k W on inactive ones and c k W on active ones, where the law is
-  /// g + c p / k = 0 (c = 0 but for perturbed multipliers, and its right-hand side as well). The
-  /// scaling with k = E/h makes q a length and both residuals forces: nothing depends on the units
-  /// of the scene.
+  /// A = k W on active points, I = k W on inactive ones and (k^2/eps) W on active ones where the
+  /// law is g + p/eps = 0 (else zero, and the right-hand side as well). The scaling with k = E/h
+  /// makes q a length and both residuals forces: nothing depends on the units of the scene.
   ///
   /// Vectors are blocks (u, q); q is empty in the condensed form. K belongs to the mesh and is
-  /// never touched; what changes with the active set are three vectors on the contact surface.
+  /// never touched; what changes with the active set are vectors on the contact surface.
   class ContactSystem
   {
   public:
@@ -47,6 +49,12 @@ namespace Signorini
       return saddle;
     }
 
+    bool
+    is_symmetric() const
+    {
+      return !contact.has_stress() || contact.theta == 1;
+    }
+
     const LA::SparseMatrix &
     stiffness() const
     {
@@ -66,6 +74,18 @@ namespace Signorini
     }
 
     const LA::Vector &
+    stress_spring() const ///< X
+    {
+      return X;
+    }
+
+    const LA::Vector &
+    stress_compliance() const ///< Y
+    {
+      return Y;
+    }
+
+    const LA::Vector &
     coupling() const ///< A
     {
       return A;
@@ -78,11 +98,14 @@ namespace Signorini
     }
 
   private:
+    void
+    add_stress_terms(LA::Vector &dst, const LA::Vector &gap, const LA::Vector &stress) const;
+
     const LA::SparseMatrix &K;
     const GapOperator      &contact;
     const bool              saddle;
-    const double            factor, compliance;
-    LA::Vector              D, A, I;
+    const bool              compliant; ///< multipliers whose law is g + p/eps = 0
+    LA::Vector              D, X, Y, A, I;
     mutable LA::Vector      workspace;
   };
 } // namespace Signorini

@@ -81,7 +81,13 @@ namespace Signorini
 
   private:
     void
-    update_active_set(const LA::Vector &gap, LA::Vector &p, NewtonStep &step);
+    update_active_set(const LA::Vector &gap,
+                      const LA::Vector &stress,
+                      LA::Vector       &p,
+                      NewtonStep       &step);
+    /// p^ of the law
+    const LA::Vector &
+    predicted(const LA::Vector &p, const LA::Vector &stress) const;
     void
     keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p_before, LA::Vector &p);
     bool
@@ -90,13 +96,17 @@ namespace Signorini
     LA::Vector
     gap_defect(const LA::Vector &gap, const LA::Vector &p) const;
     LA::Vector
-    residual(const LA::Vector &f, const LA::Vector &u, const LA::Vector &p);
+    residual(const LA::Vector &f,
+             const LA::Vector &u,
+             const LA::Vector &p,
+             const LA::Vector &stress);
     /// Of the contact forces, in the norm of the residual.
     double
     penalty_rounding(const LA::Vector &u) const;
     double
     line_search(const LA::Vector &r,
                 const LA::Vector &gap,
+                const LA::Vector &stress,
                 const LA::Vector &p,
                 const LA::Vector &du) const;
 
@@ -109,7 +119,7 @@ namespace Signorini
     LinearSolver                             linear_solver;
 
     LA::Vector         active_set, last_active_set, changes;
-    LA::Vector         augmented; ///< p^ of the law, where it is not the pressure itself
+    LA::Vector         augmented; ///< pressure of the last solution, for methods that augment
     std::set<uint64_t> history;
     bool               cautious    = false;
     double             force_scale = 0, largest_force = 0, force_rounding = 0;

@@ -48,6 +48,10 @@ namespace Signorini
 
     void
     collect(Entries &entries) const;
+    void
+    collect_springs(Entries &entries) const;
+    void
+    collect_multipliers(Entries &entries) const;
 
     /// x += R^T (R A R^T)^-1 right
     void

@@ -11,5 +11,10 @@ namespace Signorini
       penalty_factor,
       "penalty in units of E/h: larger needs fewer augmentations, the result does not depend on it",
       positive);
+    section.add_choice(
+      "Loop",
+      loop,
+      {"Uzawa", "Newton"},
+      "penalty solutions one after the other; or displacement and pressure at once");
   }
 } // namespace Signorini

@@ -4,10 +4,12 @@
 
 namespace Signorini
 {
-  /// Augmented Lagrangian method (Uzawa), thesis 3.2: a sequence of penalty solutions
+  /// Augmented Lagrangian method, thesis 3.2, in two forms. Uzawa: a sequence of penalty solutions
   /// p = max(0, p^ - eps g), each of which starts from the pressure p^ of the one before, until the
-  /// gap weighted at the slave nodes is closed. The result is that of the Lagrange multiplier
-  /// method, from systems without multipliers. The gap falls by about 1/(1 + Factor) each time.
+  /// gap weighted at the slave nodes is closed; systems without multipliers. The gap falls by about
+  /// 1/(1 + Factor) each time. Newton: displacement and pressure at once, from
+  /// p = max(0, p - eps g) (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375).
+  /// The result of both is that of the Lagrange multiplier method.
   class AugmentedLagrangian : public ContactMethod
   {
   public:
@@ -20,25 +22,26 @@ namespace Signorini
       return Sampling::nodes;
     }
 
+    Predictor
+    predictor() const override
+    {
+      return loop == "Newton" ? Predictor::multiplier : Predictor::last_pressure;
+    }
+
     bool
     has_multipliers() const override
     {
-      return false;
+      return loop == "Newton";
     }
 
     double
-    factor() const override
+    penalty(const PenaltyScale &scale) const override
     {
-      return penalty_factor;
-    }
-
-    bool
-    augments() const override
-    {
-      return true;
+      return penalty_factor * scale.stiffness;
     }
 
   private:
-    double penalty_factor = 1000;
+    double      penalty_factor = 1000;
+    std::string loop           = "Uzawa";
   };
 } // namespace Signorini

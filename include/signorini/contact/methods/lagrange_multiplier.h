@@ -4,8 +4,8 @@
 
 namespace Signorini
 {
-  /// Lagrange multiplier method, thesis (43)-(50): the contact pressure is an unknown in the trace
-  /// space of the slave, the gap weighted with its shape functions vanishes where it acts. The
+  /// Lagrange multiplier method, thesis (43)-(50): the contact pressure is an unknown in a space of
+  /// functions on the slave, one a node; the gap weighted with them vanishes where it acts. The
   /// active set follows from p - c g > 0; c only steers the iteration, not the result.
   class LagrangeMultiplier : public ContactMethod
   {
@@ -19,6 +19,12 @@ namespace Signorini
       return Sampling::nodes;
     }
 
+    Predictor
+    predictor() const override
+    {
+      return Predictor::multiplier;
+    }
+
     bool
     has_multipliers() const override
     {
@@ -26,12 +32,19 @@ namespace Signorini
     }
 
     double
-    factor() const override
+    penalty(const PenaltyScale &scale) const override
     {
-      return complementarity_factor;
+      return complementarity_factor * scale.stiffness;
+    }
+
+    Basis
+    basis() const override
+    {
+      return basis_name == "dual" ? Basis::dual : Basis::standard;
     }
 
   private:
-    double complementarity_factor = 1;
+    double      complementarity_factor = 1;
+    std::string basis_name             = "standard";
   };
 } // namespace Signorini

@@ -17,20 +17,34 @@ namespace Signorini
       return weighting == "mortar" ? Sampling::nodes : Sampling::quadrature_points;
     }
 
+    Predictor
+    predictor() const override
+    {
+      return Predictor::none;
+    }
+
     bool
     has_multipliers() const override
     {
       return false;
     }
 
+    /// eps = Factor E/h (L/h)^Growth, with the size L of the scene.
     double
-    factor() const override
+    penalty(const PenaltyScale &scale) const override;
+
+    std::string
+    usual_integration() const override
     {
-      return penalty_factor;
+      return weighting == "mortar" ? "segments" : "quadrature";
     }
 
+    void
+    check(const Integration &integration, unsigned int degree) const override;
+
+
   private:
-    double      penalty_factor = 1000;
-    std::string weighting      = "mortar";
+    double      penalty_factor = 1000, growth = 0;
+    std::string weighting = "mortar";
   };
 } // namespace Signorini

@@ -6,8 +6,8 @@ namespace Signorini
 {
   /// Perturbed Lagrangian method, thesis 3.2: the pressure is an unknown as in the Lagrange
   /// multiplier method, but the contact is elastic: g + p/eps = 0 at the slave nodes where it acts.
-  /// Eliminating the pressure yields the penalty method with mortar weighting, which has the same
-  /// solution; here it stays, and the system is a saddle point that large factors do not hurt.
+  /// As a block system it is a saddle point that large factors do not hurt. Condensed, the pressure
+  /// is eliminated, which yields the penalty method with mortar weighting, with the same solution.
   class PerturbedLagrangian : public ContactMethod
   {
   public:
@@ -20,25 +20,26 @@ namespace Signorini
       return Sampling::nodes;
     }
 
+    Predictor
+    predictor() const override
+    {
+      return Predictor::none;
+    }
+
     bool
     has_multipliers() const override
     {
-      return true;
+      return form == "block";
     }
 
     double
-    factor() const override
+    penalty(const PenaltyScale &scale) const override
     {
-      return penalty_factor;
-    }
-
-    double
-    compliance() const override
-    {
-      return 1 / penalty_factor;
+      return penalty_factor * scale.stiffness;
     }
 
   private:
-    double penalty_factor = 1000;
+    double      penalty_factor = 1000;
+    std::string form           = "block";
   };
 } // namespace Signorini

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <signorini/contact/method.h>
+
+namespace Signorini
+{
+  /// Direct constraint elimination, thesis 3.2: slave nodes that touch lie on the master surface,
+  /// u^S . n = u^M . n - g_0, whatever the nodes of the master: node-to-node where meshes match,
+  /// node-to-surface elsewhere. The linear solver eliminates these constraints, so that what it
+  /// iterates on is symmetric and positive definite; the forces that they transmit follow from
+  /// equilibrium and are returned as pressures by the areas of the nodes. Exact on matching meshes;
+  /// elsewhere as any collocation it fails the patch test (by some percent).
+  class DirectElimination : public ContactMethod
+  {
+  public:
+    void
+    declare(Section &section) override;
+
+    Sampling
+    sampling() const override
+    {
+      return Sampling::nodes;
+    }
+
+    Predictor
+    predictor() const override
+    {
+      return Predictor::multiplier;
+    }
+
+    bool
+    has_multipliers() const override
+    {
+      return true;
+    }
+
+    double
+    penalty(const PenaltyScale &scale) const override
+    {
+      return scale.stiffness;
+    }
+
+    std::string
+    usual_integration() const override
+    {
+      return "nodes";
+    }
+
+    void
+    check(const Integration &integration, unsigned int degree) const override;
+  };
+} // namespace Signorini

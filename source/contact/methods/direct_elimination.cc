@@ -1,0 +1,21 @@
+#include <signorini/contact/methods/direct_elimination.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  void
+  DirectElimination::declare(Section & /*section*/)
+  {}
+
+
+
+  void
+  DirectElimination::check(const Integration &integration, const unsigned int /*degree*/) const
+  {
+    if (integration.rule != "nodes")
+      throw SceneError("Contact method/Integration = " + integration.rule +
+                       " does not go with Method = direct elimination, which eliminates the "
+                       "displacement of single nodes; take Integration = nodes, or Method = "
+                       "Lagrange multiplier");
+  }
+} // namespace Signorini

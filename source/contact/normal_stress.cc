@@ -1,0 +1,131 @@
+#include <signorini/contact/face_patch.h>
+#include <signorini/contact/normal_stress.h>
+#include <signorini/elasticity/kernel.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <Eigen/Eigenvalues>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  NormalStress<dim>::NormalStress(const Elasticity<dim> &elasticity)
+    : elasticity(elasticity)
+    , geometry(elasticity.mesh().geometry_degree())
+    , indices(elasticity.finite_element().n_dofs_per_cell())
+  {}
+
+
+
+  template <int dim>
+  void
+  NormalStress<dim>::reinit(const Cell &new_cell)
+  {
+    cell = new_cell;
+    cell->get_dof_indices(indices);
+    nodes.clear();
+    for (const Point<dim> &p : geometry.get_unit_support_points())
+      nodes.push_back(elasticity.mesh().mapping().transform_unit_to_real_cell(cell, p));
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  NormalStress<dim>::jacobian(const Point<dim> &unit_point) const
+  {
+    Tensor<2, dim> J;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      J += outer_product(Tensor<1, dim>(nodes[i]), geometry.shape_grad(i, unit_point));
+    return J;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  NormalStress<dim>::coefficients(const Point<dim>     &unit_point,
+                                  const Tensor<1, dim> &n,
+                                  const Tensor<1, dim> &m) const
+  {
+    const Material      &material = elasticity.material(cell->material_id());
+    const auto          &fe       = elasticity.finite_element();
+    const Tensor<2, dim> to_real  = transpose(invert(jacobian(unit_point)));
+    std::vector<double>  result(indices.size());
+    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+      {
+        // u = N e_d: n . sigma m = lambda N_,d n.m + mu (n_d grad N . m + m_d grad N . n)
+        const Tensor<1, dim> gradient = to_real * fe.base_element(0).shape_grad(i, unit_point);
+        for (unsigned int d = 0; d < dim; ++d)
+          result[fe.component_to_system_index(d, i)] =
+            material.lambda() * gradient[d] * (n * m) +
+            material.mu() * (n[d] * (gradient * m) + m[d] * (gradient * n));
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  NormalStress<dim>::row(const Point<dim>     &unit_point,
+                         const Tensor<1, dim> &n,
+                         const Tensor<1, dim> &m) const
+  {
+    const std::vector<double> values = coefficients(unit_point, n, m);
+    SparseRow                 result;
+    for (unsigned int i = 0; i < values.size(); ++i)
+      result.emplace_back(indices[i], values[i]);
+    resolve(elasticity.hanging_nodes(), result);
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  NormalStress<dim>::bound(const unsigned int face) const
+  {
+    const unsigned int   n = indices.size();
+    StiffnessKernel<dim> kernel(elasticity.mesh().mapping(), elasticity.finite_element());
+    FullMatrix<double>   stiffness(n);
+    kernel.assemble(cell, elasticity.material(cell->material_id()), stiffness);
+    Eigen::MatrixXd K(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        K(i, j) = stiffness(i, j);
+
+    const QGauss<dim - 1> rule(elasticity.degree() + 2);
+    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry.degree, cell, face);
+    Eigen::MatrixXd       stress(rule.size(), n); // times the square roots of the areas
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const Tensor<1, dim>      normal = patch.normal(rule.point(q));
+        const std::vector<double> row =
+          coefficients(unit_point<dim>(face, rule.point(q)), normal, normal);
+        const double root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)));
+        for (unsigned int i = 0; i < n; ++i)
+          stress(q, i) = root * row[i];
+      }
+
+    // Rigid-body modes, on which both sides vanish, are left out.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
+    const double    smallest = 1e-10 * modes.eigenvalues().maxCoeff();
+    Eigen::VectorXd scale    = modes.eigenvalues();
+    for (unsigned int i = 0; i < n; ++i)
+      scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
+    const Eigen::MatrixXd scaled = stress * modes.eigenvectors() * scale.asDiagonal();
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled * scaled.transpose(),
+                                                          Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+  }
+
+
+
+  template class NormalStress<2>;
+  template class NormalStress<3>;
+} // namespace Signorini
