@@ -318,9 +318,14 @@ namespace Signorini
     for (const ContactPair<dim> &pair : scene.pairs)
       rigid.push_back(scene.obstacle_of(pair) != nullptr);
     one.update(force_results(now, rigid));
-    one["probes"] = probe_results(now, scene.output.probes);
+    one["probes"]                  = probe_results(now, scene.output.probes);
+    const SolutionErrors deviation = errors(now, scene.known);
+    if (!scene.known.displacement.empty() || !scene.known.pressure.empty())
+      one["errors"] = {{"displacement", deviation.displacement},
+                       {"energy", deviation.energy},
+                       {"pressure", deviation.pressure}};
     results["load_steps"].push_back(one);
-    writer->write(now);
+    writer->write(now, scene.known.pressure);
   }
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Does an error fall at the rate that theory says?
 
-    convergence.py SCENE --quantity PATH --reference X --minimum-rate R [--levels N | --values V ...] [--key KEY]
+    convergence.py SCENE --quantity PATH --reference X | --is-error --minimum-rate R [--levels N | --values V ...] [--key KEY]
 
 Runs the scene for each value of the key, prints the errors, and fails unless their slope is steep enough. Levels are
 refinements 0, 1, ...: the rate is that in the mesh width, which each level halves. Values are numbers: the rate is that
@@ -26,6 +26,8 @@ def parse():
     reference = parser.add_mutually_exclusive_group(required=True)
     reference.add_argument("--reference", type=float)
     reference.add_argument("--reference-run", metavar="SECTION/KEY=VALUE", help="the reference is the quantity of this run")
+    reference.add_argument("--is-error", action="store_true", help="the quantity is the relative error itself")
+    parser.add_argument("--format", default="{:g}", help="how values are written, e.g. '{0:g},{0:g}'")
     parser.add_argument("--minimum-rate", type=float, required=True)
     parser.add_argument("--last-error", type=float, default=math.inf, help="relative, allowed at the end")
     return parser.parse_args()
@@ -44,11 +46,14 @@ def main():
     def quantity(override):
         return number(runner.results([override]), arguments.quantity)
 
-    reference = arguments.reference
+    def error(value):
+        return value if arguments.is_error else abs(value / reference - 1)
+
+    reference = arguments.reference or 0
     if arguments.reference_run:
         reference = quantity(arguments.reference_run)
     # The logarithm of 1/h, and how the values are written.
-    points = [(math.log(v), f"{v:g}") for v in arguments.values or []]
+    points = [(math.log(v), arguments.format.format(v)) for v in arguments.values or []]
     points = points or [(level * math.log(2), str(level)) for level in range(arguments.levels)]
 
     print(f"{arguments.quantity}, reference {reference:.9g}\n{arguments.key:>30} {'value':>16} {'error':>12} {'rate':>6}")
@@ -56,7 +61,7 @@ def main():
     for position, text in points:
         value = quantity(f"{arguments.key}={text}")
         # Where the error is nothing but rounding, its logarithm must exist all the same.
-        logs.append(math.log(max(abs(value / reference - 1), 1e-15)))
+        logs.append(math.log(max(error(value), 1e-15)))
         rate = ""
         if len(logs) > 1:
             rate = f"{(logs[-2] - logs[-1]) / (position - previous):.2f}"

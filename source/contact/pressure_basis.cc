@@ -1,6 +1,6 @@
 #include <signorini/contact/pressure_basis.h>
 
-#include <algorithm>
+#include <limits>
 
 #include <Eigen/Dense>
 
@@ -10,24 +10,16 @@ namespace Signorini
 
   namespace
   {
-    using Nodes = std::vector<types::global_dof_index>;
-
-    Nodes
-    nodes_of(const std::vector<SparseRow> &shapes)
-    {
-      std::set<types::global_dof_index> nodes;
-      for (const SparseRow &shape : shapes)
-        for (const auto &entry : shape)
-          nodes.insert(entry.first);
-      return Nodes(nodes.begin(), nodes.end());
-    }
+    using Nodes = std::vector<FaceNode>;
 
     Eigen::VectorXd
     dense(const SparseRow &shape, const Nodes &nodes)
     {
       Eigen::VectorXd values = Eigen::VectorXd::Zero(nodes.size());
-      for (const auto &[node, value] : shape)
-        values[std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin()] += value;
+      for (const auto &[index, value] : shape)
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          if (nodes[i].index == index)
+            values[i] += value;
       return values;
     }
 
@@ -59,35 +51,58 @@ namespace Signorini
         return identity;
       return D.asDiagonal() * M.inverse();
     }
+
+    double
+    distance2(const FaceNode &a, const FaceNode &b)
+    {
+      const double x = a.xi[0] - b.xi[0], y = a.xi[1] - b.xi[1];
+      return x * x + y * y;
+    }
+
+    /// The nearest of the nodes; several if they are equally near.
+    std::vector<unsigned int>
+    nearest(const Nodes &nodes, const std::vector<unsigned int> &candidates, const FaceNode &to)
+    {
+      double smallest = std::numeric_limits<double>::max();
+      for (const unsigned int i : candidates)
+        smallest = std::min(smallest, distance2(nodes[i], to));
+      std::vector<unsigned int> result;
+      for (const unsigned int i : candidates)
+        if (distance2(nodes[i], to) < smallest + 1e-10)
+          result.push_back(i);
+      return result;
+    }
   } // namespace
 
 
 
-  PressureBasis::PressureBasis(const std::vector<SparseRow>            &shapes,
-                               const std::vector<double>               &weights,
-                               const Basis                              basis,
-                               const std::set<types::global_dof_index> &prescribed)
+  PressureBasis::PressureBasis(const std::vector<FaceNode>  &nodes,
+                               const std::vector<SparseRow> &shapes,
+                               const std::vector<double>    &weights,
+                               const Basis                   basis)
   {
-    const Nodes     nodes        = nodes_of(shapes);
-    Eigen::MatrixXd coefficients = basis == Basis::dual ?
-                                     dual_coefficients(shapes, weights, nodes) :
-                                     Eigen::MatrixXd::Identity(nodes.size(), nodes.size());
-    const auto      is_free = [&](const unsigned int i) { return prescribed.count(nodes[i]) == 0; };
-    unsigned int    n_free  = 0;
-    Eigen::RowVectorXd given_away = Eigen::RowVectorXd::Zero(nodes.size());
+    Eigen::MatrixXd coefficients = Eigen::MatrixXd::Identity(nodes.size(), nodes.size());
+    if (basis == Basis::dual)
+      coefficients = dual_coefficients(shapes, weights, nodes);
+
+    std::vector<unsigned int> free;
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      if (is_free(i))
-        ++n_free;
-      else
-        given_away += coefficients.row(i);
+      if (!nodes[i].prescribed)
+        free.push_back(i);
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      if (is_free(i))
+      if (nodes[i].prescribed)
         {
-          functions.emplace_back(nodes[i], SparseRow());
-          for (unsigned int j = 0; j < nodes.size(); ++j)
-            if (const double c = coefficients(i, j) + given_away[j] / n_free; c != 0)
-              functions.back().second.emplace_back(nodes[j], c);
+          const std::vector<unsigned int> takers = nearest(nodes, free, nodes[i]);
+          for (const unsigned int j : takers)
+            coefficients.row(j) += coefficients.row(i) / takers.size();
         }
+    for (const unsigned int i : free)
+      {
+        functions.emplace_back(nodes[i].index, SparseRow());
+        for (unsigned int j = 0; j < nodes.size(); ++j)
+          if (const double c = coefficients(i, j); c != 0)
+            functions.back().second.emplace_back(nodes[j].index, c);
+      }
   }
 
 

@@ -185,6 +185,18 @@ namespace Signorini
                    points.end());
     }
 
+    /// Segments that touch a face in a line only have no area, and their points no say.
+    template <int dim>
+    void
+    drop_empty_points(const std::vector<FacePatch<dim>> &slave,
+                      std::vector<PairedPoint<dim>>     &points)
+    {
+      const auto is_empty = [&](const PairedPoint<dim> &point) {
+        return point.weight < 1e-13 * slave[point.face].jacobian(point.xi);
+      };
+      points.erase(std::remove_if(points.begin(), points.end(), is_empty), points.end());
+    }
+
     template <int dim>
     ContactPoint<dim>
     contact_point(const ContactPair<dim> &pair,
@@ -232,38 +244,48 @@ namespace Signorini
       point.bound = share * own_bound;
     }
 
-    /// Nodes of a face whose displacement along the normal is prescribed, or nearly so.
+    /// True if the displacement of a cell's node in direction n is prescribed, or nearly so.
     template <int dim>
-    std::set<types::global_dof_index>
-    prescribed_nodes(const Elasticity<dim> &elasticity,
-                     const Cell<dim>       &cell,
-                     const unsigned int     face,
-                     const FacePatch<dim>  &patch)
+    bool
+    is_prescribed(const Elasticity<dim>                      &elasticity,
+                  const std::vector<types::global_dof_index> &indices,
+                  const unsigned int                          node,
+                  const Tensor<1, dim>                       &n)
+    {
+      double can_move2 = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const auto dof = indices[elasticity.finite_element().component_to_system_index(d, node)];
+          if (!elasticity.constraints().is_constrained(dof) ||
+              elasticity.hanging_nodes().is_constrained(dof))
+            can_move2 += n[d] * n[d];
+        }
+      return can_move2 < 0.01;
+    }
+
+    template <int dim>
+    std::vector<FaceNode>
+    face_nodes(const Elasticity<dim> &elasticity,
+               const Cell<dim>       &cell,
+               const unsigned int     face,
+               const FacePatch<dim>  &patch)
     {
       const auto                          &fe = elasticity.finite_element();
       std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
       cell->get_dof_indices(indices);
-      std::set<types::global_dof_index> nodes;
+      std::vector<FaceNode> nodes;
       for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
         {
           const unsigned int first = fe.component_to_system_index(0, i);
           if (!fe.has_support_on_face(first, face))
             continue;
+          FaceNode         node{indices[first], {{0, 0}}, false};
           Point<dim - 1>   xi;
           const Point<dim> place = fe.base_element(0).unit_support_point(i);
           for (unsigned int d = 0; d < dim - 1; ++d)
-            xi[d] = place[(face / 2 + 1 + d) % dim]; // see unit_point()
-          const Tensor<1, dim> n         = patch.normal(xi);
-          double               can_move2 = 0;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const auto dof = indices[fe.component_to_system_index(d, i)];
-              if (!elasticity.constraints().is_constrained(dof) ||
-                  elasticity.hanging_nodes().is_constrained(dof))
-                can_move2 += n[d] * n[d];
-            }
-          if (can_move2 < 0.01)
-            nodes.insert(indices[first]);
+            node.xi[d] = xi[d] = place[(face / 2 + 1 + d) % dim]; // see unit_point()
+          node.prescribed = is_prescribed(elasticity, indices, i, patch.normal(xi));
+          nodes.push_back(node);
         }
       return nodes;
     }
@@ -325,7 +347,7 @@ namespace Signorini
                const std::vector<PairedPoint<dim>> &paired_points,
                std::vector<ContactPoint<dim>>      &points)
     {
-      // Otherwise a law says what the pressure is, whatever nodes can do.
+      // Otherwise a law says what the pressure is, even where nothing can move.
       const bool must_balance = method.predictor() == Predictor::multiplier ||
                                 method.predictor() == Predictor::last_pressure;
       Trace<dim>             trace(elasticity);
@@ -344,18 +366,24 @@ namespace Signorini
                 trace.unresolved_shape(unit_point<dim>(face, paired_points[last].xi)));
               weights.push_back(points[last].weight);
             }
-          const PressureBasis basis(
-            shapes,
-            weights,
-            method.basis(),
-            must_balance ?
-              prescribed_nodes(elasticity, cell, face, slave.patches[points[first].face]) :
-              std::set<types::global_dof_index>());
+          auto       nodes = face_nodes(elasticity, cell, face, slave.patches[points[first].face]);
+          const bool all_prescribed = std::all_of(nodes.begin(), nodes.end(), [](const auto &node) {
+            return node.prescribed;
+          });
+          if (all_prescribed && !must_balance)
+            for (FaceNode &node : nodes)
+              node.prescribed = false;
+          const PressureBasis basis(nodes, shapes, weights, method.basis());
+          const PressureBasis standard(nodes, shapes, weights, Basis::standard);
           n_prescribed += basis.empty();
           for (unsigned int q = first; q < last; ++q)
             {
               points[q].shape = basis.at(shapes[q - first]);
               resolve(elasticity.hanging_nodes(), points[q].shape);
+              if (method.basis() == Basis::standard)
+                continue;
+              points[q].interpolation = standard.at(shapes[q - first]);
+              resolve(elasticity.hanging_nodes(), points[q].interpolation);
             }
         }
       return n_prescribed;
@@ -409,6 +437,7 @@ namespace Signorini
                                   comm,
                                   surface.statistics);
       drop_far_faces(limit, paired);
+      drop_empty_points(slave.patches, paired);
       std::stable_sort(paired.begin(), paired.end(), [](const auto &a, const auto &b) {
         return a.face < b.face;
       });

@@ -11,20 +11,7 @@ namespace Signorini
     section.add("VTU",
                 vtu,
                 "yes or no: write solution.pvd (bodies) and contact.pvd (contact surfaces)");
-    section.add("Reference pressure",
-                reference_pressure,
-                "formula in x,y,z,t, drawn beside the computed pressure; empty: none [stress]");
     section.add_named("Probes", probes, "Points whose displacement and stress are reported.");
-    if (!section.reading() || reference_pressure.empty())
-      return;
-    try
-      {
-        Expression<dim>{reference_pressure};
-      }
-    catch (const SceneError &error)
-      {
-        section.fail("Reference pressure", error.what());
-      }
   }
 
 

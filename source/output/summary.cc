@@ -41,6 +41,14 @@ namespace Signorini
         << ", of moments / (largest force times size): " << step["moment_balance"].get<double>()
         << "\n";
 
+    if (step.contains("errors"))
+      {
+        out << "  relative errors:";
+        for (const auto &[name, error] : step["errors"].items())
+          out << "  " << name << " " << error.get<double>();
+        out << "\n";
+      }
+
     out << "\n  seconds:";
     for (const auto &[name, time] : results["seconds"].items())
       out << "  " << name << " " << std::fixed << std::setprecision(2) << time.get<double>();

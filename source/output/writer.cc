@@ -51,7 +51,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Writer<dim>::write(const Snapshot<dim> &snapshot)
+  Writer<dim>::write(const Snapshot<dim> &snapshot, const std::string &reference_pressure)
   {
     if (settings.vtu)
       bodies.add(snapshot.time, write_bodies(snapshot, directory));
@@ -59,7 +59,7 @@ namespace Signorini
       return;
     if (settings.vtu)
       contact.add(snapshot.time, write_contact(snapshot, directory));
-    write_profiles(snapshot, directory + "/profiles", settings.reference_pressure);
+    write_profiles(snapshot, directory + "/profiles", reference_pressure);
   }
 
 

@@ -129,6 +129,9 @@ namespace Signorini
     });
     section.add_section("Solver", "The linear systems.", [&](Section &s) { solver.declare(s); });
     section.add_section("Output", "What is written.", [&](Section &s) { output.declare(s); });
+    section.add_section("Known solution",
+                        "Formulas that the computed solution is compared with.",
+                        [&](Section &s) { known.declare(s); });
     section.add_named("Expected results", expected, "What is known about the answer.");
   }
 

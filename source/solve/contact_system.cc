@@ -10,7 +10,25 @@ namespace Signorini
     : K(stiffness)
     , contact(contact)
     , saddle(method.has_multipliers() && !contact.empty())
+    , factor(0)
     , compliant(method.predictor() == Predictor::none)
+    , D(contact.zero())
+    , X(contact.zero())
+    , Y(contact.zero())
+    , A(contact.zero())
+    , I(contact.zero())
+  {}
+
+
+
+  ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
+                               const GapOperator      &contact,
+                               const double            factor)
+    : K(stiffness)
+    , contact(contact)
+    , saddle(false)
+    , factor(factor)
+    , compliant(false)
     , D(contact.zero())
     , X(contact.zero())
     , Y(contact.zero())
@@ -27,7 +45,7 @@ namespace Signorini
       {
         const bool   touches = active(i) > 0;
         const double W = contact.weight(i), k = contact.stiffness(i), epsilon = contact.epsilon(i);
-        D(i) = !saddle && touches ? epsilon * W : 0.;
+        D(i) = saddle || !touches ? 0. : factor > 0 ? factor * k * W : epsilon * W;
         X(i) = contact.has_stress() && touches ? W : 0.;
         Y(i) = contact.has_stress() && !touches ? W / epsilon : 0.;
         A(i) = saddle && touches ? k * W : 0.;

@@ -1,5 +1,6 @@
 #include <signorini/parameters/section.h>
 #include <signorini/solve/linear_solver.h>
+#include <signorini/solve/preconditioners/schur_complement.h>
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
@@ -20,12 +21,25 @@ namespace Signorini
       "Preconditioner",
       preconditioner,
       preconditioner_names(),
-      "contact filter: exact on the contact zone, multigrid elsewhere; direct: small problems");
+      "contact filter: exact on the contact zone, multigrid elsewhere; block ones and SIMPLE: for "
+      "multipliers, by a Schur complement; direct: small problems");
     section.add_choice(
       "Krylov method",
       krylov,
       {"auto", "CG", "MINRES", "FGMRES"},
-      "auto: CG; with multipliers and block diagonal MINRES, with block triangular FGMRES");
+      "auto: CG; with multipliers and block diagonal MINRES, with block triangular and SIMPLE FGMRES");
+    section.add_choice(
+      "Schur complement",
+      schur_complement,
+      SchurComplement::names(),
+      "of block preconditioners: from the diagonal of the stiffness; multiplier "
+      "mass; from the stiffness of the contact zone; by inner iterations with multigrid");
+    section.add(
+      "Augmentation",
+      augmentation,
+      "of block preconditioners: penalty in units of E/h added to the displacement's block, "
+      "which then takes a contact filter; 0: none",
+      Range{0, 1e12});
     section.add_choice(
       "Direct solver",
       direct_solver,
@@ -95,7 +109,9 @@ namespace Signorini
       if (settings.krylov == "MINRES" && !preconditioner.is_positive_definite())
         throw SceneError(
           "Solver/Krylov method = MINRES needs a positive definite preconditioner, but Solver/Preconditioner = " +
-          settings.preconditioner + " is none on a saddle point; take 'block diagonal', or FGMRES");
+          settings.preconditioner + " with Schur complement = " + settings.schur_complement +
+          " is none on a saddle point; take 'block diagonal' with another Schur complement than "
+          "'multigrid', or FGMRES");
       return settings.krylov;
     }
   } // namespace
@@ -112,6 +128,11 @@ namespace Signorini
     , timer(timer)
   {
     TimerOutput::Scope scope(timer, "preconditioner");
+    if (settings.preconditioner == "SIMPLE" && settings.augmentation > 0)
+      throw SceneError(
+        "Solver/Augmentation = " + short_text(settings.augmentation) +
+        " does not go with Preconditioner = SIMPLE, which corrects by the diagonal of "
+        "the plain stiffness; take 'block triangular'");
     if (settings.preconditioner != "direct")
       {
         auto known = modes;
@@ -119,11 +140,9 @@ namespace Signorini
           known.resize(dim); // they come first
         amg = std::make_unique<AMG>(system.stiffness(), known, dim);
       }
-    preconditioner =
-      Preconditioner::create(settings.preconditioner,
-                             system,
-                             amg.get(),
-                             choose_direct(settings, system.stiffness().get_mpi_communicator()));
+    LinearSolverSettings chosen = settings;
+    chosen.direct_solver = choose_direct(settings, system.stiffness().get_mpi_communicator());
+    preconditioner       = Preconditioner::create(chosen, system, amg.get());
   }
 
 
@@ -162,6 +181,9 @@ namespace Signorini
         LA::BlockVector preconditioned = rhs;
         preconditioner->vmult(preconditioned, rhs);
         tolerance *= std::sqrt(rhs * preconditioned) / norm;
+        // From zero, with forces or gaps alone on the right, its first rotation would be by ninety
+        // degrees, and SolverMinRes divides by the cosine.
+        x = preconditioned;
       }
     SolverControl control(settings.maximum_iterations, tolerance);
     try

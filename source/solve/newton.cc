@@ -153,7 +153,10 @@ namespace Signorini
         const double tolerance =
           std::max(settings.tolerance, at_bottom ? force_rounding / scale : 0.);
         const bool balanced = step.residual <= tolerance;
-        report.converged    = balanced && step.gap_residual <= tolerance;
+        // What an augmentation changes is known up to the residual that the last solution left.
+        const double gap_tolerance =
+          augments ? std::max(10 * tolerance, force_rounding / scale) : tolerance;
+        report.converged = balanced && step.gap_residual <= gap_tolerance;
         if (balanced && !report.converged && augments && n < settings.maximum_steps)
           {
             augmented = p;
@@ -161,10 +164,13 @@ namespace Signorini
             print_row(out, n, step);
             continue;
           }
-        if (!report.converged && n == settings.maximum_steps)
+        const bool is_number = std::isfinite(step.residual + step.gap_residual);
+        if (!is_number)
+          report.reason = "the residual is not a number: loads, supports or the mesh are invalid";
+        else if (!report.converged && n == settings.maximum_steps)
           report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" +
                           chattering_points();
-        if (report.converged || n == settings.maximum_steps)
+        if (report.converged || n == settings.maximum_steps || !is_number)
           {
             report.steps.push_back(step);
             print_row(out, n, step);
@@ -178,7 +184,10 @@ namespace Signorini
             factorised = true;
           }
         step.krylov_iterations = linear_solver.solve(x, rhs, 0.1 * settings.tolerance * scale);
-        damping                = has_energy ? line_search(r, gap, stress, p, x.block(0)) : 1.;
+        // Constrained ones are unknowns of their own to the linear solver, zero up to its
+        // tolerance.
+        constraints.set_zero(x.block(0));
+        damping = has_energy ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
           {
@@ -250,9 +259,10 @@ namespace Signorini
   {
     LA::Vector defect    = contact.zero();
     const bool compliant = method.has_multipliers() && method.predictor() == Predictor::none;
+    const bool augments  = method.predictor() == Predictor::last_pressure;
     for (const auto i : defect.locally_owned_elements())
       if (active_set(i) > 0)
-        defect(i) = contact.weight(i) * contact.stiffness(i) *
+        defect(i) = contact.weight(i) * (augments ? contact.epsilon(i) : contact.stiffness(i)) *
                     (gap(i) + (compliant ? p(i) / contact.epsilon(i) : 0.));
     defect.compress(VectorOperation::insert);
     return defect;

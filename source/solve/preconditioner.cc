@@ -1,3 +1,4 @@
+#include <signorini/solve/linear_solver.h>
 #include <signorini/solve/preconditioner.h>
 #include <signorini/solve/preconditioners/block.h>
 #include <signorini/solve/preconditioners/contact_filter.h>
@@ -13,25 +14,29 @@ namespace Signorini
 
   namespace
   {
-    using Pointer = std::unique_ptr<Preconditioner>;
-    using Maker   = std::function<Pointer(const ContactSystem &, const AMG *, const std::string &)>;
+    using Settings = LinearSolverSettings;
+    using Pointer  = std::unique_ptr<Preconditioner>;
+    using Maker    = std::function<Pointer(const Settings &, const ContactSystem &, const AMG *)>;
+
+    Maker
+    block(const BlockPreconditioner::Form form)
+    {
+      return [form](const Settings &settings, const ContactSystem &system, const AMG *amg) {
+        return std::make_unique<BlockPreconditioner>(form, settings, system, *amg);
+      };
+    }
 
     // The registry: one line a preconditioner.
     const std::vector<std::pair<std::string, Maker>> registry = {
       {"contact filter",
-       [](const auto &system, const AMG *amg, const auto &direct) -> Pointer {
-         return std::make_unique<ContactFilter>(system, *amg, direct);
+       [](const Settings &settings, const ContactSystem &system, const AMG *amg) -> Pointer {
+         return std::make_unique<ContactFilter>(system, *amg, settings.direct_solver);
        }},
-      {"block diagonal",
-       [](const auto &system, const AMG *amg, const auto &) -> Pointer {
-         return std::make_unique<BlockPreconditioner>(system, *amg, false);
-       }},
-      {"block triangular",
-       [](const auto &system, const AMG *amg, const auto &) -> Pointer {
-         return std::make_unique<BlockPreconditioner>(system, *amg, true);
-       }},
-      {"direct", [](const auto &system, const AMG *, const auto &direct) -> Pointer {
-         return std::make_unique<Direct>(system, direct);
+      {"block diagonal", block(BlockPreconditioner::diagonal)},
+      {"block triangular", block(BlockPreconditioner::triangular)},
+      {"SIMPLE", block(BlockPreconditioner::simple)},
+      {"direct", [](const Settings &settings, const ContactSystem &system, const AMG *) -> Pointer {
+         return std::make_unique<Direct>(system, settings.direct_solver);
        }}};
   } // namespace
 
@@ -49,15 +54,14 @@ namespace Signorini
 
 
   std::unique_ptr<Preconditioner>
-  Preconditioner::create(const std::string   &name,
-                         const ContactSystem &system,
-                         const AMG           *amg,
-                         const std::string   &direct_solver)
+  Preconditioner::create(const LinearSolverSettings &settings,
+                         const ContactSystem        &system,
+                         const AMG                  *amg)
   {
     for (const auto &[known, make] : registry)
-      if (known == name)
-        return make(system, amg, direct_solver);
-    AssertThrow(false, ExcMessage("unknown preconditioner " + name));
+      if (known == settings.preconditioner)
+        return make(settings, system, amg);
+    AssertThrow(false, ExcMessage("unknown preconditioner " + settings.preconditioner));
     return nullptr;
   }
 } // namespace Signorini

@@ -64,6 +64,35 @@ namespace Signorini
 
 
 
+  LA::Vector
+  contact_zone(const ContactSystem &system)
+  {
+    LA::Vector marker;
+    marker.reinit(system.zero().block(0));
+    if (system.gap_operator().empty())
+      return marker;
+    const Epetra_CrsMatrix &B = system.gap_operator().B_free.trilinos_matrix();
+    Epetra_Vector           columns(B.ColMap());
+    int                     row = 0;
+    for (const auto i : system.gap_operator().weight.locally_owned_elements())
+      {
+        int     n, *indices;
+        double *values;
+        B.ExtractMyRowView(row++, n, values, indices);
+        if (system.spring()(i) != 0 || system.coupling()(i) != 0)
+          for (int k = 0; k < n; ++k)
+            if (values[k] != 0)
+              columns[indices[k]] = 1;
+      }
+    // Columns may belong to other ranks: tell them.
+    Epetra_MultiVector &owned = marker.trilinos_vector();
+    const int error = owned.Export(columns, Epetra_Import(B.ColMap(), B.DomainMap()), AbsMax);
+    AssertThrow(error == 0, ExcTrilinosError(error));
+    return marker;
+  }
+
+
+
   /// Matrix entries in zone numbering.
   struct ZoneSolver::Entries
   {

@@ -27,7 +27,8 @@ namespace Signorini
     /// The functions of the pressure at the point: (first degree of freedom of the node, value),
     /// hanging nodes resolved. For point-wise methods the trace shape functions.
     SparseRow    shape;
-    unsigned int face; ///< number of the slave face on this rank
+    SparseRow    interpolation; ///< of a pressure in the dual basis; empty: `shape`
+    unsigned int face;          ///< number of the slave face on this rank
 
     // For methods that predict the pressure by the stress of the bodies:
     SparseRow stress;    ///< normal stress, positive in compression, a mean of both bodies

@@ -27,7 +27,6 @@ namespace Signorini
   {
     std::string             directory; ///< empty: output/ and the name of the scene
     bool                    vtu = true;
-    std::string             reference_pressure; ///< formula in x,y,z,t; empty: none
     std::vector<Probe<dim>> probes;
 
     void

@@ -17,9 +17,10 @@ namespace Signorini
     /// Creates the directories. Throws SceneError if that is impossible. Collective.
     Writer(const OutputSettings<dim> &settings, const std::string &directory, MPI_Comm comm);
 
+    /// @param reference_pressure formula, written beside the pressure in profiles; may be empty.
     /// Collective.
     void
-    write(const Snapshot<dim> &snapshot);
+    write(const Snapshot<dim> &snapshot, const std::string &reference_pressure);
 
   private:
     const OutputSettings<dim> settings;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/accuracy/known_solution.h>
 #include <signorini/accuracy/refinement.h>
 #include <signorini/contact/method.h>
 #include <signorini/contact/obstacle.h>
@@ -80,6 +81,7 @@ namespace Signorini
     NewtonSettings                newton;
     LinearSolverSettings          solver;
     OutputSettings<dim>           output;
+    KnownSolution<dim>            known;
     std::vector<ExpectedResult>   expected;
 
     void

@@ -29,6 +29,9 @@ namespace Signorini
                   const GapOperator      &contact,
                   const ContactMethod    &method);
 
+    /// Condensed, with the springs D = factor k W on active points, whatever the method.
+    ContactSystem(const LA::SparseMatrix &stiffness, const GapOperator &contact, double factor);
+
     void
     set_active(const LA::Vector &active);
 
@@ -104,6 +107,7 @@ namespace Signorini
     const LA::SparseMatrix &K;
     const GapOperator      &contact;
     const bool              saddle;
+    const double            factor;    ///< of springs; 0: they are those of the contact law
     const bool              compliant; ///< multipliers whose law is g + p/eps = 0
     LA::Vector              D, X, Y, A, I;
     mutable LA::Vector      workspace;

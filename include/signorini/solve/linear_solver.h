@@ -21,6 +21,8 @@ namespace Signorini
   {
     std::string  preconditioner     = "contact filter";
     std::string  krylov             = "auto";
+    std::string  schur_complement   = "zone";
+    double       augmentation       = 0;
     std::string  direct_solver      = "auto";
     std::string  near_null_space    = "rigid body modes";
     double       reduction          = 1e-6;

@@ -92,7 +92,8 @@ namespace Signorini
     keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p_before, LA::Vector &p);
     bool
     seen_before();
-    /// What the active points lack to obey the law, as a force.
+    /// What the active points lack to obey the law, as a force: of the gap times E/h, or the change
+    /// of the force by the next augmentation.
     LA::Vector
     gap_defect(const LA::Vector &gap, const LA::Vector &p) const;
     LA::Vector

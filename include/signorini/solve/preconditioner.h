@@ -9,6 +9,8 @@
 
 namespace Signorini
 {
+  struct LinearSolverSettings;
+
   /// A preconditioner of the contact system: one file pair under solve/preconditioners and one line
   /// in the registry. Each serves both forms of the system.
   class Preconditioner
@@ -48,11 +50,9 @@ namespace Signorini
       return false;
     }
 
+    /// @param settings with a direct solver chosen
     static std::unique_ptr<Preconditioner>
-    create(const std::string   &name,
-           const ContactSystem &system,
-           const AMG           *amg,
-           const std::string   &direct_solver);
+    create(const LinearSolverSettings &settings, const ContactSystem &system, const AMG *amg);
   };
 
   std::vector<std::string>

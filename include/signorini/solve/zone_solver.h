@@ -10,6 +10,10 @@ class Epetra_LinearProblem;
 
 namespace Signorini
 {
+  /// Nonzero at the degrees of freedom that active contact points touch.
+  LA::Vector
+  contact_zone(const ContactSystem &system);
+
   /// Exact solution of a ContactSystem restricted to a zone: some of the degrees of freedom, and
   /// all multipliers. With the degrees of freedom that contact touches it costs a surface, with all
   /// of them it is a direct solver.

@@ -1,50 +1,37 @@
+#include <signorini/solve/linear_solver.h>
 #include <signorini/solve/preconditioners/block.h>
 
 #include <Epetra_CrsMatrix.h>
-#include <Epetra_Import.h>
 
 namespace Signorini
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// diag(B diag(K)^-1 B^T)
-    LA::Vector
-    point_flexibility(const LA::SparseMatrix &K, const GapOperator &contact)
-    {
-      const Epetra_CrsMatrix &B = contact.B_free.trilinos_matrix();
-      Epetra_Vector           diagonal(K.trilinos_matrix().RowMap()), columns(B.ColMap());
-      K.trilinos_matrix().ExtractDiagonalCopy(diagonal);
-      columns.Import(diagonal, Epetra_Import(B.ColMap(), B.DomainMap()), Insert);
-
-      LA::Vector flexibility = contact.zero();
-      int        local       = 0;
-      for (const auto i : flexibility.locally_owned_elements())
-        {
-          int     n, *indices;
-          double *values, sum = 0;
-          B.ExtractMyRowView(local++, n, values, indices);
-          for (int k = 0; k < n; ++k)
-            sum += values[k] * values[k] / columns[indices[k]];
-          flexibility(i) = sum;
-        }
-      flexibility.compress(VectorOperation::insert);
-      return flexibility;
-    }
-  } // namespace
-
-
-
-  BlockPreconditioner::BlockPreconditioner(const ContactSystem &system,
-                                           const AMG           &amg,
-                                           const bool           triangular)
-    : system(system)
+  BlockPreconditioner::BlockPreconditioner(const Form                  form,
+                                           const LinearSolverSettings &settings,
+                                           const ContactSystem        &system,
+                                           const AMG                  &amg)
+    : form(form)
+    , augmentation(settings.augmentation)
+    , system(system)
     , amg(amg)
-    , triangular(triangular)
   {
-    if (system.is_saddle_point())
-      flexibility = point_flexibility(system.stiffness(), system.gap_operator());
+    if (!system.is_saddle_point())
+      return;
+    schur = SchurComplement::create(settings, system, amg);
+    if (augmentation > 0)
+      {
+        augmented =
+          std::make_unique<ContactSystem>(system.stiffness(), system.gap_operator(), augmentation);
+        filter = std::make_unique<ContactFilter>(*augmented, amg, settings.direct_solver);
+      }
+    if (form == simple)
+      {
+        inverse_diagonal.reinit(system.zero().block(0));
+        Epetra_Vector diagonal(system.stiffness().trilinos_matrix().RowMap());
+        system.stiffness().trilinos_matrix().ExtractDiagonalCopy(diagonal);
+        inverse_diagonal.trilinos_vector()(0)->Reciprocal(diagonal);
+      }
   }
 
 
@@ -54,13 +41,44 @@ namespace Signorini
   {
     if (!system.is_saddle_point())
       return;
-    inverse_schur = system.gap_operator().zero();
-    for (const auto i : inverse_schur.locally_owned_elements())
-      {
-        const double A   = system.coupling()(i);
-        inverse_schur(i) = 1 / (A * A * flexibility(i) + system.identity()(i));
-      }
-    inverse_schur.compress(VectorOperation::insert);
+    schur->update();
+    if (!augmented)
+      return;
+    LA::Vector active = system.gap_operator().zero();
+    extra             = active;
+    for (const auto i : active.locally_owned_elements())
+      if (const double A = system.coupling()(i); A != 0)
+        {
+          active(i) = 1;
+          extra(i)  = augmentation / A;
+        }
+    active.compress(VectorOperation::insert);
+    extra.compress(VectorOperation::insert);
+    augmented->set_active(active);
+    filter->update();
+  }
+
+
+
+  void
+  BlockPreconditioner::solve_schur(LA::Vector &dst, const LA::Vector &src) const
+  {
+    schur->vmult(dst, src);
+    if (!augmented)
+      return;
+    LA::Vector more = src;
+    more.scale(extra);
+    dst += more;
+  }
+
+
+
+  void
+  BlockPreconditioner::add_coupling(LA::Vector &f, const LA::Vector &q) const
+  {
+    LA::Vector scaled = q;
+    scaled.scale(system.coupling());
+    system.gap_operator().B_free.Tvmult_add(f, scaled);
   }
 
 
@@ -68,19 +86,39 @@ namespace Signorini
   void
   BlockPreconditioner::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
-    amg.vmult(dst.block(0), src.block(0));
+    LA::Vector right = src.block(0);
+    if (augmented && form != diagonal)
+      {
+        // The first row minus B^T A gamma/(k W) times the second, which makes K + B^T gamma k W B
+        // of it.
+        LA::Vector q = src.block(1);
+        q.scale(extra);
+        q *= -1;
+        add_coupling(right, q);
+      }
+    if (augmented)
+      filter->solve(dst.block(0), right);
+    else
+      amg.vmult(dst.block(0), right);
     if (!system.is_saddle_point())
       return;
-    dst.block(1) = src.block(1);
-    if (triangular)
+    if (form == diagonal)
       {
-        // [K 0; -A B  -S]: the second row sees what the first has found, and S counts negative.
-        rest.reinit(src.block(1));
-        system.gap_operator().B_free.vmult(rest, dst.block(0));
-        rest.scale(system.coupling());
-        dst.block(1) += rest;
-        dst.block(1) *= -1;
+        solve_schur(dst.block(1), src.block(1));
+        return;
       }
-    dst.block(1).scale(inverse_schur);
+    LA::Vector rest = system.gap_operator().zero();
+    system.gap_operator().B_free.vmult(rest, dst.block(0));
+    rest.scale(system.coupling());
+    rest += src.block(1);
+    solve_schur(dst.block(1), rest);
+    dst.block(1) *= -1;
+    if (form == triangular)
+      return;
+    LA::Vector force;
+    force.reinit(dst.block(0));
+    add_coupling(force, dst.block(1));
+    force.scale(inverse_diagonal);
+    dst.block(0) += force;
   }
 } // namespace Signorini

@@ -1,44 +1,8 @@
 #include <signorini/solve/preconditioners/contact_filter.h>
 
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Import.h>
-
 namespace Signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// Nonzero at the degrees of freedom that active contact points touch.
-    LA::Vector
-    touched(const ContactSystem &system)
-    {
-      LA::Vector marker;
-      marker.reinit(system.zero().block(0));
-      if (system.gap_operator().empty())
-        return marker;
-      const Epetra_CrsMatrix &B = system.gap_operator().B_free.trilinos_matrix();
-      Epetra_Vector           columns(B.ColMap());
-      int                     row = 0;
-      for (const auto i : system.gap_operator().weight.locally_owned_elements())
-        {
-          int     n, *indices;
-          double *values;
-          B.ExtractMyRowView(row++, n, values, indices);
-          if (system.spring()(i) != 0 || system.coupling()(i) != 0)
-            for (int k = 0; k < n; ++k)
-              if (values[k] != 0)
-                columns[indices[k]] = 1;
-        }
-      // Columns may belong to other ranks: tell them.
-      Epetra_MultiVector &owned = marker.trilinos_vector();
-      const int error = owned.Export(columns, Epetra_Import(B.ColMap(), B.DomainMap()), AbsMax);
-      AssertThrow(error == 0, ExcTrilinosError(error));
-      return marker;
-    }
-  } // namespace
-
-
 
   ContactFilter::ContactFilter(const ContactSystem &system,
                                const AMG           &amg,
@@ -53,7 +17,7 @@ namespace Signorini
   void
   ContactFilter::update()
   {
-    zone = std::make_unique<ZoneSolver>(system, touched(system), direct_solver);
+    zone = std::make_unique<ZoneSolver>(system, contact_zone(system), direct_solver);
     if (zone->size() > 0)
       zone->update();
   }
@@ -65,6 +29,21 @@ namespace Signorini
   {
     if (zone->size() > 0)
       zone->add_correction(x, rhs);
+  }
+
+
+
+  void
+  ContactFilter::solve(LA::Vector &dst, const LA::Vector &src) const
+  {
+    LA::BlockVector x = system.zero(), right = x, rest = x, correction = x;
+    right.block(0) = src;
+    start(x, right);
+    system.vmult(rest, x);
+    rest.sadd(-1, 1, right);
+    vmult(correction, rest);
+    x += correction;
+    dst = x.block(0);
   }
 
 

@@ -1,15 +1,37 @@
 #pragma once
 
-#include <signorini/solve/preconditioner.h>
+#include <signorini/solve/preconditioners/contact_filter.h>
+#include <signorini/solve/preconditioners/schur_complement.h>
 
 namespace Signorini
 {
-  /// diag(AMG, S) or the block triangular form of it, with the diagonal S = diag(A B diag(K)^-1 B^T
-  /// A) of an approximate Schur complement. On condensed systems both are AMG(K) alone.
+  /// Preconditioners of saddle points from an approximation of K^-1 and one of the Schur complement
+  /// S (Benzi, Golub, Liesen, Acta Numerica 14 (2005) 1-137, chapter 10):
+  ///
+  ///   diagonal    diag(K, S), for MINRES;
+  ///   triangular  [K 0; -A B -S]: the second row sees what the first has found;
+  ///   simple      then also the displacement sees the multipliers, through diag(K)^-1
+  ///               (Patankar, Spalding, Int. J. Heat Mass Transfer 15 (1972) 1787-1806).
+  ///
+  /// K^-1 is a V-cycle. With an augmentation gamma, K is replaced by K + B^T gamma k W B, which is
+  /// solved by a contact filter, and S^-1 gains gamma/(k W): the larger gamma, the better is this
+  /// diagonal alone (Golub, Greif, SIAM J. Sci. Comput. 24 (2003) 2076-2092).
+  ///
+  /// On condensed systems all are AMG(K) alone.
   class BlockPreconditioner : public Preconditioner
   {
   public:
-    BlockPreconditioner(const ContactSystem &system, const AMG &amg, bool triangular);
+    enum Form
+    {
+      diagonal,
+      triangular,
+      simple
+    };
+
+    BlockPreconditioner(Form                        form,
+                        const LinearSolverSettings &settings,
+                        const ContactSystem        &system,
+                        const AMG                  &amg);
 
     void
     update() override;
@@ -20,15 +42,27 @@ namespace Signorini
     bool
     is_positive_definite() const override
     {
-      return !triangular;
+      return form == diagonal && (!schur || schur->is_linear());
     }
 
   private:
+    /// dst = S^-1 src
+    void
+    solve_schur(LA::Vector &dst, const LA::Vector &src) const;
+
+    /// f += B^T A q
+    void
+    add_coupling(LA::Vector &f, const LA::Vector &q) const;
+
+    const Form           form;
+    const double         augmentation;
     const ContactSystem &system;
     const AMG           &amg;
-    const bool           triangular;
-    LA::Vector           flexibility; ///< diag(B diag(K)^-1 B^T)
-    LA::Vector           inverse_schur;
-    mutable LA::Vector   rest;
+    LA::Vector           inverse_diagonal; ///< of K
+
+    std::unique_ptr<SchurComplement> schur;
+    std::unique_ptr<ContactSystem>   augmented;
+    std::unique_ptr<ContactFilter>   filter;
+    LA::Vector                       extra; ///< gamma/(k W) on active points
   };
 } // namespace Signorini

@@ -28,6 +28,10 @@ namespace Signorini
     void
     start(LA::BlockVector &x, const LA::BlockVector &rhs) const override;
 
+    /// F-V-F as a whole, for any right-hand side of a condensed system.
+    void
+    solve(LA::Vector &dst, const LA::Vector &src) const;
+
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override;
 

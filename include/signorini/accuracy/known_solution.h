@@ -1,0 +1,36 @@
+#pragma once
+
+#include <signorini/output/snapshot.h>
+#include <signorini/parameters/expression.h>
+
+#include <string>
+
+namespace Signorini
+{
+  class Section;
+
+  /// What is known of the solution, as formulas of the coordinates and the time.
+  template <int dim>
+  struct KnownSolution
+  {
+    VectorExpression<dim> displacement; ///< empty: not known
+    std::string           pressure;     ///< empty: not known
+
+    void
+    declare(Section &section);
+  };
+
+  /// Deviations from the known solution, each relative to the norm of the solution itself; zero
+  /// where it is not known.
+  struct SolutionErrors
+  {
+    double displacement = 0; ///< in L2
+    double energy       = 0; ///< (int sigma(e):eps(e) dV)^1/2
+    double pressure     = 0; ///< in L2 on the slave surfaces where they have a partner
+  };
+
+  /// Collective.
+  template <int dim>
+  SolutionErrors
+  errors(const Snapshot<dim> &snapshot, const KnownSolution<dim> &exact);
+} // namespace Signorini

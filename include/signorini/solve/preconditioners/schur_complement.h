@@ -1,0 +1,42 @@
+#pragma once
+
+#include <signorini/solve/contact_system.h>
+#include <signorini/solve/preconditioners/amg.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  struct LinearSolverSettings;
+
+  /// An approximation of the Schur complement S = A B K^-1 B^T A + I of a saddle point, which is
+  /// positive definite. One class in the source file and one line in the registry there.
+  class SchurComplement
+  {
+  public:
+    virtual ~SchurComplement() = default;
+
+    /// The active set has changed.
+    virtual void
+    update() = 0;
+
+    /// dst = S^-1 src
+    virtual void
+    vmult(LA::Vector &dst, const LA::Vector &src) const = 0;
+
+    /// A fixed symmetric positive definite operator, as MINRES needs it.
+    virtual bool
+    is_linear() const
+    {
+      return true;
+    }
+
+    static std::unique_ptr<SchurComplement>
+    create(const LinearSolverSettings &settings, const ContactSystem &system, const AMG &amg);
+
+    static std::vector<std::string>
+    names();
+  };
+} // namespace Signorini

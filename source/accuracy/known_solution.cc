@@ -1,0 +1,183 @@
+#include <signorini/accuracy/known_solution.h>
+#include <signorini/output/nodal_fields.h>
+#include <signorini/parameters/section.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  KnownSolution<dim>::declare(Section &section)
+  {
+    section.add("Displacement",
+                displacement,
+                "formula of the coordinates and t; its errors are reported");
+    section.add("Pressure",
+                pressure,
+                "contact pressure, likewise; written beside the computed one in profiles");
+    if (!section.reading() || pressure.empty())
+      return;
+    try
+      {
+        Expression<dim>{pressure};
+      }
+    catch (const SceneError &error)
+      {
+        section.fail("Pressure", error.what());
+      }
+  }
+
+
+
+  namespace
+  {
+    /// The integral of the square of a deviation, and of what it deviates from.
+    struct Squares
+    {
+      double error = 0, exact = 0;
+
+      void
+      add(const double weight, const double error2, const double exact2)
+      {
+        error += weight * error2;
+        exact += weight * exact2;
+      }
+
+      /// Collective.
+      double
+      relative(const MPI_Comm comm) const
+      {
+        const double e = Utilities::MPI::sum(error, comm), u = Utilities::MPI::sum(exact, comm);
+        return u > 0 ? std::sqrt(e / u) : std::sqrt(e);
+      }
+    };
+
+    /// By central differences of fourth order, whose rounding and truncation are both far below
+    /// what a mesh resolves.
+    template <int dim>
+    Tensor<2, dim>
+    gradient(const VectorExpression<dim> &u, const Point<dim> &x, const double t, const double size)
+    {
+      const double   step = 1e-4 * size;
+      Tensor<2, dim> result; // [component][direction]
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const Tensor<1, dim> e          = step * Point<dim>::unit_vector(d);
+          const Tensor<1, dim> derivative = (8. * (u.value(x + e, t) - u.value(x - e, t)) -
+                                             (u.value(x + 2. * e, t) - u.value(x - 2. * e, t))) /
+                                            (12 * step);
+          for (unsigned int c = 0; c < dim; ++c)
+            result[c][d] = derivative[c];
+        }
+      return result;
+    }
+
+    /// sigma : eps of a displacement gradient.
+    template <int dim>
+    double
+    energy_density(const Material &material, const Tensor<2, dim> &gradient)
+    {
+      const SymmetricTensor<2, dim> strain = symmetrize(gradient);
+      return material.lambda() * trace(strain) * trace(strain) +
+             2 * material.mu() * (strain * strain);
+    }
+
+    template <int dim>
+    void
+    add_displacement_errors(const Snapshot<dim>         &s,
+                            const VectorExpression<dim> &exact,
+                            SolutionErrors              &errors)
+    {
+      const Elasticity<dim>           &elasticity = s.elasticity;
+      const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
+      FEValues<dim>                    values(elasticity.mesh().mapping(),
+                           elasticity.finite_element(),
+                           QGauss<dim>(elasticity.degree() + 3),
+                           update_values | update_gradients | update_quadrature_points |
+                             update_JxW_values);
+      const FEValuesExtractors::Vector displacement(0);
+      std::vector<Tensor<1, dim>>      u(values.n_quadrature_points);
+      std::vector<Tensor<2, dim>>      grad_u(u.size());
+      Squares                          l2, energy;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const Material &material = elasticity.material(cell->material_id());
+            values.reinit(cell);
+            values[displacement].get_function_values(ghosted, u);
+            values[displacement].get_function_gradients(ghosted, grad_u);
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                const Point<dim>    &x      = values.quadrature_point(q);
+                const Tensor<1, dim> wanted = exact.value(x, s.time);
+                const Tensor<2, dim> grad   = gradient(exact, x, s.time, cell->diameter());
+                l2.add(values.JxW(q), (u[q] - wanted).norm_square(), wanted.norm_square());
+                energy.add(values.JxW(q),
+                           energy_density(material, grad_u[q] - grad),
+                           energy_density(material, grad));
+              }
+          }
+      errors.displacement = l2.relative(elasticity.mesh().communicator());
+      errors.energy       = energy.relative(elasticity.mesh().communicator());
+    }
+
+    template <int dim>
+    double
+    pressure_error(const Snapshot<dim> &s, const Expression<dim> &exact)
+    {
+      const bool              nodes = samples_nodes(s.contact);
+      const IndexSet          rows  = s.pressure.locally_owned_elements();
+      types::global_dof_index row =
+        rows.n_elements() > 0 ? *rows.begin() : types::global_dof_index(0);
+      Squares l2;
+      for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
+        {
+          LA::Vector nodal;
+          if (nodes)
+            nodal = s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair));
+          for (const ContactPoint<dim> &point : s.surfaces[pair].points)
+            {
+              double p = 0;
+              if (!nodes)
+                p = s.pressure(row++);
+              else
+                for (const auto &[node, value] :
+                     point.interpolation.empty() ? point.shape : point.interpolation)
+                  p += value * nodal(node);
+              const double wanted = exact.value(point.position, s.time);
+              l2.add(point.weight, (p - wanted) * (p - wanted), wanted * wanted);
+            }
+        }
+      return l2.relative(s.elasticity.mesh().communicator());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SolutionErrors
+  errors(const Snapshot<dim> &snapshot, const KnownSolution<dim> &exact)
+  {
+    SolutionErrors result;
+    if (!exact.displacement.empty())
+      add_displacement_errors(snapshot, exact.displacement, result);
+    if (!exact.pressure.empty())
+      result.pressure = pressure_error(snapshot, Expression<dim>(exact.pressure));
+    return result;
+  }
+
+
+
+  template struct KnownSolution<2>;
+  template struct KnownSolution<3>;
+  template SolutionErrors
+  errors(const Snapshot<2> &, const KnownSolution<2> &);
+  template SolutionErrors
+  errors(const Snapshot<3> &, const KnownSolution<3> &);
+} // namespace Signorini
