@@ -320,10 +320,13 @@ namespace Signorini
     one.update(force_results(now, rigid));
     one["probes"]                  = probe_results(now, scene.output.probes);
     const SolutionErrors deviation = errors(now, scene.known);
-    if (!scene.known.displacement.empty() || !scene.known.pressure.empty())
-      one["errors"] = {{"displacement", deviation.displacement},
-                       {"energy", deviation.energy},
-                       {"pressure", deviation.pressure}};
+    if (!scene.known.displacement.empty())
+      {
+        one["errors"]["displacement"] = deviation.displacement;
+        one["errors"]["energy"]       = deviation.energy;
+      }
+    if (!scene.known.pressure.empty())
+      one["errors"]["pressure"] = deviation.pressure;
     results["load_steps"].push_back(one);
     writer->write(now, scene.known.pressure);
   }

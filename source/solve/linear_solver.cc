@@ -138,11 +138,11 @@ namespace Signorini
         auto known = modes;
         if (settings.near_null_space == "translations")
           known.resize(dim); // they come first
-        amg = std::make_unique<AMG>(system.stiffness(), known, dim);
+        hierarchy = std::make_unique<Hierarchy>(system.stiffness(), known, dim);
       }
     LinearSolverSettings chosen = settings;
     chosen.direct_solver = choose_direct(settings, system.stiffness().get_mpi_communicator());
-    preconditioner       = Preconditioner::create(chosen, system, amg.get());
+    preconditioner       = Preconditioner::create(chosen, system, hierarchy.get());
   }
 
 

@@ -16,26 +16,30 @@ namespace Signorini
   {
     using Settings = LinearSolverSettings;
     using Pointer  = std::unique_ptr<Preconditioner>;
-    using Maker    = std::function<Pointer(const Settings &, const ContactSystem &, const AMG *)>;
+    using Maker =
+      std::function<Pointer(const Settings &, const ContactSystem &, const Hierarchy *)>;
 
     Maker
     block(const BlockPreconditioner::Form form)
     {
-      return [form](const Settings &settings, const ContactSystem &system, const AMG *amg) {
-        return std::make_unique<BlockPreconditioner>(form, settings, system, *amg);
-      };
+      return
+        [form](const Settings &settings, const ContactSystem &system, const Hierarchy *hierarchy) {
+          return std::make_unique<BlockPreconditioner>(form, settings, system, *hierarchy);
+        };
     }
 
     // The registry: one line a preconditioner.
     const std::vector<std::pair<std::string, Maker>> registry = {
       {"contact filter",
-       [](const Settings &settings, const ContactSystem &system, const AMG *amg) -> Pointer {
-         return std::make_unique<ContactFilter>(system, *amg, settings.direct_solver);
+       [](const Settings &settings, const ContactSystem &system, const Hierarchy *hierarchy)
+         -> Pointer {
+         return std::make_unique<ContactFilter>(system, *hierarchy, settings.direct_solver);
        }},
       {"block diagonal", block(BlockPreconditioner::diagonal)},
       {"block triangular", block(BlockPreconditioner::triangular)},
       {"SIMPLE", block(BlockPreconditioner::simple)},
-      {"direct", [](const Settings &settings, const ContactSystem &system, const AMG *) -> Pointer {
+      {"direct",
+       [](const Settings &settings, const ContactSystem &system, const Hierarchy *) -> Pointer {
          return std::make_unique<Direct>(system, settings.direct_solver);
        }}};
   } // namespace
@@ -56,11 +60,11 @@ namespace Signorini
   std::unique_ptr<Preconditioner>
   Preconditioner::create(const LinearSolverSettings &settings,
                          const ContactSystem        &system,
-                         const AMG                  *amg)
+                         const Hierarchy            *hierarchy)
   {
     for (const auto &[known, make] : registry)
       if (known == settings.preconditioner)
-        return make(settings, system, amg);
+        return make(settings, system, hierarchy);
     AssertThrow(false, ExcMessage("unknown preconditioner " + settings.preconditioner));
     return nullptr;
   }

@@ -56,14 +56,14 @@ namespace Signorini
     unsigned int
     v_cycles() const
     {
-      return amg ? amg->v_cycles() : 0;
+      return preconditioner->v_cycles();
     }
 
   private:
     const LinearSolverSettings      settings;
     const ContactSystem            &system;
     dealii::TimerOutput            &timer;
-    std::unique_ptr<AMG>            amg;
+    std::unique_ptr<Hierarchy>      hierarchy;
     std::unique_ptr<Preconditioner> preconditioner;
   };
 } // namespace Signorini

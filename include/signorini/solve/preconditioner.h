@@ -1,7 +1,7 @@
 #pragma once
 
 #include <signorini/solve/contact_system.h>
-#include <signorini/solve/preconditioners/amg.h>
+#include <signorini/solve/preconditioners/hierarchy.h>
 
 #include <memory>
 #include <string>
@@ -43,6 +43,13 @@ namespace Signorini
       return false;
     }
 
+    /// V-cycles so far.
+    virtual unsigned int
+    v_cycles() const
+    {
+      return 0;
+    }
+
     /// True: one application solves the system.
     virtual bool
     is_exact() const
@@ -52,7 +59,9 @@ namespace Signorini
 
     /// @param settings with a direct solver chosen
     static std::unique_ptr<Preconditioner>
-    create(const LinearSolverSettings &settings, const ContactSystem &system, const AMG *amg);
+    create(const LinearSolverSettings &settings,
+           const ContactSystem        &system,
+           const Hierarchy            *hierarchy);
   };
 
   std::vector<std::string>

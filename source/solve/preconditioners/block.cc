@@ -2,6 +2,7 @@
 #include <signorini/solve/preconditioners/block.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Vector.h>
 
 namespace Signorini
 {
@@ -10,11 +11,11 @@ namespace Signorini
   BlockPreconditioner::BlockPreconditioner(const Form                  form,
                                            const LinearSolverSettings &settings,
                                            const ContactSystem        &system,
-                                           const AMG                  &amg)
+                                           const Hierarchy            &hierarchy)
     : form(form)
     , augmentation(settings.augmentation)
     , system(system)
-    , amg(amg)
+    , amg(hierarchy, nullptr)
   {
     if (!system.is_saddle_point())
       return;
@@ -23,7 +24,7 @@ namespace Signorini
       {
         augmented =
           std::make_unique<ContactSystem>(system.stiffness(), system.gap_operator(), augmentation);
-        filter = std::make_unique<ContactFilter>(*augmented, amg, settings.direct_solver);
+        filter = std::make_unique<ContactFilter>(*augmented, hierarchy, settings.direct_solver);
       }
     if (form == simple)
       {

@@ -1,14 +1,33 @@
 #include <signorini/solve/preconditioners/contact_filter.h>
 
+#include <limits>
+
 namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Of active points; those of multipliers are rigid.
+    LA::Vector
+    springs(const ContactSystem &system)
+    {
+      LA::Vector D = system.spring();
+      for (const auto i : D.locally_owned_elements())
+        if (system.coupling()(i) != 0)
+          D(i) = std::numeric_limits<double>::max();
+      D.compress(VectorOperation::insert);
+      return D;
+    }
+  } // namespace
+
+
+
   ContactFilter::ContactFilter(const ContactSystem &system,
-                               const AMG           &amg,
+                               const Hierarchy     &hierarchy,
                                const std::string   &direct_solver)
     : system(system)
-    , amg(amg)
+    , amg(hierarchy, &system.gap_operator())
     , direct_solver(direct_solver)
   {}
 
@@ -17,6 +36,7 @@ namespace Signorini
   void
   ContactFilter::update()
   {
+    amg.set_springs(springs(system));
     zone = std::make_unique<ZoneSolver>(system, contact_zone(system), direct_solver);
     if (zone->size() > 0)
       zone->update();

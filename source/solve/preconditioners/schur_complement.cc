@@ -7,6 +7,7 @@
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>
+#include <Epetra_Vector.h>
 
 #include <functional>
 

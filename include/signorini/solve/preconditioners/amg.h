@@ -1,23 +1,30 @@
 #pragma once
 
-#include <signorini/linear_algebra.h>
+#include <signorini/contact/gap_operator.h>
+#include <signorini/solve/preconditioners/hierarchy.h>
 
-#include <deal.II/lac/trilinos_precondition.h>
-
-#include <vector>
+class Amesos_BaseSolver;
+class Epetra_LinearProblem;
 
 namespace Signorini
 {
-  /// Smoothed-aggregation multigrid (ML) for the stiffness matrix, whose near-null-space are the
-  /// rigid-body modes: translations alone cost twice the iterations, and the count then grows with
-  /// the mesh.
+  /// A V-cycle for K + B^T D B with springs D that change: the levels are those of K, whose
+  /// aggregates do not join bodies, so that their nodes slide freely on all levels; but the springs
+  /// act on all of them, as B P_1 P_2 ... to the left and right of D. Without them, the corrections
+  /// of bodies that touch would know nothing of each other.
   class AMG
   {
   public:
-    /// @param modes rigid-body modes on the locally owned degrees of freedom, mode by mode
-    AMG(const LA::SparseMatrix                 &stiffness,
-        const std::vector<std::vector<double>> &modes,
-        unsigned int                            dim);
+    /// @param contact null: no springs
+    AMG(const Hierarchy &hierarchy, const GapOperator *contact);
+
+    ~AMG();
+
+    /// The springs D have changed. No level is made anew. Springs stiffer than 3 k W count as that:
+    /// they couple the bodies well enough, and larger ones would slow down the smoothers (of 1, 3,
+    /// 10, 100 and 1000 this took the fewest iterations).
+    void
+    set_springs(const LA::Vector &springs);
 
     /// One V-cycle.
     void
@@ -30,7 +37,37 @@ namespace Signorini
     }
 
   private:
-    dealii::TrilinosWrappers::PreconditionAMG amg;
-    mutable unsigned int                      n_v_cycles = 0;
+    struct Level
+    {
+      const Epetra_CrsMatrix *K, *P = nullptr; ///< P: from the next level to this
+      /// Of the springs; level 0 borrows that of the contact.
+      std::shared_ptr<const Epetra_CrsMatrix> B;
+      LA::Vector                              diagonal_K;
+      LA::Vector                              inverse_diagonal; ///< of K + B^T D B
+      double             largest_eigenvalue = 0; ///< of inverse_diagonal * (K + B^T D B)
+      mutable LA::Vector x, right, rest, step, force, gap;
+    };
+
+    void
+    update_diagonal(Level &level);
+    void
+    estimate_eigenvalue(Level &level);
+    void
+    factorise();
+
+    void
+    multiply(const Level &level, LA::Vector &dst, const LA::Vector &src) const;
+    void
+    smooth(const Level &level, LA::Vector &x, const LA::Vector &right, bool from_zero) const;
+    void
+    cycle(unsigned int l, LA::Vector &x, const LA::Vector &right) const;
+
+    std::vector<std::unique_ptr<Level>>   levels;
+    LA::Vector                            D, limit;
+    bool                                  has_springs;
+    std::unique_ptr<Epetra_CrsMatrix>     coarsest;
+    std::unique_ptr<Epetra_LinearProblem> problem;
+    std::unique_ptr<Amesos_BaseSolver>    direct; ///< looks at coarsest and problem
+    mutable unsigned int                  n_v_cycles = 0;
   };
 } // namespace Signorini

@@ -31,13 +31,19 @@ namespace Signorini
     BlockPreconditioner(Form                        form,
                         const LinearSolverSettings &settings,
                         const ContactSystem        &system,
-                        const AMG                  &amg);
+                        const Hierarchy            &hierarchy);
 
     void
     update() override;
 
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override;
+
+    unsigned int
+    v_cycles() const override
+    {
+      return amg.v_cycles() + (filter ? filter->v_cycles() : 0);
+    }
 
     bool
     is_positive_definite() const override
@@ -57,7 +63,7 @@ namespace Signorini
     const Form           form;
     const double         augmentation;
     const ContactSystem &system;
-    const AMG           &amg;
+    const AMG            amg;
     LA::Vector           inverse_diagonal; ///< of K
 
     std::unique_ptr<SchurComplement> schur;

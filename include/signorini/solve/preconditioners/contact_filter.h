@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/solve/preconditioner.h>
+#include <signorini/solve/preconditioners/amg.h>
 #include <signorini/solve/zone_solver.h>
 
 namespace Signorini
@@ -20,7 +21,9 @@ namespace Signorini
   class ContactFilter : public Preconditioner
   {
   public:
-    ContactFilter(const ContactSystem &system, const AMG &amg, const std::string &direct_solver);
+    ContactFilter(const ContactSystem &system,
+                  const Hierarchy     &hierarchy,
+                  const std::string   &direct_solver);
 
     void
     update() override;
@@ -34,6 +37,12 @@ namespace Signorini
 
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override;
+
+    unsigned int
+    v_cycles() const override
+    {
+      return amg.v_cycles();
+    }
 
     bool
     is_positive_definite() const override
@@ -49,7 +58,7 @@ namespace Signorini
 
   private:
     const ContactSystem        &system;
-    const AMG                  &amg;
+    AMG                         amg;
     const std::string           direct_solver;
     std::unique_ptr<ZoneSolver> zone; ///< what active contact touches
   };

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <signorini/linear_algebra.h>
+
+#include <memory>
+#include <vector>
+
+class Epetra_CrsMatrix;
+
+namespace Signorini
+{
+  /// The levels of a smoothed-aggregation multigrid method for the stiffness matrix, made by ML
+  /// from its near-null-space, the rigid-body modes: translations alone cost twice the iterations,
+  /// and the count then grows with the mesh. Belongs to the mesh; aggregates never contain nodes of
+  /// two bodies.
+  class Hierarchy
+  {
+  public:
+    /// @param modes rigid-body modes on the locally owned degrees of freedom, mode by mode
+    Hierarchy(const LA::SparseMatrix                 &stiffness,
+              const std::vector<std::vector<double>> &modes,
+              unsigned int                            dim);
+
+    ~Hierarchy();
+
+    unsigned int
+    n_levels() const
+    {
+      return 1 + coarse.size();
+    }
+
+    /// Level 0 is the finest, the stiffness matrix itself; the others are its Galerkin products.
+    const Epetra_CrsMatrix &
+    matrix(const unsigned int level) const
+    {
+      return level == 0 ? stiffness.trilinos_matrix() : *coarse[level - 1].matrix;
+    }
+
+    /// From level + 1 to level.
+    const Epetra_CrsMatrix &
+    prolongation(const unsigned int level) const
+    {
+      return *coarse[level].prolongation;
+    }
+
+  private:
+    struct Level
+    {
+      std::unique_ptr<Epetra_CrsMatrix> matrix, prolongation;
+    };
+
+    const LA::SparseMatrix &stiffness;
+    std::vector<Level>      coarse;
+  };
+} // namespace Signorini

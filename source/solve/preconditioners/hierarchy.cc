@@ -1,0 +1,68 @@
+#include <signorini/solve/preconditioners/hierarchy.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
+#include <Epetra_Vector.h>
+#include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
+#include <ml_epetra_utils.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Teuchos::ParameterList
+    parameters_of(Epetra_MultiVector &null_space, const unsigned int dim)
+    {
+      Teuchos::ParameterList parameters;
+      ML_Epetra::SetDefaults("SA", parameters);
+      parameters.set("ML output", 0);
+      parameters.set("PDE equations", static_cast<int>(dim));
+      parameters.set("null space: type", "pre-computed");
+      parameters.set("null space: dimension", null_space.NumVectors());
+      parameters.set("null space: vectors", null_space.Values());
+      parameters.set("aggregation: type", "Uncoupled");
+      // Dropping weak couplings harms elasticity: what looks weak is shear.
+      parameters.set("aggregation: threshold", 0.);
+      parameters.set("coarse: max size", 1000);
+      // Only the levels are wanted.
+      parameters.set("smoother: type", "do-nothing");
+      parameters.set("coarse: type", "do-nothing");
+      return parameters;
+    }
+
+    std::unique_ptr<Epetra_CrsMatrix>
+    copy(ML_Operator &from)
+    {
+      Epetra_CrsMatrix *matrix = nullptr;
+      const int         error  = ML_Operator2EpetraCrsMatrix(&from, matrix);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      return std::unique_ptr<Epetra_CrsMatrix>(matrix);
+    }
+  } // namespace
+
+
+
+  Hierarchy::Hierarchy(const LA::SparseMatrix                 &stiffness,
+                       const std::vector<std::vector<double>> &modes,
+                       const unsigned int                      dim)
+    : stiffness(stiffness)
+  {
+    Epetra_MultiVector null_space(stiffness.trilinos_matrix().DomainMap(), modes.size());
+    for (unsigned int m = 0; m < modes.size(); ++m)
+      std::copy(modes[m].begin(), modes[m].end(), null_space[m]);
+    const ML_Epetra::MultiLevelPreconditioner builder(stiffness.trilinos_matrix(),
+                                                      parameters_of(null_space, dim));
+    const ML                                 &levels = *builder.GetML();
+    for (int level = 1; level < levels.ML_num_actual_levels; ++level)
+      coarse.push_back({copy(levels.Amat[level]), copy(levels.Pmat[level])});
+  }
+
+
+
+  Hierarchy::~Hierarchy() = default;
+} // namespace Signorini
