@@ -233,15 +233,15 @@ namespace Signorini
       f = elasticity->load();
     }
     elasticity->distribute(displacement);
-    std::vector<std::vector<double>> motion;
+    obstacle_motion.clear();
     for (const ContactPair<dim> &pair : scene.pairs)
       {
-        motion.emplace_back(dim, 0.);
+        obstacle_motion.emplace_back(dim, 0.);
         if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair))
           for (unsigned int d = 0; d < dim; ++d)
-            motion.back()[d] = obstacle->motion(t)[d];
+            obstacle_motion.back()[d] = obstacle->motion(t)[d];
       }
-    contact->set_obstacle_motion(motion);
+    contact->set_obstacle_motion(obstacle_motion);
 
     report = newton->solve(f, displacement, pressure, out);
     elasticity->distribute(displacement);
@@ -299,6 +299,7 @@ namespace Signorini
                             gap,
                             pressure,
                             newton->active(),
+                            obstacle_motion,
                             t,
                             step};
 

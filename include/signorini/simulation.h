@@ -66,7 +66,8 @@ namespace Signorini
     std::unique_ptr<GapOperator>     contact;
     std::unique_ptr<Newton>          newton;
 
-    LA::Vector displacement, pressure;
+    LA::Vector                       displacement, pressure;
+    std::vector<std::vector<double>> obstacle_motion; ///< of each pair
 
     std::unique_ptr<Writer<dim>> writer;
     NewtonReport                 report;

@@ -1,5 +1,5 @@
 #include <signorini/accuracy/known_solution.h>
-#include <signorini/output/nodal_fields.h>
+#include <signorini/output/point_values.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -131,27 +131,16 @@ namespace Signorini
     double
     pressure_error(const Snapshot<dim> &s, const Expression<dim> &exact)
     {
-      const bool              nodes = samples_nodes(s.contact);
-      const IndexSet          rows  = s.pressure.locally_owned_elements();
-      types::global_dof_index row =
-        rows.n_elements() > 0 ? *rows.begin() : types::global_dof_index(0);
       Squares l2;
       for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
         {
-          LA::Vector nodal;
-          if (nodes)
-            nodal = s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair));
-          for (const ContactPoint<dim> &point : s.surfaces[pair].points)
+          const std::vector<double> pressure = point_values(s, pair).pressure;
+          const auto               &points   = s.surfaces[pair].points;
+          for (unsigned int q = 0; q < points.size(); ++q)
             {
-              double p = 0;
-              if (!nodes)
-                p = s.pressure(row++);
-              else
-                for (const auto &[node, value] :
-                     point.interpolation.empty() ? point.shape : point.interpolation)
-                  p += value * nodal(node);
-              const double wanted = exact.value(point.position, s.time);
-              l2.add(point.weight, (p - wanted) * (p - wanted), wanted * wanted);
+              const double wanted = exact.value(points[q].position, s.time);
+              const double error  = pressure[q] - wanted;
+              l2.add(points[q].weight, error * error, wanted * wanted);
             }
         }
       return l2.relative(s.elasticity.mesh().communicator());

@@ -1,4 +1,5 @@
 #include <signorini/output/nodal_fields.h>
+#include <signorini/output/point_values.h>
 #include <signorini/output/results.h>
 
 #include <deal.II/base/utilities.h>
@@ -94,6 +95,27 @@ namespace Signorini
       sums.over_ranks(s.elasticity.mesh().communicator());
       return sums;
     }
+
+    /// How well the conditions of Hertz, Signorini and Moreau hold, thesis (11)-(13), at each
+    /// contact point, where methods that sample at nodes need not fulfil them.
+    template <int dim>
+    Json
+    conditions_at_points(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      const PointValues     values = point_values(s, pair);
+      std::array<double, 3> worst{{0, 0, 0}};
+      for (unsigned int q = 0; q < values.gap.size(); ++q)
+        {
+          worst[0] = std::max(worst[0], -values.gap[q]);
+          worst[1] = std::max(worst[1], -values.pressure[q]);
+          worst[2] = std::max(worst[2], std::abs(values.gap[q] * values.pressure[q]));
+        }
+      for (double &x : worst)
+        x = Utilities::MPI::max(x, s.elasticity.mesh().communicator());
+      return {{"max_penetration", worst[0]},
+              {"max_tension", worst[1]},
+              {"complementarity", worst[2]}};
+    }
   } // namespace
 
 
@@ -116,7 +138,8 @@ namespace Signorini
           {"max_penetration", sums.penetration},
           {"min_gap", sums.points > 0 ? Json(-sums.minus_gap) : Json(nullptr)},
           {"max_tension", sums.tension},
-          {"complementarity", sums.complementarity}};
+          {"complementarity", sums.complementarity},
+          {"at_points", conditions_at_points(snapshot, pair)}};
       }
     return result;
   }

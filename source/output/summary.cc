@@ -21,6 +21,16 @@ namespace Signorini
         text << (i > 0 ? ", " : "") << list[i].get<double>();
       return text.str() + ")";
     }
+
+    std::string
+    violations(const Json &conditions)
+    {
+      std::ostringstream text;
+      text << std::scientific << std::setprecision(2);
+      for (const char *name : {"max_penetration", "max_tension", "complementarity"})
+        text << std::setw(11) << conditions[name].get<double>();
+      return text.str();
+    }
   } // namespace
 
 
@@ -33,8 +43,10 @@ namespace Signorini
     for (const auto &[name, pair] : step["pairs"].items())
       out << "\n  pair " << name << ":  force on the slave " << numbers(pair["force"]) << ", area "
           << pair["area"].get<double>() << "\n    largest pressure "
-          << pair["max_pressure"].get<double>() << ", largest penetration "
-          << pair["max_penetration"].get<double>() << "\n";
+          << pair["max_pressure"].get<double>()
+          << "\n    largest violations: penetration, tension, "
+          << "|pressure x gap|\n      as the method samples them " << violations(pair)
+          << "\n      at the contact points       " << violations(pair["at_points"]) << "\n";
     for (const auto &[name, support] : step["supports"].items())
       out << "  support " << name << ":  force " << numbers(support["reaction"]) << "\n";
     out << "  sum of all forces / largest: " << step["force_balance"].get<double>()

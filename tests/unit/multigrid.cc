@@ -1,0 +1,109 @@
+// The multigrid method and the contact filter as operators.
+
+#include <signorini/solve/preconditioners/contact_filter.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "two_blocks.h"
+
+using namespace TestScene;
+
+namespace
+{
+  LA::Vector
+  every_other(const GapOperator &contact)
+  {
+    LA::Vector active = contact.zero();
+    for (const auto i : active.locally_owned_elements())
+      active(i) = i % 2;
+    active.compress(VectorOperation::insert);
+    return active;
+  }
+
+  /// Degree 2 in space has so many unknowns that there are two levels.
+  template <int dim>
+  void
+  check_v_cycle(const double spring)
+  {
+    CAPTURE(dim);
+    CAPTURE(spring);
+    const auto           method = make_method("Lagrange multiplier");
+    const TwoBlocks<dim> scene(*method, 2);
+    const Hierarchy      hierarchy(scene.elasticity.stiffness(),
+                              scene.elasticity.rigid_body_modes(),
+                              dim);
+    AMG                  amg(hierarchy, scene.contact.get());
+    LA::Vector           D = every_other(*scene.contact);
+    D *= spring;
+    amg.set_springs(D);
+
+    const LA::Vector x = scene.field(1, 0.3), y = scene.field(1, 1.1);
+    LA::Vector       Vx = x, Vy = y;
+    amg.vmult(Vx, x);
+    amg.vmult(Vy, y);
+    CHECK(x * Vy == doctest::Approx(y * Vx).epsilon(1e-10));
+    CHECK(x * Vx > 0);
+    CHECK(amg.v_cycles() == 2);
+  }
+
+  /// Of a condensed system with springs on all points: F-V-F as a stationary iteration converges.
+  template <int dim>
+  void
+  check_filter(const double factor)
+  {
+    CAPTURE(dim);
+    CAPTURE(factor);
+    const TwoBlocks<dim> scene(*make_method("penalty"), 1);
+    const Hierarchy      hierarchy(scene.elasticity.stiffness(),
+                              scene.elasticity.rigid_body_modes(),
+                              dim);
+    ContactSystem        system(scene.elasticity.stiffness(), *scene.contact, factor);
+    LA::Vector           active = scene.contact->zero();
+    active                      = 1.;
+    system.set_active(active);
+    ContactFilter filter(system,
+                         hierarchy,
+                         Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? "KLU" : "MUMPS");
+    filter.update();
+
+    LA::BlockVector u = system.zero(), r = system.zero(), f = system.zero();
+    f.block(0)         = scene.field(1, 0.7);
+    const double first = f.l2_norm();
+    LA::Vector   correction;
+    correction.reinit(u.block(0));
+    for (unsigned int n = 0; n < 30; ++n)
+      {
+        system.vmult(r, u);
+        r.sadd(-1, 1, f);
+        filter.solve(correction, r.block(0));
+        u.block(0) += correction;
+      }
+    system.vmult(r, u);
+    r.sadd(-1, 1, f);
+    CHECK(r.l2_norm() < 1e-6 * first);
+  }
+} // namespace
+
+
+
+TEST_CASE("a V-cycle with springs is symmetric and positive definite")
+{
+  for (const double spring : {0., 1., 1e9})
+    {
+      check_v_cycle<2>(spring);
+      check_v_cycle<3>(spring);
+    }
+}
+
+
+
+TEST_CASE("the contact filter alone converges, whatever the springs")
+{
+  for (const double factor : {1e-2, 1., 1e6})
+    {
+      check_filter<2>(factor);
+      check_filter<3>(factor);
+    }
+}
