@@ -343,6 +343,7 @@ namespace Signorini
     unsigned int
     set_shapes(const Elasticity<dim>               &elasticity,
                const ContactMethod                 &method,
+               const Basis                          kind,
                const Slave<dim>                    &slave,
                const std::vector<PairedPoint<dim>> &paired_points,
                std::vector<ContactPoint<dim>>      &points)
@@ -373,14 +374,14 @@ namespace Signorini
           if (all_prescribed && !must_balance)
             for (FaceNode &node : nodes)
               node.prescribed = false;
-          const PressureBasis basis(nodes, shapes, weights, method.basis());
+          const PressureBasis basis(nodes, shapes, weights, kind);
           const PressureBasis standard(nodes, shapes, weights, Basis::standard);
           n_prescribed += basis.empty();
           for (unsigned int q = first; q < last; ++q)
             {
               points[q].shape = basis.at(shapes[q - first]);
               resolve(elasticity.hanging_nodes(), points[q].shape);
-              if (method.basis() == Basis::standard)
+              if (kind == Basis::standard)
                 continue;
               points[q].interpolation = standard.at(shapes[q - first]);
               resolve(elasticity.hanging_nodes(), points[q].interpolation);
@@ -441,8 +442,9 @@ namespace Signorini
       std::stable_sort(paired.begin(), paired.end(), [](const auto &a, const auto &b) {
         return a.face < b.face;
       });
-      surface.points          = contact_points(elasticity, pair, method, slave, paired);
-      const auto n_prescribed = set_shapes(elasticity, method, slave, paired, surface.points);
+      surface.points = contact_points(elasticity, pair, method, slave, paired);
+      const auto n_prescribed =
+        set_shapes(elasticity, method, integration.basis, slave, paired, surface.points);
       if (!obstacle && Utilities::MPI::max(n_prescribed, comm) > 0)
         throw SceneError(
           pair.slave_place + ": the displacement of faces of '" + pair.slave +

@@ -53,6 +53,12 @@ namespace Signorini
       "a direction on a segment or face; 0: 2 degree + 1 on segments, on faces degree + 3 for "
       "weighted and degree + 1 for point-wise methods; nodes have degree + 1",
       Range{0, 20});
+    section.add_choice(
+      "Pressure basis",
+      pressure_basis,
+      {"dual", "standard"},
+      "of methods that weigh the gap at slave nodes: functions biorthogonal to the displacement's (fewest Newton steps), "
+      "or the displacement's own");
     for (const auto &[name, object] : methods)
       section.add_section(name, "", [&, object = object](Section &s) { object->declare(s); });
   }
@@ -67,7 +73,10 @@ namespace Signorini
     const unsigned int usual    = rule == "segments"   ? 2 * degree + 1 :
                                   rule == "quadrature" ? on_faces :
                                                          degree + 1;
-    return {rule, quadrature_points == 0 || rule == "nodes" ? usual : quadrature_points};
+    const bool         is_dual = chosen().sampling() == Sampling::nodes && pressure_basis == "dual";
+    return {rule,
+            quadrature_points == 0 || rule == "nodes" ? usual : quadrature_points,
+            is_dual ? Basis::dual : Basis::standard};
   }
 
 

@@ -58,13 +58,6 @@ namespace Signorini
     virtual double
     penalty(const PenaltyScale &scale) const = 0;
 
-    /// The basis of the pressure, for methods that sample at nodes.
-    virtual Basis
-    basis() const
-    {
-      return Basis::standard;
-    }
-
     /// Nitsche's method: weight of the normal stress of virtual displacements.
     virtual double
     theta() const

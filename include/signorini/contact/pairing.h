@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/contact/pressure_basis.h>
 #include <signorini/contact/search.h>
 
 #include <deal.II/base/quadrature.h>
@@ -12,8 +13,9 @@ namespace Signorini
   /// Where contact integrals are evaluated on a slave face.
   struct Integration
   {
-    std::string  rule     = "segments"; ///< one of names()
-    unsigned int n_points = 3;          ///< quadrature points a direction; nodes: degree + 1
+    std::string  rule     = "segments";      ///< one of names()
+    unsigned int n_points = 3;               ///< quadrature points a direction; nodes: degree + 1
+    Basis        basis    = Basis::standard; ///< of the weights, for methods that sample at nodes
 
     static const std::vector<std::string> &
     names();

@@ -34,6 +34,7 @@ namespace Signorini
                  methods; ///< all, each with its keys
     std::string  integration       = "auto";
     unsigned int quadrature_points = 0; ///< 0: as many as the method and the degree need
+    std::string  pressure_basis    = "dual";
 
     ContactSettings();
 

@@ -11,11 +11,5 @@ namespace Signorini
       complementarity_factor,
       "weight of the gap, in units of E/h, where the active set is decided; the result does not depend on it",
       positive);
-    section.add_choice(
-      "Basis",
-      basis_name,
-      {"standard", "dual"},
-      "of the pressure: the shape functions of the slave's displacement, or functions "
-      "biorthogonal to them");
   }
 } // namespace Signorini

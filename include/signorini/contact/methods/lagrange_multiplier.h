@@ -37,14 +37,7 @@ namespace Signorini
       return complementarity_factor * scale.stiffness;
     }
 
-    Basis
-    basis() const override
-    {
-      return basis_name == "dual" ? Basis::dual : Basis::standard;
-    }
-
   private:
-    double      complementarity_factor = 1;
-    std::string basis_name             = "standard";
+    double complementarity_factor = 1;
   };
 } // namespace Signorini
