@@ -303,15 +303,24 @@ namespace Signorini
                             t,
                             step};
 
-    Json krylov = Json::array();
+    Json         krylov = Json::array(), augmentations = Json::array();
+    unsigned int before = 0;
     for (const NewtonStep &row : report.steps)
-      if (row.krylov_iterations > 0)
-        krylov.push_back(row.krylov_iterations);
+      {
+        if (row.krylov_iterations > 0)
+          krylov.push_back(row.krylov_iterations);
+        if (row.augments)
+          {
+            augmentations.push_back(krylov.size() - before);
+            before = krylov.size();
+          }
+      }
     Json one = {{"time", t},
                 {"newton_iterations", krylov.size()},
                 {"active_points", report.steps.back().active},
                 {"residual", report.steps.back().residual},
                 {"krylov_iterations", krylov},
+                {"newton_iterations_before_augmentations", augmentations},
                 {"v_cycles", newton->v_cycles()},
                 {"pairs", pair_results(now)}};
 

@@ -39,13 +39,13 @@ namespace Signorini
 
 
   void
-  ContactSystem::set_active(const LA::Vector &active)
+  ContactSystem::set_active(const LA::Vector &active, const double softness)
   {
     for (const auto i : active.locally_owned_elements())
       {
         const bool   touches = active(i) > 0;
         const double W = contact.weight(i), k = contact.stiffness(i), epsilon = contact.epsilon(i);
-        D(i) = saddle || !touches ? 0. : factor > 0 ? factor * k * W : epsilon * W;
+        D(i) = saddle || !touches ? 0. : factor > 0 ? factor * k * W : softness * epsilon * W;
         X(i) = contact.has_stress() && touches ? W : 0.;
         Y(i) = contact.has_stress() && !touches ? W / epsilon : 0.;
         A(i) = saddle && touches ? k * W : 0.;

@@ -41,6 +41,13 @@ namespace Signorini
           << std::setw(12) << step.krylov_iterations;
       out << row.str() << std::endl;
     }
+
+    /// Of entries 1, -1 and 0.
+    unsigned int
+    count(const LA::Vector &set)
+    {
+      return static_cast<unsigned int>(set.l1_norm() + 0.5);
+    }
   } // namespace
 
 
@@ -123,12 +130,13 @@ namespace Signorini
     if (augments)
       augmented = p;
 
+    softness = soft_start(p);
+
     const bool has_energy = !contact.empty() && !system.is_saddle_point() && system.is_symmetric();
 
     LA::BlockVector x = system.zero(), rhs = system.zero();
     LA::Vector      gap, stress;
-    bool            factorised = false;
-    double          damping    = 1;
+    double          damping = 1;
     print_head(out);
     for (unsigned int n = 0;; ++n)
       {
@@ -136,7 +144,15 @@ namespace Signorini
         step.damping = damping;
         gap          = contact.gap(u);
         stress       = contact.stress(u);
-        update_active_set(gap, stress, p, step);
+        update_active_set(gap, stress, p, n == 0, step);
+        if (softness < 1 && step.active > 0 && step.changes <= 0.1 * step.active)
+          {
+            softness   = 1;
+            factorised = false;
+            update_active_set(gap, stress, p, false, step);
+          }
+        if (step.changes > 0)
+          factorised = false;
 
         const LA::Vector r = residual(f, u, p, stress);
         rhs.block(0)       = r;
@@ -152,14 +168,17 @@ namespace Signorini
                                step.residual <= force_rounding / scale;
         const double tolerance =
           std::max(settings.tolerance, at_bottom ? force_rounding / scale : 0.);
-        const bool balanced = step.residual <= tolerance;
+        const bool balanced = step.residual <= tolerance && (softness == 1 || step.active == 0);
         // What an augmentation changes is known up to the residual that the last solution left.
         const double gap_tolerance =
           augments ? std::max(10 * tolerance, force_rounding / scale) : tolerance;
-        report.converged = balanced && step.gap_residual <= gap_tolerance;
+        report.converged = balanced && !step.follows && step.gap_residual <= gap_tolerance;
         if (balanced && !report.converged && augments && n < settings.maximum_steps)
           {
             augmented = p;
+            cautious  = false;
+            history.clear();
+            step.augments = true;
             report.steps.push_back(step);
             print_row(out, n, step);
             continue;
@@ -177,9 +196,9 @@ namespace Signorini
             return report;
           }
 
-        if (step.changes > 0 || !factorised)
+        if (!factorised)
           {
-            system.set_active(active_set);
+            system.set_active(active_set, softness);
             linear_solver.update();
             factorised = true;
           }
@@ -187,7 +206,7 @@ namespace Signorini
         // Constrained ones are unknowns of their own to the linear solver, zero up to its
         // tolerance.
         constraints.set_zero(x.block(0));
-        damping = has_energy ? line_search(r, gap, stress, p, x.block(0)) : 1.;
+        damping = has_energy && cautious ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
           {
@@ -209,31 +228,55 @@ namespace Signorini
 
 
 
+  double
+  Newton::soft_start(const LA::Vector &p) const
+  {
+    // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.
+    // The sign of the gap, which decides, knows nothing of the penalty.
+    if (contact.empty() || method.has_multipliers() || contact.has_stress() || p.linfty_norm() > 0)
+      return 1;
+    double stiffest = 1;
+    for (const auto i : contact.epsilon.locally_owned_elements())
+      stiffest = std::max(stiffest, contact.epsilon(i) / contact.stiffness(i));
+    return 1 / Utilities::MPI::max(stiffest, contact.epsilon.get_mpi_communicator());
+  }
+
+
+
   void
   Newton::update_active_set(const LA::Vector &gap,
                             const LA::Vector &stress,
                             LA::Vector       &p,
+                            const bool        is_first,
                             NewtonStep       &step)
   {
     if (contact.empty())
       return;
-    last_active_set           = active_set;
-    const LA::Vector p_before = p;
-    step.active = apply_contact_law(method, contact, gap, predicted(p, stress), p, active_set);
-    if (method.has_multipliers() && (cautious || seen_before()))
+    last_active_set                = active_set;
+    const LA::Vector  &start       = predicted(p, stress);
+    const unsigned int last_active = count(last_active_set);
+    step.active                    = find_active(contact, gap, start, active_set);
+    if (!cautious && seen_before())
       {
-        if (!cautious)
-          changes = 0.;
         cautious = true;
-        keep_all_but_the_worst(gap, p_before, p);
-        step.active = static_cast<unsigned int>(active_set.l1_norm() + 0.5);
+        changes  = 0.;
       }
+    if (cautious && method.has_multipliers())
+      keep_all_but_the_worst(gap, p);
+    // An obstacle that retreats has lost all contact before the bodies follow: let them first.
+    step.follows = is_first && last_active > 0 && step.active != last_active;
+    if (step.follows)
+      active_set = last_active_set;
+    step.active = count(active_set);
+    set_pressure(method, contact, gap, start, active_set, p);
+    p *= softness;
+
     LA::Vector difference = active_set;
     difference -= last_active_set;
     for (const auto i : difference.locally_owned_elements())
       changes(i) += std::abs(difference(i));
     changes.compress(VectorOperation::add);
-    step.changes = static_cast<unsigned int>(difference.l1_norm() + 0.5);
+    step.changes = count(difference);
   }
 
 
@@ -271,12 +314,11 @@ namespace Signorini
 
 
   void
-  Newton::keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p_before, LA::Vector &p)
+  Newton::keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p)
   {
     const auto violation = [&](const auto i) {
-      return active_set(i) == last_active_set(i) ?
-               0. :
-               std::abs(p_before(i) - contact.epsilon(i) * gap(i));
+      return active_set(i) == last_active_set(i) ? 0. :
+                                                   std::abs(p(i) - contact.epsilon(i) * gap(i));
     };
     double worst = 0;
     for (const auto i : gap.locally_owned_elements())
@@ -284,12 +326,8 @@ namespace Signorini
     worst = Utilities::MPI::max(worst, gap.get_mpi_communicator());
     for (const auto i : gap.locally_owned_elements())
       if (const double v = violation(i); v > 0 && v < worst)
-        {
-          active_set(i) = last_active_set(i);
-          p(i)          = last_active_set(i) > 0 ? p_before(i) : 0.;
-        }
+        active_set(i) = last_active_set(i);
     active_set.compress(VectorOperation::insert);
-    p.compress(VectorOperation::insert);
   }
 
 

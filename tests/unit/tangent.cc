@@ -28,7 +28,9 @@ namespace
   {
     LA::Vector       p = scene.contact->zero();
     const LA::Vector s = scene.contact->stress(u); // zero for the penalty, as its predictor
-    apply_contact_law(method, *scene.contact, scene.contact->gap(u), s, p, active);
+    const LA::Vector g = scene.contact->gap(u);
+    find_active(*scene.contact, g, s, active);
+    set_pressure(method, *scene.contact, g, s, active, p);
     LA::Vector r = scene.elasticity.zero_vector();
     scene.elasticity.stiffness().vmult(r, u);
     r -= scene.contact->force(p, s);

@@ -93,14 +93,20 @@ namespace Signorini
   const std::vector<std::string> &
   method_names();
 
-  /// The law above at all points. In: gap, and p^. Out: pressure (zero where inactive; an unknown
-  /// pressure is else left as it is; may be the same vector as p^) and active (1 or 0). Returns the
-  /// number of active points.
+  /// Where the law has a pressure: active = 1, else 0. Returns the number of active points.
   unsigned int
-  apply_contact_law(const ContactMethod &method,
-                    const GapOperator   &contact,
-                    const LA::Vector    &gap,
-                    const LA::Vector    &predicted,
-                    LA::Vector          &pressure,
-                    LA::Vector          &active);
+  find_active(const GapOperator &contact,
+              const LA::Vector  &gap,
+              const LA::Vector  &predicted,
+              LA::Vector        &active);
+
+  /// The pressure p^ - eps g where `active` is, whatever its sign, and zero elsewhere. An unknown
+  /// pressure is left as it is where active.
+  void
+  set_pressure(const ContactMethod &method,
+               const GapOperator   &contact,
+               const LA::Vector    &gap,
+               const LA::Vector    &predicted,
+               const LA::Vector    &active,
+               LA::Vector          &pressure);
 } // namespace Signorini

@@ -32,8 +32,9 @@ namespace Signorini
     /// Condensed, with the springs D = factor k W on active points, whatever the method.
     ContactSystem(const LA::SparseMatrix &stiffness, const GapOperator &contact, double factor);
 
+    /// @param softness multiplies the penalties
     void
-    set_active(const LA::Vector &active);
+    set_active(const LA::Vector &active, double softness = 1);
 
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;

@@ -26,6 +26,8 @@ namespace Signorini
   {
     unsigned int active = 0, changes = 0, krylov_iterations = 0;
     double       residual = 0, gap_residual = 0, damping = 1;
+    bool         follows  = false; ///< takes over the active set of the last load step
+    bool         augments = false; ///< a solution, from which the next augmentation starts
   };
 
   struct NewtonReport
@@ -39,10 +41,11 @@ namespace Signorini
   /// since all else is linear, it is the primal-dual active set strategy (Hintermueller, Ito,
   /// Kunisch, SIAM J. Optim. 13 (2003) 865). Lives as long as the mesh does.
   ///
-  /// Globalised: methods without multipliers minimise a convex energy, along which each step is
-  /// searched exactly (it costs vectors of the surface only); if the method augments, one minimum
-  /// follows the other. Methods with multipliers watch for
-  /// cycles of the active set and then change one point at a time, the worst.
+  /// Full steps, which find the active set in a few, until one comes up again. From there on
+  /// methods with multipliers change one point at a time, the worst; the others minimise a convex
+  /// energy (but for Nitsche's method with theta = 0 or -1), along which each step is searched
+  /// exactly: it costs vectors of the surface only. If the method augments, one solution follows
+  /// the other.
   class Newton
   {
   public:
@@ -80,16 +83,20 @@ namespace Signorini
     chattering_points() const;
 
   private:
+    /// What a cold start multiplies the penalties by, until the active set is nearly found.
+    double
+    soft_start(const LA::Vector &p) const;
     void
     update_active_set(const LA::Vector &gap,
                       const LA::Vector &stress,
                       LA::Vector       &p,
+                      bool              is_first,
                       NewtonStep       &step);
     /// p^ of the law
     const LA::Vector &
     predicted(const LA::Vector &p, const LA::Vector &stress) const;
     void
-    keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p_before, LA::Vector &p);
+    keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p);
     bool
     seen_before();
     /// What the active points lack to obey the law, as a force: of the gap times E/h, or the change
@@ -123,6 +130,8 @@ namespace Signorini
     LA::Vector         augmented; ///< pressure of the last solution, for methods that augment
     std::set<uint64_t> history;
     bool               cautious    = false;
+    double             softness    = 1;
+    bool               factorised  = false; ///< the system is that of the active set
     double             force_scale = 0, largest_force = 0, force_rounding = 0;
   };
 } // namespace Signorini

@@ -1,6 +1,8 @@
 #include <signorini/contact/methods/nitsche.h>
 #include <signorini/parameters/section.h>
 
+#include <sstream>
+
 namespace Signorini
 {
   void
@@ -27,5 +29,20 @@ namespace Signorini
   Nitsche::theta() const
   {
     return std::stod(theta_name);
+  }
+
+
+
+  void
+  Nitsche::check(const Integration & /*integration*/, const unsigned int /*degree*/) const
+  {
+    // K - theta S^T W/eps S and so on are bounded from below by (1 - (1 + theta)^2/(4 Factor)) K.
+    const double smallest = (1 + theta()) * (1 + theta()) / 4;
+    if (safety_factor > smallest || theta() == -1)
+      return;
+    std::ostringstream text;
+    text << "Contact method/Nitsche/Factor = " << safety_factor << " with Theta = " << theta_name
+         << " is not stable; take one above " << smallest << " (2 is usual), or Theta = -1";
+    throw SceneError(text.str());
   }
 } // namespace Signorini

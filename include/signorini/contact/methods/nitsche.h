@@ -54,6 +54,9 @@ namespace Signorini
       return two_sided;
     }
 
+    void
+    check(const Integration &integration, unsigned int degree) const override;
+
   private:
     double      safety_factor = 2;
     std::string theta_name    = "1";
