@@ -321,7 +321,7 @@ namespace Signorini
                 {"residual", report.steps.back().residual},
                 {"krylov_iterations", krylov},
                 {"newton_iterations_before_augmentations", augmentations},
-                {"v_cycles", newton->v_cycles()},
+                {"multigrid_cycles", newton->multigrid_cycles()},
                 {"pairs", pair_results(now)}};
 
     std::vector<bool> rigid;

@@ -45,7 +45,7 @@ namespace
     amg.vmult(Vy, y);
     CHECK(x * Vy == doctest::Approx(y * Vx).epsilon(1e-10));
     CHECK(x * Vx > 0);
-    CHECK(amg.v_cycles() == 2);
+    CHECK(amg.multigrid_cycles() == 2);
   }
 
   /// Of a condensed system with springs on all points: F-V-F as a stationary iteration converges.
@@ -88,7 +88,7 @@ namespace
 
 
 
-TEST_CASE("a V-cycle with springs is symmetric and positive definite")
+TEST_CASE("a multigrid cycle with springs is symmetric and positive definite")
 {
   for (const double spring : {0., 1., 1e9})
     {

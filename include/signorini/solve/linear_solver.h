@@ -54,9 +54,9 @@ namespace Signorini
     solve(LA::BlockVector &x, const LA::BlockVector &rhs, double absolute_tolerance);
 
     unsigned int
-    v_cycles() const
+    multigrid_cycles() const
     {
-      return preconditioner->v_cycles();
+      return preconditioner->multigrid_cycles();
     }
 
   private:

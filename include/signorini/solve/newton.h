@@ -66,9 +66,9 @@ namespace Signorini
     solve(const LA::Vector &f, LA::Vector &u, LA::Vector &p, dealii::ConditionalOStream &out);
 
     unsigned int
-    v_cycles() const
+    multigrid_cycles() const
     {
-      return linear_solver.v_cycles();
+      return linear_solver.multigrid_cycles();
     }
 
     /// The active set that belongs to the last solution: 1 or 0.

@@ -43,9 +43,9 @@ namespace Signorini
       return false;
     }
 
-    /// V-cycles so far.
+    /// Multigrid cycles so far.
     virtual unsigned int
-    v_cycles() const
+    multigrid_cycles() const
     {
       return 0;
     }

@@ -138,7 +138,8 @@ namespace Signorini
               level.B = product(*levels[l - 1]->B, hierarchy.prolongation(l - 1));
             level.gap = contact->zero();
           }
-        for (LA::Vector *v : {&level.x, &level.right, &level.rest, &level.step, &level.force})
+        for (LA::Vector *v :
+             {&level.x, &level.right, &level.rest, &level.step, &level.first, &level.force})
           v->reinit(level.diagonal_K);
       }
     if (has_springs)
@@ -146,7 +147,7 @@ namespace Signorini
         // With springs everywhere eigenvalues are largest: these bounds hold for any active set.
         limit = contact->weight;
         limit.scale(contact->stiffness);
-        limit *= 3.;
+        limit *= 6.;
         D = limit;
       }
     for (auto &level : levels)
@@ -259,7 +260,7 @@ namespace Signorini
   {
     // Chebyshev polynomial of second degree on the upper part of the spectrum (Saad, Iterative
     // Methods for Sparse Linear Systems, algorithm 12.1).
-    const double largest = 1.1 * level.largest_eigenvalue, smallest = largest / 10;
+    const double largest = 1.1 * level.largest_eigenvalue, smallest = largest / 20;
     const double theta = (largest + smallest) / 2, delta = (largest - smallest) / 2;
     const double sigma = theta / delta;
     double       rho   = 1 / sigma;
@@ -306,6 +307,14 @@ namespace Signorini
     const Level &next = *levels[l + 1];
     apply(*level.P, true, level.rest, next.right);
     cycle(l + 1, next.x, next.right);
+    if (next.P) // a W-cycle: what is left, once more
+      {
+        next.first = next.x;
+        multiply(next, next.rest, next.first);
+        next.right -= next.rest;
+        cycle(l + 1, next.x, next.right);
+        next.x += next.first;
+      }
     apply(*level.P, false, next.x, level.rest);
     x += level.rest;
     smooth(level, x, right, false);
@@ -316,7 +325,7 @@ namespace Signorini
   void
   AMG::vmult(LA::Vector &dst, const LA::Vector &src) const
   {
-    ++n_v_cycles;
+    ++n_cycles;
     cycle(0, dst, src);
   }
 } // namespace Signorini

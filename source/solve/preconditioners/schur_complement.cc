@@ -148,8 +148,9 @@ namespace Signorini
 
 
 
-    /// A B V B^T A + I with one V-cycle for K^-1, solved by a few steps of CG. It sees that the
-    /// flexibility of the bodies reaches far, which the others do not, at a V-cycle a step.
+    /// A B V B^T A + I with one multigrid cycle for K^-1, solved by a few steps of CG. It sees that
+    /// the flexibility of the bodies reaches far, which the others do not, at a multigrid cycle a
+    /// step.
     class Multigrid : public SchurComplement
     {
     public:

@@ -8,7 +8,7 @@ class Epetra_LinearProblem;
 
 namespace Signorini
 {
-  /// A V-cycle for K + B^T D B with springs D that change: the levels are those of K, whose
+  /// A W-cycle for K + B^T D B with springs D that change: the levels are those of K, whose
   /// aggregates do not join bodies, so that their nodes slide freely on all levels; but the springs
   /// act on all of them, as B P_1 P_2 ... to the left and right of D. Without them, the corrections
   /// of bodies that touch would know nothing of each other.
@@ -26,14 +26,14 @@ namespace Signorini
     void
     set_springs(const LA::Vector &springs);
 
-    /// One V-cycle.
+    /// One multigrid cycle.
     void
     vmult(LA::Vector &dst, const LA::Vector &src) const;
 
     unsigned int
-    v_cycles() const
+    multigrid_cycles() const
     {
-      return n_v_cycles;
+      return n_cycles;
     }
 
   private:
@@ -45,7 +45,7 @@ namespace Signorini
       LA::Vector                              diagonal_K;
       LA::Vector                              inverse_diagonal; ///< of K + B^T D B
       double             largest_eigenvalue = 0; ///< of inverse_diagonal * (K + B^T D B)
-      mutable LA::Vector x, right, rest, step, force, gap;
+      mutable LA::Vector x, right, rest, step, first, force, gap;
     };
 
     void
@@ -68,6 +68,6 @@ namespace Signorini
     std::unique_ptr<Epetra_CrsMatrix>     coarsest;
     std::unique_ptr<Epetra_LinearProblem> problem;
     std::unique_ptr<Amesos_BaseSolver>    direct; ///< looks at coarsest and problem
-    mutable unsigned int                  n_v_cycles = 0;
+    mutable unsigned int                  n_cycles = 0;
   };
 } // namespace Signorini

@@ -13,9 +13,9 @@ namespace Signorini
   ///   simple      then also the displacement sees the multipliers, through diag(K)^-1
   ///               (Patankar, Spalding, Int. J. Heat Mass Transfer 15 (1972) 1787-1806).
   ///
-  /// K^-1 is a V-cycle. With an augmentation gamma, K is replaced by K + B^T gamma k W B, which is
-  /// solved by a contact filter, and S^-1 gains gamma/(k W): the larger gamma, the better is this
-  /// diagonal alone (Golub, Greif, SIAM J. Sci. Comput. 24 (2003) 2076-2092).
+  /// K^-1 is a multigrid cycle. With an augmentation gamma, K is replaced by K + B^T gamma k W B,
+  /// which is solved by a contact filter, and S^-1 gains gamma/(k W): the larger gamma, the better
+  /// is this diagonal alone (Golub, Greif, SIAM J. Sci. Comput. 24 (2003) 2076-2092).
   ///
   /// On condensed systems all are AMG(K) alone.
   class BlockPreconditioner : public Preconditioner
@@ -40,9 +40,9 @@ namespace Signorini
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override;
 
     unsigned int
-    v_cycles() const override
+    multigrid_cycles() const override
     {
-      return amg.v_cycles() + (filter ? filter->v_cycles() : 0);
+      return amg.multigrid_cycles() + (filter ? filter->multigrid_cycles() : 0);
     }
 
     bool

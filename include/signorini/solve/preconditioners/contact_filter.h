@@ -7,13 +7,14 @@
 namespace Signorini
 {
   /// F-V-F: an exact solve on the degrees of freedom that contact touches, and on all multipliers
-  /// (F), one V-cycle of the multigrid method for K alone (V), F again. The hierarchy of K never
-  /// changes; the stiff contact terms, or the constraints in a saddle point system, are seen by F
-  /// only, so that the iteration count depends neither on the penalty nor on the size of the mesh.
+  /// (F), one multigrid cycle of the multigrid method for K alone (V), F again. The hierarchy of K
+  /// never changes; the stiff contact terms, or the constraints in a saddle point system, are seen
+  /// by F only, so that the iteration count depends neither on the penalty nor on the size of the
+  /// mesh.
   ///
   /// After F the residual vanishes on the zone. It does so for the start value, hence for all
-  /// residuals of a Krylov method, for which the first F is void: what remains is one V-cycle and
-  /// one F an application.
+  /// residuals of a Krylov method, for which the first F is void: what remains is one multigrid
+  /// cycle and one F an application.
   ///
   /// On saddle points F keeps the constraints, A B du = A g from the start on: all that CG sees is
   /// the energy on their null space, where F-V-F is symmetric and positive definite (a constraint
@@ -39,9 +40,9 @@ namespace Signorini
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override;
 
     unsigned int
-    v_cycles() const override
+    multigrid_cycles() const override
     {
-      return amg.v_cycles();
+      return amg.multigrid_cycles();
     }
 
     bool
