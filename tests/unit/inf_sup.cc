@@ -1,0 +1,164 @@
+// Are the pairs of displacement and pressure stable? The smallest beta with
+//   sup_v b(v, q) / |v|_E >= beta (sum_faces h/E |q|^2)^(1/2)   for all q
+// (the numerical inf-sup test, Chapelle and Bathe, Comput. Struct. 47 (1993) 537-545; El-Abbasi and
+// Bathe, ibid. 79 (2001) 1473-1486), from the eigenvalues of (W B) K^-1 (W B)^T and the scaled mass
+// matrix of the pressure: it must not fall when both bodies are refined.
+
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "two_blocks.h"
+#include <Eigen/Dense>
+
+using namespace TestScene;
+
+namespace
+{
+  struct Case
+  {
+    unsigned int degree;
+    Basis        basis;
+    unsigned int slave_cells, master_cells; ///< a side, times the refinement
+    bool         held; ///< the pressure ends where the displacement is prescribed
+  };
+
+  template <int dim>
+  std::string
+  repeat(const std::string &x, const std::string &last)
+  {
+    return dim == 2 ? x + "," + last : x + "," + x + "," + last;
+  }
+
+  template <int dim>
+  BodyMesh<dim>
+  unit_box(const int bottom, const unsigned int cells)
+  {
+    return box<dim>(repeat<dim>("0", std::to_string(bottom)) + " : " +
+                      repeat<dim>("1", std::to_string(bottom + 1)),
+                    repeat<dim>(std::to_string(cells), std::to_string(cells)));
+  }
+
+  /// x^T K^-1 x for the columns x of forces.
+  Eigen::MatrixXd
+  flexibility(const LA::SparseMatrix &K, const std::vector<LA::Vector> &forces)
+  {
+    SolverControl                  control;
+    TrilinosWrappers::SolverDirect solver(control);
+    solver.initialize(K);
+    Eigen::MatrixXd result(forces.size(), forces.size());
+    LA::Vector      x;
+    for (unsigned int i = 0; i < forces.size(); ++i)
+      {
+        x.reinit(forces[i]);
+        solver.solve(x, forces[i]);
+        for (unsigned int j = 0; j <= i; ++j)
+          result(i, j) = result(j, i) = x * forces[j];
+      }
+    return result;
+  }
+
+  /// int h/E psi_A psi_B dA
+  template <int dim>
+  Eigen::MatrixXd
+  pressure_norm(const ContactSurface<dim> &surface, const GapOperator &contact, const double h)
+  {
+    std::map<types::global_dof_index, unsigned int> row;
+    for (const auto node : contact.node)
+      row.emplace(node, row.size());
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(row.size(), row.size());
+    for (const ContactPoint<dim> &point : surface.points)
+      for (const auto &[A, psi_A] : point.shape)
+        for (const auto &[B, psi_B] : point.shape)
+          M(row.at(A), row.at(B)) += h * point.weight * psi_A * psi_B;
+    return M;
+  }
+
+  template <int dim>
+  double
+  inf_sup(const Case &which, const unsigned int refinement)
+  {
+    const unsigned int cells  = which.slave_cells * refinement;
+    const auto         method = make_method("Lagrange multiplier");
+    const Mesh<dim>    mesh({{"lower", unit_box<dim>(0, which.master_cells * refinement)},
+                             {"upper", unit_box<dim>(1, cells)}},
+                         MeshSettings<dim>(),
+                         {{"upper.bottom", "lower.top"}},
+                         MPI_COMM_WORLD);
+    Support<dim>       support;
+    support.boundaries = {"lower.bottom", "upper.top"};
+    if (which.held)
+      support.boundaries.insert(support.boundaries.end(), {"lower.left", "upper.left"});
+    support.displacement = VectorExpression<dim>(dim == 2 ? "0;0" : "0;0;0");
+    Elasticity<dim> elasticity(mesh, {{1, 0.3}, {1, 0.3}}, {support}, {}, which.degree);
+    elasticity.setup();
+    elasticity.assemble();
+    ContactPair<dim> pair;
+    pair.slave                                      = "upper.bottom";
+    pair.master                                     = "lower.top";
+    pair.initial_gap                                = "closed";
+    const std::vector<ContactSurface<dim>> surfaces = {make_contact_surface<dim>(
+      elasticity, pair, nullptr, *method, {"segments", 2 * which.degree + 1, which.basis})};
+    const auto contact = make_gap_operator<dim>(elasticity, surfaces, *method);
+
+    std::vector<LA::Vector> forces;
+    LA::Vector              p = contact->zero();
+    for (const auto i : p.locally_owned_elements())
+      {
+        p    = 0.;
+        p(i) = 1;
+        p.compress(VectorOperation::insert);
+        forces.push_back(contact->force(p, p));
+      }
+    return std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+                       flexibility(elasticity.stiffness(), forces),
+                       pressure_norm(surfaces[0], *contact, 1. / cells))
+                       .eigenvalues()
+                       .minCoeff());
+  }
+
+  template <int dim>
+  void
+  check(const Case &which, const std::vector<unsigned int> &refinements)
+  {
+    std::ostringstream  row;
+    std::vector<double> beta;
+    row << dim << "D, degree " << which.degree << ", "
+        << (which.basis == Basis::dual ? "dual" : "standard") << ", " << which.slave_cells << " on "
+        << which.master_cells << (which.held ? ", held" : "") << ":";
+    for (const unsigned int refinement : refinements)
+      {
+        beta.push_back(inf_sup<dim>(which, refinement));
+        row << " " << beta.back();
+      }
+    MESSAGE(row.str());
+    CHECK(beta.back() > 0.1);
+    CHECK(beta.back() > 0.95 * beta[beta.size() - 2]);
+  }
+
+  template <int dim>
+  void
+  check_all(const unsigned int degree, const std::vector<unsigned int> &refinements)
+  {
+    for (const Basis basis : {Basis::standard, Basis::dual})
+      for (const unsigned int slave_cells : {2, 3})
+        for (const bool held : {false, true})
+          check<dim>({degree, basis, slave_cells, 5 - slave_cells, held}, refinements);
+  }
+} // namespace
+
+TEST_CASE("inf-sup constants, 2D")
+{
+  for (const unsigned int degree : {1, 2})
+    check_all<2>(degree, {1, 2, 4, 8, 16});
+}
+
+TEST_CASE("inf-sup constants, 3D")
+{
+  check_all<3>(1, {1, 2, 3, 4});
+  check_all<3>(2, {1, 2});
+}
