@@ -24,6 +24,8 @@ namespace Signorini
   void
   NormalStress<dim>::reinit(const Cell &new_cell)
   {
+    if (cell.state() == IteratorState::valid && cell == new_cell)
+      return;
     cell = new_cell;
     cell->get_dof_indices(indices);
     nodes.clear();

@@ -34,8 +34,12 @@ namespace Signorini
 
 
   void
-  Nitsche::check(const Integration & /*integration*/, const unsigned int /*degree*/) const
+  Nitsche::check(const Integration &integration, const unsigned int /*degree*/) const
   {
+    if (integration.rule == "nodes")
+      throw SceneError(
+        "Contact method/Integration = nodes does not go with Method = Nitsche, whose parameter "
+        "bounds the mean stress of faces, not that of their corners; take Integration = quadrature");
     // K - theta S^T W/eps S and so on are bounded from below by (1 - (1 + theta)^2/(4 Factor)) K.
     const double smallest = (1 + theta()) * (1 + theta()) / 4;
     if (safety_factor > smallest || theta() == -1)
