@@ -121,19 +121,19 @@ namespace Signorini
   NewtonReport
   Newton::solve(const LA::Vector &f, LA::Vector &u, LA::Vector &p, ConditionalOStream &out)
   {
-    NewtonReport report;
     history.clear();
-    cautious            = false;
-    largest_force       = 0;
-    changes             = 0.;
-    const bool augments = method.predictor() == Predictor::last_pressure;
-    if (augments)
+    cautious      = false;
+    largest_force = 0;
+    changes       = 0.;
+    softness      = soft_start(p);
+    if (augments())
       augmented = p;
 
-    softness = soft_start(p);
-
-    const bool has_energy = !contact.empty() && !system.is_saddle_point() && system.is_symmetric();
-
+    NewtonReport report;
+    const auto   record = [&](const NewtonStep &step) {
+      print_row(out, report.steps.size(), step);
+      report.steps.push_back(step);
+    };
     LA::BlockVector x = system.zero(), rhs = system.zero();
     LA::Vector      gap, stress;
     double          damping = 1;
@@ -145,14 +145,6 @@ namespace Signorini
         gap          = contact.gap(u);
         stress       = contact.stress(u);
         update_active_set(gap, stress, p, n == 0, step);
-        if (softness < 1 && step.active > 0 && step.changes <= 0.1 * step.active)
-          {
-            softness   = 1;
-            factorised = false;
-            update_active_set(gap, stress, p, false, step);
-          }
-        if (step.changes > 0)
-          factorised = false;
 
         const LA::Vector r = residual(f, u, p, stress);
         rhs.block(0)       = r;
@@ -160,62 +152,38 @@ namespace Signorini
           rhs.block(1) = gap_defect(gap, p);
         const double scale = force_scale > 0 ? force_scale : 1.;
         step.residual      = r.l2_norm() / scale;
-        if (system.is_saddle_point() || augments)
+        if (system.is_saddle_point() || augments())
           step.gap_residual = gap_defect(gap, p).l2_norm() / scale;
+        const double before = n > 0 ? report.steps.back().residual : 0;
 
-        const double before    = n > 0 ? report.steps.back().residual : 0;
-        const bool   at_bottom = n > 0 && step.changes == 0 && step.residual > before / 2 &&
-                               step.residual <= force_rounding / scale;
-        const double tolerance =
-          std::max(settings.tolerance, at_bottom ? force_rounding / scale : 0.);
-        const bool balanced = step.residual <= tolerance && (softness == 1 || step.active == 0);
-        // What an augmentation changes is known up to the residual that the last solution left.
-        const double gap_tolerance =
-          augments ? std::max(10 * tolerance, force_rounding / scale) : tolerance;
-        report.converged = balanced && !step.follows && step.gap_residual <= gap_tolerance;
-        if (balanced && !report.converged && augments && n < settings.maximum_steps)
+        if (is_balanced(step, before, scale))
           {
-            augmented = p;
-            cautious  = false;
-            history.clear();
-            step.augments = true;
-            report.steps.push_back(step);
-            print_row(out, n, step);
-            continue;
+            report.converged = is_closed(step, scale);
+            if (!report.converged && augments() && n < settings.maximum_steps)
+              {
+                augment(p);
+                step.augments = true;
+                record(step);
+                continue;
+              }
           }
-        const bool is_number = std::isfinite(step.residual + step.gap_residual);
-        if (!is_number)
+        if (!std::isfinite(step.residual + step.gap_residual))
           report.reason = "the residual is not a number: loads, supports or the mesh are invalid";
         else if (!report.converged && n == settings.maximum_steps)
           report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" +
                           chattering_points();
-        if (report.converged || n == settings.maximum_steps || !is_number)
+        if (report.converged || !report.reason.empty())
           {
-            report.steps.push_back(step);
-            print_row(out, n, step);
+            record(step);
             return report;
           }
 
-        if (!factorised)
-          {
-            system.set_active(active_set, softness);
-            linear_solver.update();
-            factorised = true;
-          }
-        step.krylov_iterations = linear_solver.solve(x, rhs, 0.1 * settings.tolerance * scale);
-        // Constrained ones are unknowns of their own to the linear solver, zero up to its
-        // tolerance.
-        constraints.set_zero(x.block(0));
-        damping = has_energy && cautious ? line_search(r, gap, stress, p, x.block(0)) : 1.;
+        step.krylov_iterations = solve_linear(x, rhs, 0.1 * settings.tolerance * scale);
+        damping = cautious && has_energy() ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
-          {
-            x.block(1).scale(contact.stiffness);
-            x.block(1).scale(active_set);
-            p += x.block(1);
-          }
-        report.steps.push_back(step);
-        print_row(out, n, step);
+          p += x.block(1);
+        record(step);
         if (step.krylov_iterations == 0 && step.residual == before)
           {
             report.reason =
@@ -224,6 +192,75 @@ namespace Signorini
             return report;
           }
       }
+  }
+
+
+
+  bool
+  Newton::augments() const
+  {
+    return method.predictor() == Predictor::last_pressure;
+  }
+
+
+
+  bool
+  Newton::has_energy() const
+  {
+    return !contact.empty() && !system.is_saddle_point() && system.is_symmetric();
+  }
+
+
+
+  void
+  Newton::augment(const LA::Vector &p)
+  {
+    augmented = p;
+    cautious  = false;
+    history.clear();
+  }
+
+
+
+  bool
+  Newton::is_balanced(const NewtonStep &step, const double before, const double scale) const
+  {
+    const bool at_bottom = step.changes == 0 && step.residual > before / 2 && before > 0 &&
+                           step.residual <= force_rounding / scale;
+    return (step.residual <= settings.tolerance || at_bottom) && !step.follows &&
+           (softness == 1 || step.active == 0);
+  }
+
+
+
+  bool
+  Newton::is_closed(const NewtonStep &step, const double scale) const
+  {
+    // What an augmentation changes is known up to the residual that the last solution left.
+    return step.gap_residual <=
+           (augments() ? 10 : 1) * std::max(settings.tolerance, force_rounding / scale);
+  }
+
+
+
+  unsigned int
+  Newton::solve_linear(LA::BlockVector &x, const LA::BlockVector &rhs, const double tolerance)
+  {
+    if (!factorised)
+      {
+        system.set_active(active_set, softness);
+        linear_solver.update();
+        factorised = true;
+      }
+    const unsigned int iterations = linear_solver.solve(x, rhs, tolerance);
+    // Constrained ones are unknowns of their own to the linear solver, zero up to its tolerance.
+    constraints.set_zero(x.block(0));
+    if (system.is_saddle_point())
+      {
+        x.block(1).scale(contact.stiffness);
+        x.block(1).scale(active_set);
+      }
+    return iterations;
   }
 
 
@@ -267,16 +304,22 @@ namespace Signorini
     step.follows = is_first && last_active > 0 && step.active != last_active;
     if (step.follows)
       active_set = last_active_set;
-    step.active = count(active_set);
-    set_pressure(method, contact, gap, start, active_set, p);
-    p *= softness;
-
+    step.active           = count(active_set);
     LA::Vector difference = active_set;
     difference -= last_active_set;
     for (const auto i : difference.locally_owned_elements())
       changes(i) += std::abs(difference(i));
     changes.compress(VectorOperation::add);
     step.changes = count(difference);
+    if (softness < 1 && (cautious || (step.active > 0 && step.changes <= 0.1 * step.active)))
+      {
+        softness   = 1;
+        factorised = false;
+      }
+    if (step.changes > 0)
+      factorised = false;
+    set_pressure(method, contact, gap, start, active_set, p);
+    p *= softness;
   }
 
 

@@ -83,6 +83,22 @@ namespace Signorini
     chattering_points() const;
 
   private:
+    bool
+    augments() const;
+    /// True if solutions are minima of an energy in the displacement.
+    bool
+    has_energy() const;
+    void
+    augment(const LA::Vector &p);
+    /// Forces and the active set are those of a solution; with augmentations, of the present one.
+    /// @param before residual of the last step, to see that it does not fall any more
+    bool
+    is_balanced(const NewtonStep &step, double before, double scale) const;
+    /// So are the gaps.
+    bool
+    is_closed(const NewtonStep &step, double scale) const;
+    unsigned int
+    solve_linear(LA::BlockVector &x, const LA::BlockVector &rhs, double tolerance);
     /// What a cold start multiplies the penalties by, until the active set is nearly found.
     double
     soft_start(const LA::Vector &p) const;
