@@ -6,10 +6,25 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
+#include <sstream>
 
 namespace Signorini
 {
   using Json = nlohmann::ordered_json;
+
+  namespace
+  {
+    /// A number, not a formula that may become zero.
+    bool
+    is_zero(const std::string &formula)
+    {
+      std::istringstream text(formula);
+      double             number;
+      return text >> number && text.eof() && number == 0;
+    }
+  } // namespace
+
+
 
   void
   ExpectedResult::declare(Section &section)
@@ -27,6 +42,9 @@ namespace Signorini
     section.add("Source", source, "where the reference comes from");
     if (section.reading() && (quantities.empty() || value.empty()))
       section.fail(value.empty() ? "Value" : "Quantities", "is needed");
+    if (section.reading() && absolute_tolerance == 0 && is_zero(reference))
+      section.fail("Reference",
+                   "is zero, of which a relative Tolerance allows nothing; set Absolute tolerance");
     for (const std::string &quantity : quantities)
       if (split(quantity, '=').size() != 2)
         section.fail("Quantities", "'" + quantity + "' is not NAME = PATH");
