@@ -45,8 +45,12 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
       else if (words[i] == "--print-template")
         {
           arguments.action = "template";
-          if (i + 1 < words.size() && (words[i + 1] == "2" || words[i + 1] == "3"))
-            arguments.dimension = std::stoi(words[++i]);
+          if (i + 1 < words.size() && words[i + 1].substr(0, 1) != "-")
+            {
+              if (words[++i] != "2" && words[i] != "3")
+                throw SceneError("--print-template " + words[i] + ": the dimension is 2 or 3");
+              arguments.dimension = std::stoi(words[i]);
+            }
         }
       else if (words[i].substr(0, 1) == "-")
         throw SceneError("unknown option '" + words[i] + "'\n\n" + usage);

@@ -391,6 +391,29 @@ namespace Signorini
     }
 
     template <int dim>
+    bool
+    has_shapes(const std::vector<ContactPoint<dim>> &points)
+    {
+      return std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return !point.shape.empty();
+      });
+    }
+
+    template <int dim>
+    void
+    check_gaps(const ContactPair<dim>               &pair,
+               const std::vector<ContactPoint<dim>> &points,
+               const MPI_Comm                        comm)
+    {
+      const bool bad = std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return !std::isfinite(point.gap);
+      });
+      if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
+        throw SceneError(pair.slave_place + ": Initial gap = " + pair.initial_gap +
+                         " is not a number somewhere on '" + pair.slave + "'; correct the formula");
+    }
+
+    template <int dim>
     std::vector<std::pair<SparseRow, double>>
     whole_faces(const Elasticity<dim> &elasticity, const Slave<dim> &slave)
     {
@@ -443,9 +466,12 @@ namespace Signorini
         return a.face < b.face;
       });
       surface.points = contact_points(elasticity, pair, method, slave, paired);
+      check_gaps(pair, surface.points, comm);
       const auto n_prescribed =
         set_shapes(elasticity, method, integration.basis, slave, paired, surface.points);
-      if (!obstacle && Utilities::MPI::max(n_prescribed, comm) > 0)
+      const bool some_prescribed = Utilities::MPI::max(n_prescribed, comm) > 0,
+                 some_free = Utilities::MPI::max(has_shapes(surface.points) ? 1 : 0, comm) > 0;
+      if (some_prescribed && (!obstacle || !some_free))
         throw SceneError(
           pair.slave_place + ": the displacement of faces of '" + pair.slave +
           "' is prescribed along the normal at all their nodes, so that they cannot carry an "

@@ -169,6 +169,22 @@ namespace Signorini
       return names;
     }
 
+    /// In one matrix, rounding of the stiff body is a force on the soft one.
+    template <int dim>
+    void
+    check_contrast(const std::vector<Body<dim>> &bodies)
+    {
+      constexpr double largest   = 1e8;
+      const auto       is_softer = [](const Body<dim> &a, const Body<dim> &b) {
+        return a.material.youngs_modulus < b.material.youngs_modulus;
+      };
+      const auto [soft, stiff] = std::minmax_element(bodies.begin(), bodies.end(), is_softer);
+      if (stiff->material.youngs_modulus > largest * soft->material.youngs_modulus)
+        throw SceneError("Bodies/" + stiff->name +
+                         "/Young's modulus: more than 1e8 times that of '" + soft->name +
+                         "', beyond what rounding allows; take an obstacle for a rigid body");
+    }
+
     void
     require(const std::string              &what,
             const std::vector<std::string> &wanted,
@@ -220,6 +236,7 @@ namespace Signorini
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
     contact.check(degree);
+    check_contrast(bodies);
     if (mesh.distribution == "METIS" && refinement.cycles > 0)
       throw SceneError(
         "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +

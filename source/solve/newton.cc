@@ -225,10 +225,15 @@ namespace Signorini
   bool
   Newton::is_balanced(const NewtonStep &step, const double before, const double scale) const
   {
-    const bool at_bottom = step.changes == 0 && step.residual > before / 2 && before > 0 &&
-                           step.residual <= force_rounding / scale;
-    return (step.residual <= settings.tolerance || at_bottom) && !step.follows &&
-           (softness == 1 || step.active == 0);
+    // Points that hardly touch may change between any two steps, to no effect.
+    constexpr double largest_undecided = 1e-8;
+    // What rounding leaves is an answer only if it is little.
+    constexpr double largest_rounding = 1e-4;
+    const bool       at_bottom = step.changes == 0 && before > 0 && step.residual > before / 2 &&
+                           step.residual <= std::min(force_rounding / scale, largest_rounding);
+    const bool is_small = step.residual <= settings.tolerance &&
+                          (step.changes == 0 || step.residual <= largest_undecided);
+    return (is_small || at_bottom) && !step.follows && (softness == 1 || step.active == 0);
   }
 
 
