@@ -24,6 +24,24 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    template <int dim>
+    bool
+    depends_on_place(const VectorExpression<dim> &motion)
+    {
+      Point<dim> elsewhere;
+      for (unsigned int d = 0; d < dim; ++d)
+        elsewhere[d] = 1.37 + d;
+      for (const double t : {0.31, 1., 2.7})
+        if ((motion.value(elsewhere, t) - motion.value(Point<dim>(), t)).norm() > 0)
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   Obstacle<dim>::declare(Section &section)
@@ -41,6 +59,9 @@ namespace Signorini
       "Displacement",
       displacement,
       "motion of the obstacle, one formula in t a component, separated by ';'; empty: at rest [length]");
+    if (section.reading() && depends_on_place(displacement))
+      section.fail("Displacement",
+                   "depends on the place, but an obstacle is rigid; write it in t alone");
   }
 
 

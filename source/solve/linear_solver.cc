@@ -49,7 +49,7 @@ namespace Signorini
       "Near null space",
       near_null_space,
       {"rigid body modes", "translations"},
-      "what the multigrid method knows of elasticity; translations alone: half the memory, twice the iterations");
+      "what the multigrid method knows of elasticity; translations alone: less memory, half as many iterations again");
     section.add("Reduction",
                 reduction,
                 "by which each linear solve reduces its residual",

@@ -18,7 +18,7 @@ namespace Signorini
     section.add("Tolerance",
                 tolerance,
                 "of the nonlinear residual, relative to the forces at work",
-                Range{0, 1, false, false});
+                Range{0, 1e-3, false});
   }
 
 
@@ -97,8 +97,9 @@ namespace Signorini
     force_scale = scale;
     // The forces of a cold start may be far larger, as penalties of bodies that overlap; their
     // rounding is all that they leave behind. A penalty multiplies the rounding of the gap.
-    largest_force  = std::max(largest_force, scale);
-    force_rounding = std::max(1e-15 * largest_force, penalty_rounding(u));
+    largest_force = std::max(largest_force, scale);
+    // What that leaves is an answer only if it is little.
+    force_rounding = std::max(1e-15 * largest_force, std::min(penalty_rounding(u), 1e-4 * scale));
     return r;
   }
 
@@ -227,10 +228,8 @@ namespace Signorini
   {
     // Points that hardly touch may change between any two steps, to no effect.
     constexpr double largest_undecided = 1e-8;
-    // What rounding leaves is an answer only if it is little.
-    constexpr double largest_rounding = 1e-4;
     const bool       at_bottom = step.changes == 0 && before > 0 && step.residual > before / 2 &&
-                           step.residual <= std::min(force_rounding / scale, largest_rounding);
+                           step.residual <= force_rounding / scale;
     const bool is_small = step.residual <= settings.tolerance &&
                           (step.changes == 0 || step.residual <= largest_undecided);
     return (is_small || at_bottom) && !step.follows && (softness == 1 || step.active == 0);

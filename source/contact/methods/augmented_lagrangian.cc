@@ -10,7 +10,7 @@ namespace Signorini
       "Factor",
       penalty_factor,
       "penalty in units of E/h: larger needs fewer augmentations, the result does not depend on it",
-      positive);
+      Range{0, 1e12, false});
     section.add_choice(
       "Loop",
       loop,

@@ -12,7 +12,7 @@ namespace Signorini
       "Factor",
       penalty_factor,
       "penalty in units of E/h: larger is more exact, the penetration is p h / (Factor E)",
-      positive);
+      Range{0, 1e12, false});
     section.add(
       "Growth",
       growth,

@@ -10,7 +10,7 @@ class Epetra_CrsMatrix;
 namespace Signorini
 {
   /// The levels of a smoothed-aggregation multigrid method for the stiffness matrix, made by ML
-  /// from its near-null-space, the rigid-body modes: translations alone cost twice the iterations,
+  /// from its near-null-space, the rigid-body modes: translations alone cost half as many again,
   /// and the count then grows with the mesh. Belongs to the mesh; aggregates never contain nodes of
   /// two bodies.
   class Hierarchy
