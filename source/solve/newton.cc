@@ -149,12 +149,15 @@ namespace Signorini
 
         const LA::Vector r = residual(f, u, p, stress);
         rhs.block(0)       = r;
-        if (system.is_saddle_point())
-          rhs.block(1) = gap_defect(gap, p);
         const double scale = force_scale > 0 ? force_scale : 1.;
         step.residual      = r.l2_norm() / scale;
         if (system.is_saddle_point() || augments())
-          step.gap_residual = gap_defect(gap, p).l2_norm() / scale;
+          {
+            const LA::Vector defect = gap_defect(gap, p);
+            step.gap_residual       = defect.l2_norm() / scale;
+            if (system.is_saddle_point())
+              rhs.block(1) = defect;
+          }
         const double before = n > 0 ? report.steps.back().residual : 0;
 
         if (is_balanced(step, before, scale))
@@ -293,22 +296,27 @@ namespace Signorini
   {
     if (contact.empty())
       return;
-    last_active_set                = active_set;
-    const LA::Vector  &start       = predicted(p, stress);
-    const unsigned int last_active = count(last_active_set);
-    step.active                    = find_active(contact, gap, start, active_set);
+    last_active_set         = active_set;
+    const LA::Vector &start = predicted(p, stress);
+    step.active             = find_active(contact, gap, start, active_set);
     if (!cautious && seen_before())
       {
         cautious = true;
         changes  = 0.;
       }
     if (cautious && method.has_multipliers())
-      keep_all_but_the_worst(gap, p);
+      {
+        keep_all_but_the_worst(gap, p);
+        step.active = count(active_set);
+      }
     // An obstacle that retreats has lost all contact before the bodies follow: let them first.
-    step.follows = is_first && last_active > 0 && step.active != last_active;
+    const unsigned int last_active = is_first ? count(last_active_set) : 0;
+    step.follows                   = last_active > 0 && step.active != last_active;
     if (step.follows)
-      active_set = last_active_set;
-    step.active           = count(active_set);
+      {
+        active_set  = last_active_set;
+        step.active = last_active;
+      }
     LA::Vector difference = active_set;
     difference -= last_active_set;
     for (const auto i : difference.locally_owned_elements())
