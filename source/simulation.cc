@@ -1,6 +1,7 @@
 #include <signorini/output/summary.h>
 #include <signorini/parameters/section.h>
 #include <signorini/simulation.h>
+#include <signorini/solve/linear_reference.h>
 
 #include <fstream>
 #include <iomanip>
@@ -105,6 +106,8 @@ namespace Signorini
         report_set_up();
         build_contact();
         run_load_history();
+        if (report.converged && scene.output.linear_reference)
+          compare_with_linear_solve();
       }
     catch (const SolverFailure &failure)
       {
@@ -174,6 +177,7 @@ namespace Signorini
   {
     // The solver refers to what is replaced here.
     newton.reset();
+    mesh_clock.restart();
     const ContactMethod &method      = scene.contact.chosen();
     const Integration    integration = scene.contact.integration_of_degree(scene.degree);
     {
@@ -202,6 +206,7 @@ namespace Signorini
     if (pressure.size() == elasticity->dof_handler().n_dofs())
       contact->gather(pressure, start);
     pressure = start;
+    mesh_clock.stop();
   }
 
 
@@ -210,6 +215,7 @@ namespace Signorini
   bool
   Simulation<dim>::solve(const double t)
   {
+    mesh_clock.start();
     elasticity->set_time(t);
     if (!newton)
       {
@@ -245,6 +251,7 @@ namespace Signorini
 
     report = newton->solve(f, displacement, pressure, out);
     elasticity->distribute(displacement);
+    mesh_clock.stop();
     return report.converged;
   }
 
@@ -339,6 +346,31 @@ namespace Signorini
       one["errors"]["pressure"] = deviation.pressure;
     results["load_steps"].push_back(one);
     writer->write(now, scene.known.pressure);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::compare_with_linear_solve()
+  {
+    const double          seconds = Utilities::MPI::max(mesh_clock.wall_time(), comm);
+    const double          cycles  = newton->multigrid_cycles();
+    const LinearReference linear = [&]() {
+      newton.reset(); // looks at the stiffness matrix
+      TimerOutput::Scope scope(timer, "linear reference");
+      return solve_without_contact(*elasticity, scene.solver, scene.newton.tolerance);
+    }();
+    results["linear_reference"] = {{"seconds",
+                                    {{"assembly", linear.seconds_assembly},
+                                     {"preconditioner", linear.seconds_preconditioner},
+                                     {"krylov", linear.seconds_krylov}}},
+                                   {"krylov_iterations", linear.iterations},
+                                   {"near_null_space", linear.near_null_space},
+                                   {"contact_seconds", seconds},
+                                   {"contact_multigrid_cycles", cycles},
+                                   {"R", seconds / linear.seconds()},
+                                   {"W", cycles / linear.iterations}};
   }
 
 

@@ -51,6 +51,8 @@ namespace Signorini
     run_load_history();
     void
     record_step(unsigned int step, double t);
+    void
+    compare_with_linear_solve();
     ExitCode
     finish();
 
@@ -58,7 +60,7 @@ namespace Signorini
     const MPI_Comm             comm;
     dealii::ConditionalOStream out;
     dealii::TimerOutput        timer;
-    dealii::Timer              clock;
+    dealii::Timer              clock, mesh_clock; ///< since the start, of the solves on this mesh
 
     std::unique_ptr<Mesh<dim>>       mesh;
     std::unique_ptr<Elasticity<dim>> elasticity;

@@ -11,6 +11,10 @@ namespace Signorini
     section.add("VTU",
                 vtu,
                 "yes or no: write solution.pvd (bodies) and contact.pvd (contact surfaces)");
+    section.add("Linear reference",
+                linear_reference,
+                "yes or no: solve without contact too, and compare: R of the seconds, W of the "
+                "multigrid cycles");
     section.add_named("Probes", probes, "Points whose displacement and stress are reported.");
   }
 

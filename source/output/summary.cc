@@ -64,7 +64,14 @@ namespace Signorini
     out << "\n  seconds:";
     for (const auto &[name, time] : results["seconds"].items())
       out << "  " << name << " " << std::fixed << std::setprecision(2) << time.get<double>();
-    out << std::defaultfloat << "\n  peak memory per rank: ";
+    if (results.contains("linear_reference"))
+      {
+        const Json &linear = results["linear_reference"];
+        out << "\n  against the linear solve without contact: " << std::setprecision(2)
+            << linear["R"].get<double>() << " times the seconds (R), " << linear["W"].get<double>()
+            << " times the multigrid cycles (W)";
+      }
+    out << std::defaultfloat << std::setprecision(6) << "\n  peak memory per rank: ";
     for (const Json &mb : results["peak_memory_mb"])
       out << mb.get<double>() << " ";
     out << "MB\n";

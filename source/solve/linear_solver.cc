@@ -50,10 +50,6 @@ namespace Signorini
       near_null_space,
       {"rigid body modes", "translations"},
       "what the multigrid method knows of elasticity; translations alone: less memory, half as many iterations again");
-    section.add("Reduction",
-                reduction,
-                "by which each linear solve reduces its residual",
-                Range{0, 1, false, false});
     section.add("Maximum iterations", maximum_iterations, "of one linear solve", positive);
   }
 
@@ -157,9 +153,7 @@ namespace Signorini
 
 
   unsigned int
-  LinearSolver::solve(LA::BlockVector       &x,
-                      const LA::BlockVector &rhs,
-                      const double           absolute_tolerance)
+  LinearSolver::solve(LA::BlockVector &x, const LA::BlockVector &rhs, double tolerance)
   {
     TimerOutput::Scope scope(timer, "krylov");
     const std::string  krylov = choose_krylov(settings, system, *preconditioner);
@@ -173,7 +167,6 @@ namespace Signorini
     const double norm = rhs.l2_norm();
     if (norm == 0)
       return 0;
-    double tolerance = std::max(absolute_tolerance, settings.reduction * norm);
     preconditioner->start(x, rhs);
     if (krylov == "MINRES")
       {

@@ -19,6 +19,11 @@ namespace Signorini
                 tolerance,
                 "of the nonlinear residual, relative to the forces at work",
                 Range{0, 1e-3, false});
+    section.add("Reduction",
+                reduction,
+                "of the residual by the linear solves while the active set changes; those after it "
+                "go down to the Tolerance",
+                Range{0, 1, false, false});
   }
 
 
@@ -182,7 +187,7 @@ namespace Signorini
             return report;
           }
 
-        step.krylov_iterations = solve_linear(x, rhs, 0.1 * settings.tolerance * scale);
+        step.krylov_iterations = solve_linear(x, rhs, linear_tolerance(step, rhs, scale));
         damping = cautious && has_energy() ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
@@ -246,6 +251,18 @@ namespace Signorini
     // What an augmentation changes is known up to the residual that the last solution left.
     return step.gap_residual <=
            (augments() ? 10 : 1) * std::max(settings.tolerance, force_rounding / scale);
+  }
+
+
+
+  double
+  Newton::linear_tolerance(const NewtonStep      &step,
+                           const LA::BlockVector &rhs,
+                           const double           scale) const
+  {
+    const double last = 0.5 * settings.tolerance * scale;
+    return step.changes == 0 && !step.follows ? last :
+                                                std::max(last, settings.reduction * rhs.l2_norm());
   }
 
 

@@ -26,7 +26,8 @@ namespace Signorini
   struct OutputSettings
   {
     std::string             directory; ///< empty: output/ and the name of the scene
-    bool                    vtu = true;
+    bool                    vtu              = true;
+    bool                    linear_reference = false;
     std::vector<Probe<dim>> probes;
 
     void

@@ -25,7 +25,6 @@ namespace Signorini
     double       augmentation       = 0;
     std::string  direct_solver      = "auto";
     std::string  near_null_space    = "rigid body modes";
-    double       reduction          = 1e-6;
     unsigned int maximum_iterations = 1000;
 
     void
@@ -48,10 +47,10 @@ namespace Signorini
     void
     update();
 
-    /// Solve from a zero start until the residual has fallen by the reduction of the settings, or
-    /// below the absolute tolerance. Returns the number of iterations; throws SolverFailure.
+    /// Solve from a zero start until the residual is not larger than the tolerance. Returns the
+    /// number of iterations; throws SolverFailure.
     unsigned int
-    solve(LA::BlockVector &x, const LA::BlockVector &rhs, double absolute_tolerance);
+    solve(LA::BlockVector &x, const LA::BlockVector &rhs, double tolerance);
 
     unsigned int
     multigrid_cycles() const
