@@ -356,7 +356,7 @@ namespace Signorini
   {
     const double          seconds = Utilities::MPI::max(mesh_clock.wall_time(), comm);
     const double          cycles  = newton->multigrid_cycles();
-    const LinearReference linear = [&]() {
+    const LinearReference linear  = [&]() {
       newton.reset(); // looks at the stiffness matrix
       TimerOutput::Scope scope(timer, "linear reference");
       return solve_without_contact(*elasticity, scene.solver, scene.newton.tolerance);

@@ -175,8 +175,23 @@ namespace Signorini
     for (const Point<dim> &a : nodes)
       for (const Point<dim> &b : nodes)
         size = std::max(size, a.distance(b));
-    bounds      = box_of(nodes, degree);
-    multilinear = largest_deviation(nodes, degree).norm() < 1e-12 * size;
+    bounds = box_of(nodes, degree);
+    if (degree > 1 && largest_deviation(nodes, degree).norm() < 1e-12 * size)
+      keep_corners();
+  }
+
+
+
+  template <int dim>
+  void
+  FacePatch<dim>::keep_corners()
+  {
+    const unsigned int top = dim == 3 ? degree * (degree + 1) : 0;
+    if (dim == 2)
+      nodes = {nodes[0], nodes[degree]};
+    else
+      nodes = {nodes[0], nodes[degree], nodes[top], nodes[top + degree]};
+    degree = 1;
   }
 
 
@@ -241,15 +256,6 @@ namespace Signorini
   FacePatch<dim>::jacobian(const Parameter &xi) const
   {
     return parametric_normal<dim>(tangents(xi)).norm();
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  FacePatch<dim>::facets_per_line() const
-  {
-    return multilinear ? 1 : degree;
   }
 
 

@@ -183,7 +183,10 @@ namespace Signorini
     remove_overcovered(const std::vector<FacePatch<dim>> &slave,
                        std::vector<PairedPoint<dim>>     &points)
     {
-      const QGauss<dim - 1> rule(slave.empty() ? 1 : slave.front().get_degree() + 2);
+      unsigned int degree = 1;
+      for (const FacePatch<dim> &face : slave)
+        degree = std::max(degree, face.get_degree());
+      const QGauss<dim - 1> rule(degree + 2);
       std::vector<double>   covered(slave.size(), 0.);
       for (const PairedPoint<dim> &point : points)
         covered[point.face] += point.weight;

@@ -258,8 +258,8 @@ namespace Signorini
                  const Quadrature<dim - 1> &rule)
   {
     std::vector<SegmentPoint<dim>> points;
-    const unsigned int n_slave = slave.facets_per_line(), n_master = master.facets_per_line();
-    const auto         master_facets = facets(master, n_master);
+    const unsigned int             n_slave = slave.get_degree(), n_master = master.get_degree();
+    const auto                     master_facets = facets(master, n_master);
     for (const Facet<dim> &ours : facets(slave, n_slave))
       {
         const Plane<dim> plane(ours);
@@ -292,7 +292,7 @@ namespace Signorini
   extruded_box(const FacePatch<dim> &slave, const double reach)
   {
     BoundingBox<dim> box = slave.box();
-    for (const Facet<dim> &facet : facets(slave, slave.facets_per_line()))
+    for (const Facet<dim> &facet : facets(slave, slave.get_degree()))
       {
         const Tensor<1, dim> step = reach * Plane<dim>(facet).normal();
         for (const Point<dim> &corner : facet.corners)

@@ -1,22 +1,73 @@
 #include <signorini/solve/contact_system.h>
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+#include <Epetra_Vector.h>
+
+#include <algorithm>
+
 namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Local row of a matrix without the detour over iterators, which cost a hundred times more.
+    struct RowView
+    {
+      RowView(const LA::SparseMatrix &matrix, const int row)
+      {
+        const int error = matrix.trilinos_matrix().ExtractMyRowView(row, size, values, columns);
+        AssertThrow(error == 0, ExcTrilinosError(error));
+      }
+
+      bool
+      has_columns_of(const RowView &other) const
+      {
+        return size == other.size && std::equal(columns, columns + size, other.columns);
+      }
+
+      int     size;
+      double *values;
+      int    *columns;
+    };
+  } // namespace
+
+
+
   ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
                                const GapOperator      &contact,
-                               const ContactMethod    &method)
+                               const bool              saddle,
+                               const double            factor,
+                               const bool              compliant)
     : K(stiffness)
     , contact(contact)
-    , saddle(method.has_multipliers() && !contact.empty())
-    , factor(0)
-    , compliant(method.predictor() == Predictor::none)
+    , saddle(saddle)
+    , factor(factor)
+    , compliant(compliant)
     , D(contact.zero())
     , X(contact.zero())
     , Y(contact.zero())
     , A(contact.zero())
     , I(contact.zero())
+  {
+    if (!saddle && !contact.empty())
+      make_surface_pattern();
+  }
+
+
+
+  ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
+                               const GapOperator      &contact,
+                               const ContactMethod    &method)
+    : ContactSystem(stiffness,
+                    contact,
+                    method.has_multipliers() && !contact.empty(),
+                    0,
+                    method.predictor() == Predictor::none)
   {}
 
 
@@ -24,17 +75,105 @@ namespace Signorini
   ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
                                const GapOperator      &contact,
                                const double            factor)
-    : K(stiffness)
-    , contact(contact)
-    , saddle(false)
-    , factor(factor)
-    , compliant(false)
-    , D(contact.zero())
-    , X(contact.zero())
-    , Y(contact.zero())
-    , A(contact.zero())
-    , I(contact.zero())
+    : ContactSystem(stiffness, contact, false, factor, false)
   {}
+
+
+
+  ContactSystem::~ContactSystem() = default;
+
+
+
+  void
+  ContactSystem::make_surface_pattern()
+  {
+    const Epetra_CrsMatrix &B = contact.B_free.trilinos_matrix();
+    columns                   = std::make_unique<Epetra_Import>(B.ColMap(), B.DomainMap());
+    of_columns                = std::make_unique<Epetra_Vector>(B.ColMap());
+    forces                    = std::make_unique<Epetra_Vector>(B.ColMap());
+
+    DynamicSparsityPattern entries(B.NumMyCols(), B.NumMyCols());
+    for (int row = 0; row < B.NumMyRows(); ++row)
+      {
+        const RowView view(contact.B_free, row);
+        if (row > 0 && view.has_columns_of(RowView(contact.B_free, row - 1)))
+          continue;
+        std::vector<unsigned int> sorted(view.columns, view.columns + view.size);
+        std::sort(sorted.begin(), sorted.end());
+        for (const unsigned int column : sorted)
+          entries.add_entries(column, sorted.begin(), sorted.end(), true);
+      }
+    pattern.copy_from(entries);
+    surface.reinit(pattern);
+    displacement.reinit(B.NumMyCols());
+    force.reinit(B.NumMyCols());
+  }
+
+
+
+  void
+  ContactSystem::sum_up_surface_stiffness()
+  {
+    if (surface.empty())
+      return; // no points on this rank
+    // With normal stresses all points count, those without contact too, and most are as before:
+    // only changes are added. Springs of penalties may be so stiff that taking one away would leave
+    // its rounding behind.
+    if (!contact.has_stress())
+      {
+        surface = 0;
+        sums    = Sums();
+      }
+    const auto change = [](const LA::Vector &now, std::vector<double> &before) {
+      const double *const values = now.trilinos_vector()[0];
+      before.resize(now.locally_owned_size(), 0.);
+      std::vector<double> difference(before.size());
+      for (unsigned int i = 0; i < before.size(); ++i)
+        {
+          difference[i] = values[i] - before[i];
+          before[i]     = values[i];
+        }
+      return difference;
+    };
+    const std::vector<double> d = change(D, sums.D), x = change(X, sums.X), y = change(Y, sums.Y);
+    const int                 n_rows = d.size();
+    const double              theta  = contact.theta;
+    FullMatrix<double>        block; // sum over points between the same two faces
+    std::vector<types::global_dof_index> indices;
+    for (int first = 0, last = 0; first < n_rows; first = last)
+      {
+        const RowView columns(contact.B_free, first);
+        const int     n = columns.size;
+        block.reinit(n, n);
+        bool any = false;
+        for (; last < n_rows; ++last)
+          {
+            const RowView B(contact.B_free, last);
+            if (!B.has_columns_of(columns))
+              break;
+            if (d[last] == 0 && x[last] == 0 && y[last] == 0)
+              continue;
+            any = true;
+            if (!contact.has_stress())
+              for (int k = 0; k < n; ++k)
+                for (int l = 0; l < n; ++l)
+                  block(k, l) += d[last] * B.values[k] * B.values[l];
+            else
+              {
+                const RowView S(contact.S_free, last);
+                for (int k = 0; k < n; ++k)
+                  for (int l = 0; l < n; ++l)
+                    block(k, l) +=
+                      B.values[k] * (d[last] * B.values[l] - x[last] * S.values[l]) -
+                      theta * S.values[k] * (x[last] * B.values[l] + y[last] * S.values[l]);
+              }
+          }
+        if (!any)
+          continue;
+        indices.assign(columns.columns, columns.columns + n);
+        surface.add(indices, block);
+      }
+  }
 
 
 
@@ -53,6 +192,8 @@ namespace Signorini
       }
     for (LA::Vector *v : {&D, &X, &Y, &A, &I})
       v->compress(VectorOperation::insert);
+    if (!saddle && !contact.empty())
+      sum_up_surface_stiffness();
   }
 
 
@@ -86,48 +227,40 @@ namespace Signorini
     dst = 0;
     if (contact.empty())
       return;
-    LA::Vector gap = contact.zero(), stress;
+    if (!saddle)
+      {
+        add_surface_forces(dst.block(0), src.block(0));
+        return;
+      }
+    LA::Vector gap = contact.zero();
     contact.B_free.vmult(gap, src.block(0));
-    if (contact.has_stress())
-      {
-        stress = contact.zero();
-        contact.S_free.vmult(stress, src.block(0));
-        add_stress_terms(dst.block(0), gap, stress);
-        gap.scale(D);
-        stress.scale(X);
-        gap -= stress;
-      }
-    else if (saddle)
-      {
-        dst.block(1) = gap;
-        dst.block(1).scale(A);
-        dst.block(1) *= -1;
-        gap = src.block(1);
-        gap.scale(I);
-        dst.block(1) -= gap;
-        gap = src.block(1);
-        gap.scale(A);
-        gap *= -1;
-      }
-    else
-      gap.scale(D);
+    dst.block(1) = gap;
+    dst.block(1).scale(A);
+    dst.block(1) *= -1;
+    gap = src.block(1);
+    gap.scale(I);
+    dst.block(1) -= gap;
+    gap = src.block(1);
+    gap.scale(A);
+    gap *= -1;
     contact.B_free.Tvmult_add(dst.block(0), gap);
   }
 
 
 
   void
-  ContactSystem::add_stress_terms(LA::Vector       &dst,
-                                  const LA::Vector &gap,
-                                  const LA::Vector &stress) const
+  ContactSystem::add_surface_forces(LA::Vector &dst, const LA::Vector &src) const
   {
-    if (contact.theta == 0)
-      return;
-    LA::Vector terms = stress, of_gap = gap;
-    terms.scale(Y);
-    of_gap.scale(X);
-    terms += of_gap;
-    terms *= -contact.theta;
-    contact.S_free.Tvmult_add(dst, terms);
+    int error = of_columns->Import(src.trilinos_vector(), *columns, Insert);
+    AssertThrow(error == 0, ExcTrilinosError(error));
+    const int n = of_columns->MyLength();
+    if (n > 0)
+      {
+        std::copy_n(of_columns->Values(), n, displacement.begin());
+        surface.vmult(force, displacement);
+        std::copy_n(force.begin(), n, forces->Values());
+      }
+    error = dst.trilinos_vector().Export(*forces, *columns, Add);
+    AssertThrow(error == 0, ExcTrilinosError(error));
   }
 } // namespace Signorini

@@ -3,7 +3,8 @@
 
 #include <deal.II/base/timer.h>
 
-#include <sstream>
+#include <algorithm>
+#include <ostream>
 
 namespace Signorini
 {
@@ -27,12 +28,12 @@ namespace Signorini
             const LinearSolverSettings &settings,
             const double                tolerance)
     {
-      const MPI_Comm   comm = elasticity.mesh().communicator();
-      LinearReference  result;
-      std::ostream     unused(nullptr);
-      TimerOutput      timer(unused, TimerOutput::never, TimerOutput::wall_times);
-      Timer            clock(comm, true);
-      const auto       lap = [&]() {
+      const MPI_Comm  comm = elasticity.mesh().communicator();
+      LinearReference result;
+      std::ostream    unused(nullptr);
+      TimerOutput     timer(unused, TimerOutput::never, TimerOutput::wall_times);
+      Timer           clock(comm, true);
+      const auto      lap = [&]() {
         clock.stop();
         const double seconds = clock.last_wall_time();
         clock.restart();
@@ -50,7 +51,7 @@ namespace Signorini
 
       LA::BlockVector x = system.zero(), rhs = x;
       rhs.block(0)          = f;
-      result.iterations     = solver.solve(x, rhs, tolerance * f.l2_norm());
+      result.iterations     = solver.solve(x, rhs, tolerance, 0);
       result.seconds_krylov = lap();
       return result;
     }
@@ -65,6 +66,7 @@ namespace Signorini
                         const double                tolerance)
   {
     LinearReference best;
+    unsigned int    fewest = numbers::invalid_unsigned_int;
     for (const char *near_null_space : {"rigid body modes", "translations"})
       {
         LinearSolverSettings chosen;
@@ -73,9 +75,11 @@ namespace Signorini
         chosen.maximum_iterations = settings.maximum_iterations;
         LinearReference result    = measure(elasticity, chosen, tolerance);
         result.near_null_space    = near_null_space;
+        fewest                    = std::min(fewest, result.iterations);
         if (best.iterations == 0 || result.seconds() < best.seconds())
           best = result;
       }
+    best.iterations = fewest; // not that of the faster one: it would depend on the clock
     return best;
   }
 

@@ -153,7 +153,10 @@ namespace Signorini
 
 
   unsigned int
-  LinearSolver::solve(LA::BlockVector &x, const LA::BlockVector &rhs, double tolerance)
+  LinearSolver::solve(LA::BlockVector       &x,
+                      const LA::BlockVector &rhs,
+                      const double           reduction,
+                      const double           absolute_tolerance)
   {
     TimerOutput::Scope scope(timer, "krylov");
     const std::string  krylov = choose_krylov(settings, system, *preconditioner);
@@ -168,6 +171,14 @@ namespace Signorini
     if (norm == 0)
       return 0;
     preconditioner->start(x, rhs);
+    double tolerance = absolute_tolerance;
+    if (reduction > 0)
+      {
+        LA::BlockVector rest = system.zero();
+        system.vmult(rest, x);
+        rest.sadd(-1, 1, rhs);
+        tolerance = std::max(tolerance, reduction * std::min(norm, rest.l2_norm()));
+      }
     if (krylov == "MINRES")
       {
         // MINRES measures residuals in the norm of the preconditioner.

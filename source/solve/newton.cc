@@ -19,11 +19,12 @@ namespace Signorini
                 tolerance,
                 "of the nonlinear residual, relative to the forces at work",
                 Range{0, 1e-3, false});
-    section.add("Reduction",
-                reduction,
-                "of the residual by the linear solves while the active set changes; those after it "
-                "go down to the Tolerance",
-                Range{0, 1, false, false});
+    section.add(
+      "Reduction",
+      reduction,
+      "of the residual by linear solves while the active set changes, relative to the loads; "
+      "the last one goes down to the Tolerance",
+      Range{0, 1, false, false});
   }
 
 
@@ -187,7 +188,13 @@ namespace Signorini
             return report;
           }
 
-        step.krylov_iterations = solve_linear(x, rhs, linear_tolerance(step, rhs, scale));
+        // As long as the active set changes, the next one throws away what goes beyond a good
+        // guess.
+        const bool is_settled  = contact.empty() || (n > 0 && step.changes == 0);
+        step.krylov_iterations = solve_linear(x,
+                                              rhs,
+                                              is_settled ? 0. : settings.reduction,
+                                              0.5 * settings.tolerance * scale);
         damping = cautious && has_energy() ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
@@ -255,20 +262,11 @@ namespace Signorini
 
 
 
-  double
-  Newton::linear_tolerance(const NewtonStep      &step,
-                           const LA::BlockVector &rhs,
-                           const double           scale) const
-  {
-    const double last = 0.5 * settings.tolerance * scale;
-    return step.changes == 0 && !step.follows ? last :
-                                                std::max(last, settings.reduction * rhs.l2_norm());
-  }
-
-
-
   unsigned int
-  Newton::solve_linear(LA::BlockVector &x, const LA::BlockVector &rhs, const double tolerance)
+  Newton::solve_linear(LA::BlockVector       &x,
+                       const LA::BlockVector &rhs,
+                       const double           reduction,
+                       const double           tolerance)
   {
     if (!factorised)
       {
@@ -276,7 +274,7 @@ namespace Signorini
         linear_solver.update();
         factorised = true;
       }
-    const unsigned int iterations = linear_solver.solve(x, rhs, tolerance);
+    const unsigned int iterations = linear_solver.solve(x, rhs, reduction, tolerance);
     // Constrained ones are unknowns of their own to the linear solver, zero up to its tolerance.
     constraints.set_zero(x.block(0));
     if (system.is_saddle_point())

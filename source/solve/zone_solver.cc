@@ -167,9 +167,10 @@ namespace Signorini
     if (system.gap_operator().empty())
       return;
 
-    collect_springs(entries);
     if (system.is_saddle_point())
       collect_multipliers(entries);
+    else
+      collect_springs(entries);
   }
 
 
@@ -177,50 +178,13 @@ namespace Signorini
   void
   ZoneSolver::collect_springs(Entries &entries) const
   {
-    const GapOperator  &contact = system.gap_operator();
-    const bool          stress  = contact.has_stress();
-    const double        theta   = contact.theta;
-    const int           n_rows  = contact.weight.locally_owned_size();
-    std::vector<double> block; // sum over points that have the same columns: those of a face
-    for (int first = 0, last = 0; first < n_rows; first = last)
+    if (system.surface_stiffness().empty())
+      return; // no points on this rank
+    for (const auto &entry : system.surface_stiffness())
       {
-        const RowView columns(contact.B_free, first);
-        const int     n = columns.size;
-        block.assign(n * n, 0.);
-        bool any = false;
-        for (; last < n_rows; ++last)
-          {
-            const RowView B(contact.B_free, last);
-            if (B.size != n || !std::equal(B.columns, B.columns + n, columns.columns))
-              break;
-            const double D = values_of(system.spring())[last],
-                         X = values_of(system.stress_spring())[last],
-                         Y = values_of(system.stress_compliance())[last];
-            if (D == 0 && (Y == 0 || theta == 0))
-              continue;
-            any = true;
-            if (!stress)
-              for (int k = 0; k < n; ++k)
-                for (int l = 0; l < n; ++l)
-                  block[k * n + l] += D * B.values[k] * B.values[l];
-            else
-              {
-                const RowView S(contact.S_free, last);
-                for (int k = 0; k < n; ++k)
-                  for (int l = 0; l < n; ++l)
-                    block[k * n + l] += B.values[k] * (D * B.values[l] - X * S.values[l]) -
-                                        theta * S.values[k] * (X * B.values[l] + Y * S.values[l]);
-              }
-          }
-        if (any)
-          for (int k = 0; k < n; ++k)
-            for (int l = 0; l < n; ++l)
-              {
-                const double row    = number_in_B[columns.columns[k]],
-                             column = number_in_B[columns.columns[l]];
-                if (row >= 0 && column >= 0 && block[k * n + l] != 0)
-                  entries.add(row, column, block[k * n + l]);
-              }
+        const double row = number_in_B[entry.row()], column = number_in_B[entry.column()];
+        if (row >= 0 && column >= 0 && entry.value() != 0)
+          entries.add(row, column, entry.value());
       }
   }
 

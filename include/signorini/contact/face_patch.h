@@ -53,13 +53,10 @@ namespace Signorini
     double
     jacobian(const Parameter &xi) const;
 
+    /// 1 if the face is multilinear, whatever the degree that it came with: fewer nodes say the
+    /// same.
     unsigned int
     get_degree() const;
-
-    /// Multilinear facets along a parameter that follow the geometry: 1 if it is multilinear, else
-    /// its degree.
-    unsigned int
-    facets_per_line() const;
 
     /// A box that contains the face (inflated where the face is curved).
     const dealii::BoundingBox<dim> &
@@ -77,20 +74,21 @@ namespace Signorini
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &degree &nodes &outward &bounds &size &multilinear;
+      ar &degree &nodes &outward &bounds &size;
     }
 
   private:
     /// Sets size and bounds from the nodes.
     void
     measure();
+    void
+    keep_corners();
 
     unsigned int                    degree = 1;
     std::vector<dealii::Point<dim>> nodes;
     double                          outward = 1;
     dealii::BoundingBox<dim>        bounds;
-    double                          size        = 0;
-    bool                            multilinear = true;
+    double                          size = 0;
   };
 
   /// The point of the reference cell that belongs to parameter xi on a face of a hypercube.

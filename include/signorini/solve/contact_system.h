@@ -3,6 +3,15 @@
 #include <signorini/contact/method.h>
 #include <signorini/linear_algebra.h>
 
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+
+#include <memory>
+#include <vector>
+
+class Epetra_Import;
+class Epetra_Vector;
+
 namespace Signorini
 {
   /// The linear system of one Newton step, for a given active set, in two forms.
@@ -31,6 +40,8 @@ namespace Signorini
 
     /// Condensed, with the springs D = factor k W on active points, whatever the method.
     ContactSystem(const LA::SparseMatrix &stiffness, const GapOperator &contact, double factor);
+
+    ~ContactSystem();
 
     /// @param softness multiplies the penalties
     void
@@ -77,16 +88,12 @@ namespace Signorini
       return D;
     }
 
-    const LA::Vector &
-    stress_spring() const ///< X
+    /// What the points of this rank add to K in the condensed form: a matrix on the local columns
+    /// of GapOperator::B_free. Empty in the saddle point form, and without points.
+    const dealii::SparseMatrix<double> &
+    surface_stiffness() const
     {
-      return X;
-    }
-
-    const LA::Vector &
-    stress_compliance() const ///< Y
-    {
-      return Y;
+      return surface;
     }
 
     const LA::Vector &
@@ -102,8 +109,20 @@ namespace Signorini
     }
 
   private:
+    ContactSystem(const LA::SparseMatrix &stiffness,
+                  const GapOperator      &contact,
+                  bool                    saddle,
+                  double                  factor,
+                  bool                    compliant);
+
     void
-    add_stress_terms(LA::Vector &dst, const LA::Vector &gap, const LA::Vector &stress) const;
+    make_surface_pattern();
+    /// B and S have a row a point, and often dozens of points between two faces: summing them up
+    /// once an active set costs less than to apply them one by one in each iteration.
+    void
+    sum_up_surface_stiffness();
+    void
+    add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
 
     const LA::SparseMatrix &K;
     const GapOperator      &contact;
@@ -112,5 +131,17 @@ namespace Signorini
     const bool              compliant; ///< multipliers whose law is g + p/eps = 0
     LA::Vector              D, X, Y, A, I;
     mutable LA::Vector      workspace;
+
+    struct Sums
+    {
+      std::vector<double> D, X, Y;
+    };
+
+    Sums                                   sums; ///< those in `surface`
+    dealii::SparsityPattern                pattern;
+    dealii::SparseMatrix<double>           surface;
+    std::unique_ptr<Epetra_Import>         columns; ///< from degrees of freedom to those of B_free
+    mutable std::unique_ptr<Epetra_Vector> of_columns, forces;
+    mutable dealii::Vector<double>         displacement, force; ///< the same for deal.II
   };
 } // namespace Signorini

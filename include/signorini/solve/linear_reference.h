@@ -10,8 +10,8 @@ namespace Signorini
   struct LinearReference
   {
     double       seconds_assembly = 0, seconds_preconditioner = 0, seconds_krylov = 0;
-    unsigned int iterations       = 0;
-    std::string  near_null_space; ///< with which they were solved faster
+    unsigned int iterations = 0;  ///< of the near null space that takes fewer
+    std::string  near_null_space; ///< the faster one: the seconds are its
 
     double
     seconds() const
@@ -21,8 +21,8 @@ namespace Signorini
   };
 
   /// Assemble, set up the multigrid method and solve by CG, all from nothing, with each near null
-  /// space; the faster one counts. Replaces the stiffness matrix by one of the same values: what
-  /// looks at the old one must be gone. Collective.
+  /// space, and take the least of each figure. Replaces the stiffness matrix by one of the same
+  /// values: what looks at the old one must be gone. Collective.
   /// @param tolerance of the residual, relative to the load
   template <int dim>
   LinearReference

@@ -47,10 +47,15 @@ namespace Signorini
     void
     update();
 
-    /// Solve from a zero start until the residual is not larger than the tolerance. Returns the
+    /// Solve from a zero start until the residual has fallen by the reduction, or below the
+    /// absolute tolerance. What the preconditioner's start achieves does not count as reduction: it
+    /// takes away the forces of stiff penalties, next to which all others look small. Returns the
     /// number of iterations; throws SolverFailure.
     unsigned int
-    solve(LA::BlockVector &x, const LA::BlockVector &rhs, double tolerance);
+    solve(LA::BlockVector       &x,
+          const LA::BlockVector &rhs,
+          double                 reduction,
+          double                 absolute_tolerance);
 
     unsigned int
     multigrid_cycles() const

@@ -98,12 +98,11 @@ namespace Signorini
     /// So are the gaps.
     bool
     is_closed(const NewtonStep &step, double scale) const;
-    /// What the linear solve of a step may leave of its residual: as long as the active set
-    /// changes, the next set throws away what goes beyond a good guess of it.
-    double
-    linear_tolerance(const NewtonStep &step, const LA::BlockVector &rhs, double scale) const;
     unsigned int
-    solve_linear(LA::BlockVector &x, const LA::BlockVector &rhs, double tolerance);
+    solve_linear(LA::BlockVector       &x,
+                 const LA::BlockVector &rhs,
+                 double                 reduction,
+                 double                 tolerance);
     /// What a cold start multiplies the penalties by, until the active set is nearly found.
     double
     soft_start(const LA::Vector &p) const;

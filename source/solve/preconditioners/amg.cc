@@ -1,6 +1,8 @@
 #include <signorini/solve/preconditioners/amg.h>
 
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
 
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>
@@ -44,6 +46,61 @@ namespace Signorini
       const int error = EpetraExt::MatrixMatrix::Multiply(a, false, b, false, *c);
       AssertThrow(error == 0, ExcTrilinosError(error));
       return c;
+    }
+
+    /// Where each local row goes when those with the same columns, points between the same two
+    /// faces, become one.
+    std::vector<unsigned int>
+    groups_of(const Epetra_CrsMatrix &B)
+    {
+      std::vector<unsigned int> groups;
+      int                       last_size = 0, *last_columns = nullptr;
+      for (int row = 0; row < B.NumMyRows(); ++row)
+        {
+          int     n, *columns;
+          double *values;
+          B.ExtractMyRowView(row, n, values, columns);
+          const bool same =
+            row > 0 && n == last_size && std::equal(columns, columns + n, last_columns);
+          groups.push_back(row == 0 ? 0 : groups.back() + (same ? 0 : 1));
+          last_size    = n;
+          last_columns = columns;
+        }
+      return groups;
+    }
+
+    /// Each group's mean row, weighted.
+    std::shared_ptr<const Epetra_CrsMatrix>
+    mean_rows(const Epetra_CrsMatrix          &B,
+              const std::vector<unsigned int> &groups,
+              const LA::Vector                &weight,
+              const LA::Vector                &group_weight)
+    {
+      const Epetra_Map rows = group_weight.locally_owned_elements().make_trilinos_map(
+        group_weight.get_mpi_communicator());
+      auto                mean = std::make_shared<Epetra_CrsMatrix>(Copy, rows, 0);
+      std::vector<double> sum;
+      for (unsigned int first = 0, last = 0; first < groups.size(); first = last)
+        {
+          int     n, *columns;
+          double *values;
+          sum.clear();
+          for (; last < groups.size() && groups[last] == groups[first]; ++last)
+            {
+              B.ExtractMyRowView(last, n, values, columns);
+              sum.resize(n, 0.);
+              for (int k = 0; k < n; ++k)
+                sum[k] += weight.trilinos_vector()[0][last] /
+                          group_weight.trilinos_vector()[0][groups[first]] * values[k];
+            }
+          std::vector<int> global(n);
+          for (int k = 0; k < n; ++k)
+            global[k] = B.GCID(columns[k]);
+          mean->InsertGlobalValues(mean->GRID(groups[first]), n, sum.data(), global.data());
+        }
+      const int error = mean->FillComplete(B.DomainMap(), rows);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      return mean;
     }
 
     /// b^T D b on the columns of this rank, for the coarsest level, which has few.
@@ -118,6 +175,25 @@ namespace Signorini
   AMG::AMG(const Hierarchy &hierarchy, const GapOperator *contact)
     : has_springs(contact && !contact->empty())
   {
+    std::shared_ptr<const Epetra_CrsMatrix> B;
+    if (has_springs)
+      {
+        groups                  = groups_of(contact->B_free.trilinos_matrix());
+        const unsigned int n    = groups.empty() ? 0 : groups.back() + 1;
+        const MPI_Comm     comm = contact->weight.get_mpi_communicator();
+        LA::Vector         weight(LA::contiguous_partition(n, comm), comm);
+        limit                = weight;
+        const double *points = contact->weight.trilinos_vector()[0],
+                     *k      = contact->stiffness.trilinos_vector()[0];
+        for (unsigned int i = 0; i < groups.size(); ++i)
+          {
+            weight.trilinos_vector()[0][groups[i]] += points[i];
+            limit.trilinos_vector()[0][groups[i]] += 6. * k[i] * points[i];
+          }
+        B = mean_rows(contact->B_free.trilinos_matrix(), groups, contact->weight, weight);
+        // With springs everywhere eigenvalues are largest: these bounds hold for any active set.
+        D = limit;
+      }
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
       {
         levels.push_back(std::make_unique<Level>());
@@ -131,24 +207,12 @@ namespace Signorini
           level.P = &hierarchy.prolongation(l);
         if (has_springs)
           {
-            if (l == 0) // not ours
-              level.B = std::shared_ptr<const Epetra_CrsMatrix>(&contact->B_free.trilinos_matrix(),
-                                                                [](const Epetra_CrsMatrix *) {});
-            else
-              level.B = product(*levels[l - 1]->B, hierarchy.prolongation(l - 1));
-            level.gap = contact->zero();
+            level.B = l == 0 ? B : product(*levels[l - 1]->B, hierarchy.prolongation(l - 1));
+            level.gap.reinit(limit);
           }
         for (LA::Vector *v :
              {&level.x, &level.right, &level.rest, &level.step, &level.first, &level.force})
           v->reinit(level.diagonal_K);
-      }
-    if (has_springs)
-      {
-        // With springs everywhere eigenvalues are largest: these bounds hold for any active set.
-        limit = contact->weight;
-        limit.scale(contact->stiffness);
-        limit *= 6.;
-        D = limit;
       }
     for (auto &level : levels)
       {
@@ -174,9 +238,11 @@ namespace Signorini
   {
     if (has_springs)
       {
-        for (const auto i : D.locally_owned_elements())
-          D(i) = std::min<double>(springs(i), limit(i));
-        D.compress(VectorOperation::insert);
+        D         = 0.;
+        double *d = D.trilinos_vector()[0];
+        for (unsigned int i = 0; i < groups.size(); ++i)
+          d[groups[i]] = std::min(d[groups[i]] + springs.trilinos_vector()[0][i],
+                                  limit.trilinos_vector()[0][groups[i]]);
       }
     for (auto &level : levels)
       update_diagonal(*level);
@@ -200,21 +266,43 @@ namespace Signorini
   void
   AMG::estimate_eigenvalue(Level &level)
   {
-    // Power iteration, from something that has all frequencies.
-    LA::Vector v, w;
-    v.reinit(level.diagonal_K);
-    w.reinit(level.diagonal_K);
-    double *values = v.trilinos_vector()[0];
-    for (unsigned int i = 0; i < v.locally_owned_size(); ++i)
+    // By the numbers that conjugate gradients leave behind, from something that has all
+    // frequencies. (A power iteration of twice as many products underestimates so much that the
+    // smoothers may diverge.)
+    LA::Vector x, right;
+    x.reinit(level.diagonal_K);
+    right.reinit(level.diagonal_K);
+    double *values = right.trilinos_vector()[0];
+    for (unsigned int i = 0; i < right.locally_owned_size(); ++i)
       values[i] = std::sin(1. + 1.7 * i * i);
-    for (unsigned int n = 0; n < 20; ++n)
+    struct Operator
+    {
+      const AMG   &amg;
+      const Level &level;
+
+      void
+      vmult(LA::Vector &dst, const LA::Vector &src) const
       {
-        v /= v.l2_norm();
-        multiply(level, w, v);
-        w.scale(level.inverse_diagonal);
-        level.largest_eigenvalue = w.l2_norm();
-        v                        = w;
+        amg.multiply(level, dst, src);
       }
+    };
+    struct Diagonal
+    {
+      const LA::Vector &inverse;
+
+      void
+      vmult(LA::Vector &dst, const LA::Vector &src) const
+      {
+        dst = src;
+        dst.scale(inverse);
+      }
+    };
+    IterationNumberControl control(10, 1e-10 * right.l2_norm());
+    SolverCG<LA::Vector>   cg(control);
+    cg.connect_eigenvalues_slot([&level](const std::vector<double> &eigenvalues) {
+      level.largest_eigenvalue = eigenvalues.back();
+    });
+    cg.solve(Operator{*this, level}, x, right, Diagonal{level.inverse_diagonal});
   }
 
 

@@ -11,7 +11,8 @@ namespace Signorini
   /// A W-cycle for K + B^T D B with springs D that change: the levels are those of K, whose
   /// aggregates do not join bodies, so that their nodes slide freely on all levels; but the springs
   /// act on all of them, as B P_1 P_2 ... to the left and right of D. Without them, the corrections
-  /// of bodies that touch would know nothing of each other.
+  /// of bodies that touch would know nothing of each other. Points between the same two faces share
+  /// a spring.
   class AMG
   {
   public:
@@ -40,7 +41,7 @@ namespace Signorini
     struct Level
     {
       const Epetra_CrsMatrix *K, *P = nullptr; ///< P: from the next level to this
-      /// Of the springs; level 0 borrows that of the contact.
+      /// Of the springs.
       std::shared_ptr<const Epetra_CrsMatrix> B;
       LA::Vector                              diagonal_K;
       LA::Vector                              inverse_diagonal; ///< of K + B^T D B
@@ -63,6 +64,7 @@ namespace Signorini
     cycle(unsigned int l, LA::Vector &x, const LA::Vector &right) const;
 
     std::vector<std::unique_ptr<Level>>   levels;
+    std::vector<unsigned int>             groups; ///< spring of each local contact point
     LA::Vector                            D, limit;
     bool                                  has_springs;
     std::unique_ptr<Epetra_CrsMatrix>     coarsest;
