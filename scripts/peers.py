@@ -122,7 +122,7 @@ class Kratos:
                      range(box.first_cell, box.first_cell + len(box.cells)))
             part("Base", lower.bottom_nodes)
             part("Press", upper.top_nodes)
-            part("Contact", list(upper.bottom_nodes) + list(lower.top_nodes))
+            part("Contact_Part", list(upper.bottom_nodes) + list(lower.top_nodes))
         (folder / "materials.json").write_text(json.dumps({"properties": [
             {"model_part_name": f"Structure.{name}", "properties_id": i,
              "Material": {"constitutive_law": {"name": "LinearElastic3DLaw"},
@@ -135,8 +135,9 @@ class Kratos:
                                    "constrained": [True, True, True], "value": value, "interval": [0.0, "End"]}}
         contact = {"python_module": "alm_contact_process",
                    "kratos_module": "KratosMultiphysics.ContactStructuralMechanicsApplication",
-                   "Parameters": {"model_part_name": "Structure", "contact_model_part": {"0": ["Contact"]},
-                                  "assume_master_slave": {"0": ["Upper"]}, "contact_type": "Frictionless"}}
+                   "Parameters": {"model_part_name": "Structure", "contact_model_part": {"0": ["Contact_Part"]},
+                                  "assume_master_slave": {"0": ["Upper"]}, "contact_type": "Frictionless",
+                                  "search_parameters": {"search_factor": 3.5, "type_search": "in_radius_with_obb"}}}
         solver = {"solver_type": "amgcl", "smoother_type": "ilu0", "krylov_type": "gmres",
                   "coarsening_type": "aggregation", "max_iteration": 500, "tolerance": 1e-8, "scaling": False}
         (folder / "project.json").write_text(json.dumps({
