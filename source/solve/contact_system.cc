@@ -1,3 +1,4 @@
+#include <signorini/row_view.h>
 #include <signorini/solve/contact_system.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -12,31 +13,6 @@
 namespace Signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// Local row of a matrix without the detour over iterators, which cost a hundred times more.
-    struct RowView
-    {
-      RowView(const LA::SparseMatrix &matrix, const int row)
-      {
-        const int error = matrix.trilinos_matrix().ExtractMyRowView(row, size, values, columns);
-        AssertThrow(error == 0, ExcTrilinosError(error));
-      }
-
-      bool
-      has_columns_of(const RowView &other) const
-      {
-        return size == other.size && std::equal(columns, columns + size, other.columns);
-      }
-
-      int     size;
-      double *values;
-      int    *columns;
-    };
-  } // namespace
-
-
 
   ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
                                const GapOperator      &contact,

@@ -1,3 +1,4 @@
+#include <signorini/row_view.h>
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/zone_solver.h>
 
@@ -47,20 +48,6 @@ namespace Signorini
     {
       return v.trilinos_vector()[0];
     }
-
-    /// Local row of a matrix without the detour over iterators, which cost a hundred times more.
-    struct RowView
-    {
-      RowView(const LA::SparseMatrix &matrix, const int row)
-      {
-        const int error = matrix.trilinos_matrix().ExtractMyRowView(row, size, values, columns);
-        AssertThrow(error == 0, ExcTrilinosError(error));
-      }
-
-      int     size;
-      double *values;
-      int    *columns;
-    };
   } // namespace
 
 
@@ -77,13 +64,11 @@ namespace Signorini
     int                     row = 0;
     for (const auto i : system.gap_operator().weight.locally_owned_elements())
       {
-        int     n, *indices;
-        double *values;
-        B.ExtractMyRowView(row++, n, values, indices);
+        const RowView view(B, row++);
         if (system.spring()(i) != 0 || system.coupling()(i) != 0)
-          for (int k = 0; k < n; ++k)
-            if (values[k] != 0)
-              columns[indices[k]] = 1;
+          for (int k = 0; k < view.size; ++k)
+            if (view.values[k] != 0)
+              columns[view.columns[k]] = 1;
       }
     // Columns may belong to other ranks: tell them.
     Epetra_MultiVector &owned = marker.trilinos_vector();

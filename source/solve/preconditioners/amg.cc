@@ -1,3 +1,4 @@
+#include <signorini/row_view.h>
 #include <signorini/solve/preconditioners/amg.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -54,17 +55,11 @@ namespace Signorini
     groups_of(const Epetra_CrsMatrix &B)
     {
       std::vector<unsigned int> groups;
-      int                       last_size = 0, *last_columns = nullptr;
       for (int row = 0; row < B.NumMyRows(); ++row)
         {
-          int     n, *columns;
-          double *values;
-          B.ExtractMyRowView(row, n, values, columns);
-          const bool same =
-            row > 0 && n == last_size && std::equal(columns, columns + n, last_columns);
-          groups.push_back(row == 0 ? 0 : groups.back() + (same ? 0 : 1));
-          last_size    = n;
-          last_columns = columns;
+          const bool is_first = row == 0,
+                     is_same  = !is_first && RowView(B, row).has_columns_of(RowView(B, row - 1));
+          groups.push_back(is_first ? 0 : groups.back() + (is_same ? 0 : 1));
         }
       return groups;
     }
