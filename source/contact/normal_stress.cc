@@ -1,4 +1,5 @@
 #include <signorini/contact/face_patch.h>
+#include <signorini/contact/lagrange.h>
 #include <signorini/contact/normal_stress.h>
 #include <signorini/elasticity/kernel.h>
 
@@ -14,9 +15,17 @@ namespace Signorini
   template <int dim>
   NormalStress<dim>::NormalStress(const Elasticity<dim> &elasticity)
     : elasticity(elasticity)
-    , geometry(elasticity.mesh().geometry_degree())
+    , geometry_degree(elasticity.mesh().geometry_degree())
     , indices(elasticity.finite_element().n_dofs_per_cell())
-  {}
+  {
+    const unsigned int n = geometry_degree + 1;
+    for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i)
+      {
+        lattice.emplace_back();
+        for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
+          lattice.back()[d] = rest % n;
+      }
+  }
 
 
 
@@ -29,8 +38,13 @@ namespace Signorini
     cell = new_cell;
     cell->get_dof_indices(indices);
     nodes.clear();
-    for (const Point<dim> &p : geometry.get_unit_support_points())
-      nodes.push_back(elasticity.mesh().mapping().transform_unit_to_real_cell(cell, p));
+    for (const auto &place : lattice)
+      {
+        Point<dim> p;
+        for (unsigned int d = 0; d < dim; ++d)
+          p[d] = double(place[d]) / geometry_degree;
+        nodes.push_back(elasticity.mesh().mapping().transform_unit_to_real_cell(cell, p));
+      }
   }
 
 
@@ -39,9 +53,22 @@ namespace Signorini
   Tensor<2, dim>
   NormalStress<dim>::jacobian(const Point<dim> &unit_point) const
   {
+    std::array<LagrangeBasis, dim> basis;
+    for (unsigned int d = 0; d < dim; ++d)
+      basis[d] = lagrange(geometry_degree, unit_point[d]);
     Tensor<2, dim> J;
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      J += outer_product(Tensor<1, dim>(nodes[i]), geometry.shape_grad(i, unit_point));
+    auto           node = nodes.begin();
+    for (const auto &place : lattice)
+      {
+        Tensor<1, dim> gradient;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            gradient[d] = 1;
+            for (unsigned int e = 0; e < dim; ++e)
+              gradient[d] *= basis[e][place[e]][d == e ? 1 : 0];
+          }
+        J += outer_product(Tensor<1, dim>(*node++), gradient);
+      }
     return J;
   }
 
@@ -101,7 +128,7 @@ namespace Signorini
         K(i, j) = stiffness(i, j);
 
     const QGauss<dim - 1> rule(elasticity.degree() + 2);
-    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry.degree, cell, face);
+    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
     Eigen::MatrixXd       stress(rule.size(), n); // times the square roots of the areas
     for (unsigned int q = 0; q < rule.size(); ++q)
       {

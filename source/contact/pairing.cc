@@ -6,7 +6,9 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numeric>
 
 namespace Signorini
 {
@@ -15,6 +17,15 @@ namespace Signorini
   namespace
   {
     constexpr double covered_once = 1 + 1e-4; // of its area; the rest is the error of quadrature
+
+    // Distances change by no more than its diameter on a face: this finds all points of a face that
+    // has one within the limit.
+    template <int dim>
+    double
+    reach(const FacePatch<dim> &slave, const double limit)
+    {
+      return limit + slave.diameter();
+    }
 
     // A slave face on its way to the master's faces.
     template <int dim>
@@ -52,12 +63,13 @@ namespace Signorini
     public:
       LocalSegments(const MasterFaces<dim>    &master,
                     const Quadrature<dim - 1> &rule,
-                    const double               reach,
+                    const double               limit,
                     SearchStatistics          &statistics)
         : master(master)
+        , faceted(master.patches.begin(), master.patches.end())
         , faces(master, statistics)
         , rule(rule)
-        , reach(reach)
+        , limit(limit)
         , statistics(statistics)
       {}
 
@@ -70,11 +82,11 @@ namespace Signorini
       void
       find(const TravellingFace<dim> &slave, std::vector<PairedPoint<dim>> &found)
       {
-        for (const unsigned int face : faces.in(extruded_box(slave.patch, reach)))
-          for (const SegmentPoint<dim> &point :
-               segment_points(slave.patch, master.patches[face], rule))
-            if (const auto pair = paired(slave, face, point))
-              found.push_back(*pair);
+        const FacetedFace<dim> own(slave.patch);
+        for (const unsigned int face : faces.in(own.extruded_box(reach(slave.patch, limit))))
+          for (const SegmentPoint<dim> &point : segment_points(own, faceted[face], rule))
+            if (auto pair = paired(slave, face, point))
+              found.push_back(std::move(*pair));
       }
 
     private:
@@ -92,7 +104,7 @@ namespace Signorini
 
         PairedPoint<dim> pair{slave.number, point.slave, point.weight, {}};
         pair.partner.normal = patch.normal(foot.xi);
-        if (foot.distance > reach ||
+        if (foot.distance > reach(slave.patch, limit) ||
             !faces_each_other(slave.patch.normal(point.slave), pair.partner.normal))
           return {};
         pair.partner.position    = foot.position;
@@ -102,11 +114,12 @@ namespace Signorini
         return pair;
       }
 
-      const MasterFaces<dim>    &master;
-      LocalFaces<dim>            faces;
-      const Quadrature<dim - 1> &rule;
-      const double               reach;
-      SearchStatistics          &statistics;
+      const MasterFaces<dim>             &master;
+      const std::vector<FacetedFace<dim>> faceted;
+      LocalFaces<dim>                     faces;
+      const Quadrature<dim - 1>          &rule;
+      const double                        limit;
+      SearchStatistics                   &statistics;
     };
 
     // Faces travel to the master faces of other ranks, points come back.
@@ -115,11 +128,11 @@ namespace Signorini
     pair_by_segments(const std::vector<FacePatch<dim>> &slave,
                      const MasterFaces<dim>            &master,
                      const Quadrature<dim - 1>         &rule,
-                     const double                       reach,
+                     const double                       limit,
                      const MPI_Comm                     comm,
                      SearchStatistics                  &statistics)
     {
-      LocalSegments<dim>            segments(master, rule, reach, statistics);
+      LocalSegments<dim>            segments(master, rule, limit, statistics);
       std::vector<PairedPoint<dim>> points;
       for (unsigned int i = 0; i < slave.size(); ++i)
         segments.find({slave[i], i}, points);
@@ -131,16 +144,19 @@ namespace Signorini
       for (unsigned int rank = 0; rank < ranks.size(); ++rank)
         if (rank != Utilities::MPI::this_mpi_process(comm) && !ranks[rank].empty)
           for (unsigned int i = 0; i < slave.size(); ++i)
-            if (extruded_box(slave[i], reach).get_neighbor_type(ranks[rank].box) !=
-                NeighborType::not_neighbors)
+            if (FacetedFace<dim>(slave[i])
+                  .extruded_box(reach(slave[i], limit))
+                  .get_neighbor_type(ranks[rank].box) != NeighborType::not_neighbors)
               outgoing[rank].push_back({slave[i], i});
 
       std::map<unsigned int, std::vector<PairedPoint<dim>>> answers;
       for (const auto &[rank, visitors] : Utilities::MPI::some_to_some(comm, outgoing))
         for (const TravellingFace<dim> &visitor : visitors)
           segments.find(visitor, answers[rank]);
-      for (const auto &[rank, found] : Utilities::MPI::some_to_some(comm, answers))
-        points.insert(points.end(), found.begin(), found.end());
+      for (auto &[rank, found] : Utilities::MPI::some_to_some(comm, answers))
+        points.insert(points.end(),
+                      std::make_move_iterator(found.begin()),
+                      std::make_move_iterator(found.end()));
       return points;
     }
 
@@ -151,19 +167,23 @@ namespace Signorini
                        const std::vector<unsigned int>   &faces,
                        const MasterFaces<dim>            &master,
                        const Quadrature<dim - 1>         &rule,
-                       const double                       reach,
+                       const double                       limit,
                        const MPI_Comm                     comm,
                        SearchStatistics                  &statistics)
     {
       std::vector<Point<dim>>     positions;
       std::vector<Tensor<1, dim>> normals;
+      double                      largest = 0;
+      for (const FacePatch<dim> &face : slave)
+        largest = std::max(largest, reach(face, limit));
       for (const unsigned int i : faces)
         for (const Point<dim - 1> &xi : rule.get_points())
           {
             positions.push_back(slave[i].position(xi));
             normals.push_back(slave[i].normal(xi));
           }
-      auto partners = find_partners(positions, normals, master, reach, comm, &statistics);
+      auto partners = find_partners(
+        positions, normals, master, Utilities::MPI::max(largest, comm), comm, &statistics);
 
       std::vector<PairedPoint<dim>> points;
       auto                          partner = partners.begin();
@@ -175,6 +195,24 @@ namespace Signorini
                               rule.weight(q) * slave[i].jacobian(rule.point(q)),
                               std::move(**partner)});
       return points;
+    }
+
+    // Points of one face one after the other, in the order that they were found in. Numbers are
+    // sorted, since points are large.
+    template <int dim>
+    std::vector<PairedPoint<dim>>
+    sorted_by_faces(std::vector<PairedPoint<dim>> &&points)
+    {
+      std::vector<unsigned int> order(points.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return points[a].face < points[b].face;
+      });
+      std::vector<PairedPoint<dim>> sorted;
+      sorted.reserve(points.size());
+      for (const unsigned int i : order)
+        sorted.push_back(std::move(points[i]));
+      return sorted;
     }
 
     // Take the points of faces that are covered more than once out of the list.
@@ -237,7 +275,7 @@ namespace Signorini
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,
-              const double                       reach,
+              const double                       limit,
               const MPI_Comm                     comm,
               SearchStatistics                  &statistics)
   {
@@ -248,18 +286,41 @@ namespace Signorini
     if (integration.rule == "segments")
       {
         const QWitherdenVincentSimplex<dim - 1> simplex_rule(integration.n_points);
-        points = pair_by_segments(slave, master, simplex_rule, reach, comm, statistics);
+        points = pair_by_segments(slave, master, simplex_rule, limit, comm, statistics);
         faces  = remove_overcovered(slave, points);
-        if (Utilities::MPI::max(faces.size(), comm) == 0)
-          return points;
       }
-    for (auto &point : pair_by_projection(slave, faces, master, rule, reach, comm, statistics))
-      points.push_back(std::move(point));
-    return points;
+    if (Utilities::MPI::max(faces.size(), comm) > 0)
+      for (auto &point : pair_by_projection(slave, faces, master, rule, limit, comm, statistics))
+        points.push_back(std::move(point));
+    keep_near_faces(limit, points);
+    return sorted_by_faces(std::move(points));
   }
 
 
 
+  template <int dim>
+  void
+  keep_near_faces(const double limit, std::vector<PairedPoint<dim>> &points)
+  {
+    std::vector<double> nearest;
+    for (const auto &point : points)
+      {
+        if (point.face >= nearest.size())
+          nearest.resize(point.face + 1, std::numeric_limits<double>::max());
+        nearest[point.face] = std::min(nearest[point.face], point.partner.distance);
+      }
+    points.erase(std::remove_if(points.begin(),
+                                points.end(),
+                                [&](const auto &point) { return nearest[point.face] > limit; }),
+                 points.end());
+  }
+
+
+
+  template void
+  keep_near_faces(double, std::vector<PairedPoint<2>> &);
+  template void
+  keep_near_faces(double, std::vector<PairedPoint<3>> &);
   template Quadrature<1>
   face_rule<2>(const Integration &);
   template Quadrature<2>

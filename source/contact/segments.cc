@@ -12,90 +12,53 @@ namespace Signorini
 
   namespace
   {
-    // A multilinear piece of a face between neighbouring nodes of its geometry; corners
-    // lexicographic.
     template <int dim>
-    struct Facet
+    void
+    set_plane(Facet<dim> &facet)
     {
-      static constexpr unsigned int     n_corners = 1 << (dim - 1);
-      std::array<Point<dim>, n_corners> corners;
-      std::array<unsigned int, dim - 1> place; // number along each parameter
-    };
-
-    template <int dim>
-    std::vector<Facet<dim>>
-    facets(const FacePatch<dim> &face, const unsigned int per_line)
-    {
-      std::vector<Facet<dim>> result;
-      const unsigned int      n = Utilities::fixed_power<dim - 1>(per_line);
-      for (unsigned int i = 0; i < n; ++i)
+      const auto &x = facet.corners;
+      auto       &t = facet.axes;
+      if constexpr (dim == 2)
         {
-          Facet<dim> facet;
-          for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= per_line)
-            facet.place[d] = rest % per_line;
-          for (unsigned int c = 0; c < facet.n_corners; ++c)
-            {
-              Point<dim - 1> xi;
-              for (unsigned int d = 0; d < dim - 1; ++d)
-                xi[d] = double(facet.place[d] + ((c >> d) & 1)) / per_line;
-              facet.corners[c] = face.position(xi);
-            }
-          result.push_back(facet);
+          facet.center = (x[0] + x[1]) / 2.;
+          t[0]         = (x[1] - x[0]) / x[0].distance(x[1]);
         }
-      return result;
+      else
+        {
+          facet.center          = (x[0] + x[1] + x[2] + x[3]) / 4.;
+          Tensor<1, dim> normal = cross_product_3d(x[3] - x[0], x[2] - x[1]);
+          normal /= normal.norm();
+          t[0] = x[1] - x[0];
+          t[0] -= (t[0] * normal) * normal;
+          t[0] /= t[0].norm();
+          t[1] = cross_product_3d(normal, t[0]);
+        }
     }
 
-    // Coordinates in the plane of a slave facet.
     template <int dim>
-    class Plane
+    Tensor<1, dim>
+    normal(const Facet<dim> &facet)
     {
-    public:
-      Plane(const Facet<dim> &facet)
-      {
-        const auto &x = facet.corners;
-        if constexpr (dim == 2)
-          {
-            origin  = (x[0] + x[1]) / 2.;
-            axes[0] = (x[1] - x[0]) / x[0].distance(x[1]);
-          }
-        else
-          {
-            origin                = (x[0] + x[1] + x[2] + x[3]) / 4.;
-            Tensor<1, dim> normal = cross_product_3d(x[3] - x[0], x[2] - x[1]);
-            normal /= normal.norm();
-            axes[0] = x[1] - x[0];
-            axes[0] -= (axes[0] * normal) * normal;
-            axes[0] /= axes[0].norm();
-            axes[1] = cross_product_3d(normal, axes[0]);
-          }
-      }
-
-      std::array<Point<dim - 1>, Facet<dim>::n_corners>
-      project(const Facet<dim> &facet) const
-      {
-        std::array<Point<dim - 1>, Facet<dim>::n_corners> corners;
-        for (unsigned int c = 0; c < corners.size(); ++c)
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            corners[c][d] = (facet.corners[c] - origin) * axes[d];
-        return corners;
-      }
-
-      Tensor<1, dim>
-      normal() const
-      {
-        if constexpr (dim == 2)
-          return cross_product_2d(axes[0]);
-        else
-          return cross_product_3d(axes[0], axes[1]);
-      }
-
-    private:
-      Tensor<1, dim>                      origin;
-      std::array<Tensor<1, dim>, dim - 1> axes;
-    };
+      if constexpr (dim == 2)
+        return cross_product_2d(facet.axes[0]);
+      else
+        return cross_product_3d(facet.axes[0], facet.axes[1]);
+    }
 
     template <int n>
     using Flat = std::array<Point<n>, (1 << n)>; // a facet in a plane
+
+    // A facet in the plane of another, seen along its normal.
+    template <int dim>
+    Flat<dim - 1>
+    project(const Facet<dim> &facet, const Facet<dim> &plane)
+    {
+      Flat<dim - 1> corners;
+      for (unsigned int c = 0; c < corners.size(); ++c)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          corners[c][d] = (facet.corners[c] - plane.center) * plane.axes[d];
+      return corners;
+    }
 
     // The parameter of a point of a flat facet, and the Jacobian |dx/ds| there. Newton's method;
     // one step for parallelograms.
@@ -252,49 +215,37 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<SegmentPoint<dim>>
-  segment_points(const FacePatch<dim>      &slave,
-                 const FacePatch<dim>      &master,
-                 const Quadrature<dim - 1> &rule)
+  FacetedFace<dim>::FacetedFace(const FacePatch<dim> &patch)
+    : patch(patch)
   {
-    std::vector<SegmentPoint<dim>> points;
-    const unsigned int             n_slave = slave.get_degree(), n_master = master.get_degree();
-    const auto                     master_facets = facets(master, n_master);
-    for (const Facet<dim> &ours : facets(slave, n_slave))
+    const unsigned int per_line = patch.get_degree(), n = Utilities::fixed_power<dim - 1>(per_line);
+    for (unsigned int i = 0; i < n; ++i)
       {
-        const Plane<dim> plane(ours);
-        const auto       ours_flat = plane.project(ours);
-        for (const Facet<dim> &theirs : master_facets)
+        Facet<dim> facet;
+        for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= per_line)
+          facet.place[d] = rest % per_line;
+        for (unsigned int c = 0; c < facet.n_corners; ++c)
           {
-            const auto theirs_flat = plane.project(theirs);
-            for (const auto &simplex : intersection(ours_flat, theirs_flat))
-              for (unsigned int q = 0; q < rule.size(); ++q)
-                {
-                  const Point<dim - 1> y   = in_simplex<dim - 1>(simplex, rule.point(q));
-                  const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
-                  const Point<dim - 1> xi  = of_face(ours, s, n_slave);
-                  const double         area_of_parameters =
-                    volume(simplex) / (jacobian * Utilities::fixed_power<dim - 1>(n_slave));
-                  points.push_back(
-                    {xi,
-                     of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
-                     rule.weight(q) * area_of_parameters * slave.jacobian(xi)});
-                }
+            Point<dim - 1> xi;
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              xi[d] = double(facet.place[d] + ((c >> d) & 1)) / per_line;
+            facet.corners[c] = patch.position(xi);
           }
+        set_plane(facet);
+        facets.push_back(facet);
       }
-    return points;
   }
 
 
 
   template <int dim>
   BoundingBox<dim>
-  extruded_box(const FacePatch<dim> &slave, const double reach)
+  FacetedFace<dim>::extruded_box(const double reach) const
   {
-    BoundingBox<dim> box = slave.box();
-    for (const Facet<dim> &facet : facets(slave, slave.get_degree()))
+    BoundingBox<dim> box = patch.box();
+    for (const Facet<dim> &facet : facets)
       {
-        const Tensor<1, dim> step = reach * Plane<dim>(facet).normal();
+        const Tensor<1, dim> step = reach * normal(facet);
         for (const Point<dim> &corner : facet.corners)
           for (const Point<dim> &x : {corner + step, corner - step})
             box.merge_with(BoundingBox<dim>({x, x}));
@@ -304,12 +255,44 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::vector<SegmentPoint<dim>>
+  segment_points(const FacetedFace<dim>    &slave,
+                 const FacetedFace<dim>    &master,
+                 const Quadrature<dim - 1> &rule)
+  {
+    std::vector<SegmentPoint<dim>> points;
+    const unsigned int n_slave = slave.patch.get_degree(), n_master = master.patch.get_degree();
+    const double       parameters = 1. / Utilities::fixed_power<dim - 1>(n_slave); // of a facet
+    for (const Facet<dim> &ours : slave.facets)
+      {
+        const auto ours_flat = project(ours, ours);
+        for (const Facet<dim> &theirs : master.facets)
+          {
+            const auto theirs_flat = project(theirs, ours);
+            for (const auto &simplex : intersection(ours_flat, theirs_flat))
+              for (unsigned int q = 0; q < rule.size(); ++q)
+                {
+                  const Point<dim - 1> y   = in_simplex<dim - 1>(simplex, rule.point(q));
+                  const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
+                  const Point<dim - 1> xi  = of_face(ours, s, n_slave);
+                  points.push_back(
+                    {xi,
+                     of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
+                     rule.weight(q) * volume(simplex) / jacobian * parameters *
+                       slave.patch.jacobian(xi)});
+                }
+          }
+      }
+    return points;
+  }
+
+
+
+  template struct FacetedFace<2>;
+  template struct FacetedFace<3>;
   template std::vector<SegmentPoint<2>>
-  segment_points<2>(const FacePatch<2> &, const FacePatch<2> &, const Quadrature<1> &);
+  segment_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, const Quadrature<1> &);
   template std::vector<SegmentPoint<3>>
-  segment_points<3>(const FacePatch<3> &, const FacePatch<3> &, const Quadrature<2> &);
-  template BoundingBox<2>
-  extruded_box<2>(const FacePatch<2> &, double);
-  template BoundingBox<3>
-  extruded_box<3>(const FacePatch<3> &, double);
+  segment_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, const Quadrature<2> &);
 } // namespace Signorini

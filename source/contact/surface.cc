@@ -78,14 +78,23 @@ namespace Signorini
       operator()(const NormalStress<dim> &stress, const unsigned int i)
       {
         if (bounds[i] < 0)
-          bounds[i] = stress.bound(faces[i].second) *
-                      std::count_if(faces.begin(), faces.end(), [&](const auto &other) {
-                        return other.first == faces[i].first;
-                      });
+          bounds[i] = stress.bound(faces[i].second) * faces_of_cell(i);
         return bounds[i];
       }
 
     private:
+      // They are neighbours in the list.
+      unsigned int
+      faces_of_cell(const unsigned int i) const
+      {
+        unsigned int first = i, last = i + 1;
+        while (first > 0 && faces[first - 1].first == faces[i].first)
+          --first;
+        while (last < faces.size() && faces[last].first == faces[i].first)
+          ++last;
+        return last - first;
+      }
+
       const Faces<dim>    faces;
       std::vector<double> bounds;
     };
@@ -95,9 +104,12 @@ namespace Signorini
     master_faces(const Elasticity<dim> &elasticity, const Faces<dim> &faces, const bool with_stress)
     {
       MasterFaces<dim> master;
-      master.patches  = patches(elasticity, faces);
-      master.complete = [&elasticity,
-                         faces,
+      master.patches = patches(elasticity, faces);
+      std::vector<double> stiffnesses;
+      for (const auto &[cell, face] : faces)
+        stiffnesses.push_back(stiffness<dim>(elasticity, cell, face));
+      master.complete = [faces,
+                         stiffnesses,
                          with_stress,
                          trace  = Trace<dim>(elasticity),
                          stress = std::make_shared<NormalStress<dim>>(elasticity),
@@ -107,9 +119,9 @@ namespace Signorini
         const auto &[cell, face]    = faces[i];
         const Point<dim>      place = unit_point<dim>(face, xi);
         const Tensor<1, dim> &n     = partner.normal;
-        trace.reinit(cell);
+        trace.reinit(cell, face);
         partner.row       = trace.normal_displacement(place, n);
-        partner.stiffness = stiffness(elasticity, cell, face);
+        partner.stiffness = stiffnesses[i];
         if (!with_stress)
           return;
         stress->reinit(cell);
@@ -134,7 +146,7 @@ namespace Signorini
     obstacle_points(const std::vector<FacePatch<dim>> &slave,
                     const Obstacle<dim>               &obstacle,
                     const Integration                 &integration,
-                    const double                       reach)
+                    const double                       limit)
     {
       const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
       std::vector<PairedPoint<dim>> points;
@@ -144,7 +156,8 @@ namespace Signorini
             const Point<dim - 1>    &xi    = rule.point(q);
             const Point<dim>         x     = slave[i].position(xi);
             const ObstaclePlace<dim> place = obstacle.shape->closest(x);
-            if (std::abs(place.gap) > reach || !faces_each_other(slave[i].normal(xi), place.normal))
+            if (std::abs(place.gap) > limit + slave[i].diameter() ||
+                !faces_each_other(slave[i].normal(xi), place.normal))
               continue;
             PairedPoint<dim> point{i, xi, rule.weight(q) * slave[i].jacobian(xi), {}};
             point.partner.position  = x - place.gap * place.normal;
@@ -154,35 +167,8 @@ namespace Signorini
             point.partner.bound     = std::numeric_limits<double>::infinity();
             points.push_back(std::move(point));
           }
+      keep_near_faces(limit, points);
       return points;
-    }
-
-    template <int dim>
-    double
-    largest_diameter(const std::vector<FacePatch<dim>> &faces, const MPI_Comm comm)
-    {
-      double largest = 0;
-      for (const FacePatch<dim> &face : faces)
-        largest = std::max(largest, face.diameter());
-      return Utilities::MPI::max(largest, comm);
-    }
-
-    /// Faces take part as a whole or not at all: a shape function on a part of a face would be a
-    /// weight that changes its sign.
-    template <int dim>
-    void
-    drop_far_faces(const double limit, std::vector<PairedPoint<dim>> &points)
-    {
-      std::map<unsigned int, double> nearest;
-      for (const auto &point : points)
-        {
-          const auto [at, is_new] = nearest.emplace(point.face, point.partner.distance);
-          at->second              = std::min(at->second, point.partner.distance);
-        }
-      points.erase(std::remove_if(points.begin(),
-                                  points.end(),
-                                  [&](const auto &point) { return nearest[point.face] > limit; }),
-                   points.end());
     }
 
     /// Segments that touch a face in a line only have no area, and their points no say.
@@ -309,10 +295,12 @@ namespace Signorini
                    const std::vector<PairedPoint<dim>> &paired_points)
     {
       std::vector<ContactPoint<dim>> result;
-      Trace<dim>                     trace(elasticity);
-      NormalStress<dim>              stress(elasticity);
-      StressBounds<dim>              bound(slave.faces);
-      const bool                     with_stress = method.predictor() == Predictor::normal_stress;
+      result.reserve(paired_points.size());
+      double            face_depth = 0, face_stiffness = 0;
+      Trace<dim>        trace(elasticity);
+      NormalStress<dim> stress(elasticity);
+      StressBounds<dim> bound(slave.faces);
+      const bool        with_stress = method.predictor() == Predictor::normal_stress;
       for (const PairedPoint<dim> &paired : paired_points)
         {
           const auto &[cell, face] = slave.faces[paired.face];
@@ -320,10 +308,13 @@ namespace Signorini
           const Point<dim> place   = unit_point<dim>(face, paired.xi);
           const bool       is_new  = result.empty() || result.back().face != paired.face;
           if (is_new)
-            trace.reinit(cell);
-          result.push_back(contact_point(
-            pair, patch, paired, place, stiffness<dim>(elasticity, cell, face), trace));
-          result.back().depth = depth<dim>(cell, face);
+            {
+              trace.reinit(cell, face);
+              face_stiffness = stiffness<dim>(elasticity, cell, face);
+              face_depth     = depth<dim>(cell, face);
+            }
+          result.push_back(contact_point(pair, patch, paired, place, face_stiffness, trace));
+          result.back().depth = face_depth;
           if (!with_stress)
             continue;
           if (is_new)
@@ -358,7 +349,7 @@ namespace Signorini
       for (unsigned int first = 0, last = 0; first < points.size(); first = last)
         {
           const auto &[cell, face] = slave.faces[points[first].face];
-          trace.reinit(cell);
+          trace.reinit(cell, face);
           shapes.clear();
           weights.clear();
           for (; last < points.size() && points[last].face == points[first].face; ++last)
@@ -422,7 +413,7 @@ namespace Signorini
       const QGauss<dim - 1>                     rule(elasticity.finite_element().degree + 1);
       for (unsigned int i = 0; i < slave.faces.size(); ++i)
         {
-          trace.reinit(slave.faces[i].first);
+          trace.reinit(slave.faces[i].first, slave.faces[i].second);
           for (unsigned int q = 0; q < rule.size(); ++q)
             result.emplace_back(trace.shape(unit_point<dim>(slave.faces[i].second, rule.point(q))),
                                 rule.weight(q) * slave.patches[i].jacobian(rule.point(q)));
@@ -447,24 +438,17 @@ namespace Signorini
       surface.faces = slave.faces.size();
       const double limit =
         pair.search_distance > 0 ? pair.search_distance : elasticity.mesh().size() / 10;
-      // Distances change by no more than its diameter on a face: this reach finds all points of
-      // each face that has one within the limit.
-      const double reach  = limit + largest_diameter(slave.patches, comm);
-      auto         paired = obstacle ?
-                              obstacle_points(slave.patches, *obstacle, integration, reach) :
-                              pair_points(slave.patches,
+      auto paired = obstacle ?
+                      obstacle_points(slave.patches, *obstacle, integration, limit) :
+                      pair_points(slave.patches,
                                   master_faces(elasticity,
                                                owned_faces(elasticity, pair.master),
                                                method.predictor() == Predictor::normal_stress),
                                   integration,
-                                  reach,
+                                  limit,
                                   comm,
                                   surface.statistics);
-      drop_far_faces(limit, paired);
       drop_empty_points(slave.patches, paired);
-      std::stable_sort(paired.begin(), paired.end(), [](const auto &a, const auto &b) {
-        return a.face < b.face;
-      });
       surface.points = contact_points(elasticity, pair, method, slave, paired);
       check_gaps(pair, surface.points, comm);
       const auto n_prescribed =

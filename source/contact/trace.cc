@@ -26,6 +26,10 @@ namespace Signorini
   void
   resolve(const AffineConstraints<double> &hanging, SparseRow &row)
   {
+    if (std::none_of(row.begin(), row.end(), [&](const auto &entry) {
+          return hanging.is_constrained(entry.first);
+        }))
+      return;
     const std::size_t n = row.size();
     for (std::size_t i = 0; i < n; ++i)
       if (const auto *entries = hanging.get_constraint_entries(row[i].first))
@@ -49,15 +53,22 @@ namespace Signorini
     : fe(elasticity.finite_element())
     , hanging(elasticity.hanging_nodes())
     , indices(fe.n_dofs_per_cell())
-  {}
+    , nodes_of(GeometryInfo<dim>::faces_per_cell)
+  {
+    for (unsigned int face = 0; face < nodes_of.size(); ++face)
+      for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+        if (fe.base_element(0).has_support_on_face(i, face))
+          nodes_of[face].push_back(i);
+  }
 
 
 
   template <int dim>
   void
-  Trace<dim>::reinit(const Cell &cell)
+  Trace<dim>::reinit(const Cell &cell, const unsigned int face)
   {
     cell->get_dof_indices(indices);
+    nodes = &nodes_of[face];
   }
 
 
@@ -67,7 +78,8 @@ namespace Signorini
   Trace<dim>::normal_displacement(const Point<dim> &unit_point, const Tensor<1, dim> &n) const
   {
     SparseRow row;
-    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+    row.reserve(2 * dim * nodes->size()); // room for a partner
+    for (const unsigned int i : *nodes)
       if (const double value = fe.base_element(0).shape_value(i, unit_point);
           std::abs(value) > 1e-14)
         for (unsigned int d = 0; d < dim; ++d)
@@ -84,7 +96,7 @@ namespace Signorini
   Trace<dim>::unresolved_shape(const Point<dim> &unit_point) const
   {
     SparseRow row;
-    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+    for (const unsigned int i : *nodes)
       if (const double value = fe.base_element(0).shape_value(i, unit_point);
           std::abs(value) > 1e-14)
         row.emplace_back(indices[fe.component_to_system_index(0, i)], value);

@@ -99,7 +99,7 @@ namespace
       {
         double sum = 0;
         for (const auto &other : master)
-          for (const auto &point : segment_points(face, other, rule))
+          for (const auto &point : segment_points<dim>(face, other, rule))
             sum += point.weight;
         errors.push_back(std::abs(sum / area(face) - 1));
         area_of_all += sum;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/contact/bytes.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/boost_adaptors/bounding_box.h>
@@ -74,7 +76,9 @@ namespace Signorini
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &degree &nodes &outward &bounds &size;
+      ar &degree;
+      serialize_bytes(ar, nodes);
+      ar &outward &bounds &size;
     }
 
   private:

@@ -14,6 +14,12 @@ namespace Signorini
   inline LagrangeBasis
   lagrange(const unsigned int k, const double x)
   {
+    if (k == 1)
+      return {{{{1 - x, -1., 0.}}, {{x, 1., 0.}}}};
+    if (k == 2)
+      return {{{{(2 * x - 1) * (x - 1), 4 * x - 3, 4.}},
+               {{4 * x * (1 - x), 4 - 8 * x, -8.}},
+               {{x * (2 * x - 1), 4 * x - 1, 4.}}}};
     // L_i(x) is the product of (kx-j)/(i-j) over j != i; each factor is linear, so the product rule
     // carries the derivatives along.
     LagrangeBasis basis;

@@ -2,8 +2,7 @@
 
 #include <signorini/contact/trace.h>
 
-#include <deal.II/fe/fe_q.h>
-
+#include <array>
 #include <vector>
 
 namespace Signorini
@@ -49,7 +48,8 @@ namespace Signorini
     jacobian(const dealii::Point<dim> &unit_point) const;
 
     const Elasticity<dim>                       &elasticity;
-    const dealii::FE_Q<dim>                      geometry;
+    const unsigned int                           geometry_degree;
+    std::vector<std::array<unsigned int, dim>>   lattice; ///< places of the geometry's nodes
     Cell                                         cell;
     std::vector<dealii::Point<dim>>              nodes; ///< of the geometry
     std::vector<dealii::types::global_dof_index> indices;

@@ -39,7 +39,10 @@ namespace Signorini
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &face &xi &weight &partner;
+      serialize_bytes(ar, face);
+      serialize_bytes(ar, xi);
+      serialize_bytes(ar, weight);
+      ar &partner;
     }
   };
 
@@ -47,17 +50,24 @@ namespace Signorini
   /// which are the nodes of the finite element; `quadrature`: Gauss points; `segments`: Gauss
   /// points on each segment (see segment_points()), with the partner on the segment's master face.
   ///
-  /// A slave face that more than one layer of master faces lies opposite to, within `reach`, is
+  /// A slave face that more than one layer of master faces lies opposite to, within the limit, is
   /// covered more than once by segments; it is paired by Gauss points, which take the nearest
   /// layer.
   ///
-  /// @param reach partners that are farther away do not count. Collective.
+  /// Points come face by face. Faces take part as a whole, or not at all if no point of theirs has
+  /// a partner within the limit. Collective.
   template <int dim>
   std::vector<PairedPoint<dim>>
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,
-              double                             reach,
+              double                             limit,
               MPI_Comm                           comm,
               SearchStatistics                  &statistics);
+
+  /// Drop the points of faces whose nearest partner is beyond the limit. A shape function on a part
+  /// of a face would be a weight that changes its sign.
+  template <int dim>
+  void
+  keep_near_faces(double limit, std::vector<PairedPoint<dim>> &points);
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/contact/bytes.h>
 #include <signorini/contact/face_patch.h>
 #include <signorini/contact/projection.h>
 
@@ -12,9 +13,9 @@
 
 namespace Signorini
 {
-  /// The place on a master surface that belongs to a slave point.
+  /// A place on a master surface.
   template <int dim>
-  struct Partner
+  struct MasterPlace
   {
     dealii::Point<dim>     position;
     dealii::Tensor<1, dim> normal;   ///< outward unit normal of the master there
@@ -23,6 +24,12 @@ namespace Signorini
            face_center; ///< identity of the face: breaks ties alike on any number of ranks
     double stiffness;   ///< E/h of the master cell (force / length^3)
     double bound = 0;   ///< of the master cell's normal stress, see NormalStress::bound()
+  };
+
+  /// The place on a master surface that belongs to a slave point, and how it moves.
+  template <int dim>
+  struct Partner : public MasterPlace<dim>
+  {
     /// Value of a displacement's normal component there as a combination of degrees of freedom:
     /// n . u(position) = sum_j coefficient_j d_j, hanging nodes already resolved.
     std::vector<std::pair<dealii::types::global_dof_index, double>> row;
@@ -34,7 +41,9 @@ namespace Signorini
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &position &normal &distance &face_center &stiffness &bound &row &stress;
+      serialize_bytes(ar, static_cast<MasterPlace<dim> &>(*this));
+      serialize_bytes(ar, row);
+      serialize_bytes(ar, stress);
     }
   };
 

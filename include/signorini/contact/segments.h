@@ -4,6 +4,7 @@
 
 #include <deal.II/base/quadrature.h>
 
+#include <array>
 #include <vector>
 
 namespace Signorini
@@ -15,6 +16,34 @@ namespace Signorini
   {
     dealii::Point<dim - 1> slave, master; ///< parameters on the two faces
     double                 weight;        ///< area of the slave face that it stands for
+  };
+
+  /// A multilinear piece of a face between neighbouring nodes of its geometry; corners
+  /// lexicographic.
+  template <int dim>
+  struct Facet
+  {
+    static constexpr unsigned int               n_corners = 1 << (dim - 1);
+    std::array<dealii::Point<dim>, n_corners>   corners;
+    std::array<unsigned int, dim - 1>           place; ///< number along each parameter
+    dealii::Point<dim>                          center;
+    std::array<dealii::Tensor<1, dim>, dim - 1> axes; ///< orthonormal, in its mean plane
+  };
+
+  /// A face with its facets, which all its segments share.
+  template <int dim>
+  struct FacetedFace
+  {
+    FacetedFace() = default;
+    FacetedFace(const FacePatch<dim> &patch);
+
+    /// The box of all that lies within `reach` along the normals of the facets, on both sides:
+    /// master faces outside have no segment with this slave face.
+    dealii::BoundingBox<dim>
+    extruded_box(double reach) const;
+
+    FacePatch<dim>          patch;
+    std::vector<Facet<dim>> facets;
   };
 
   /// Contact segments, thesis 3.2: the exact intersection of a slave face with the projection of a
@@ -33,13 +62,7 @@ namespace Signorini
   /// whether they face each other.
   template <int dim>
   std::vector<SegmentPoint<dim>>
-  segment_points(const FacePatch<dim>              &slave,
-                 const FacePatch<dim>              &master,
+  segment_points(const FacetedFace<dim>            &slave,
+                 const FacetedFace<dim>            &master,
                  const dealii::Quadrature<dim - 1> &rule);
-
-  /// The box of all that lies within `reach` of a slave face along the normals of its facets, on
-  /// both sides: master faces outside have no segment with it.
-  template <int dim>
-  dealii::BoundingBox<dim>
-  extruded_box(const FacePatch<dim> &slave, double reach);
 } // namespace Signorini

@@ -17,8 +17,8 @@ namespace Signorini
   void
   resolve(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
 
-  /// Shape functions of a cell at points of its boundary, in terms of degrees of freedom (hanging
-  /// nodes resolved). Keeps a reference to its argument.
+  /// Shape functions of a cell at points of one of its faces, in terms of degrees of freedom
+  /// (hanging nodes resolved). Keeps a reference to its argument.
   template <int dim>
   class Trace
   {
@@ -28,9 +28,9 @@ namespace Signorini
     Trace(const Elasticity<dim> &elasticity);
 
     void
-    reinit(const Cell &cell);
+    reinit(const Cell &cell, unsigned int face);
 
-    /// n . u at a point of the reference cell.
+    /// n . u at a point of the face, given on the reference cell.
     SparseRow
     normal_displacement(const dealii::Point<dim>     &unit_point,
                         const dealii::Tensor<1, dim> &n) const;
@@ -47,5 +47,7 @@ namespace Signorini
     const dealii::FESystem<dim>                 &fe;
     const dealii::AffineConstraints<double>     &hanging;
     std::vector<dealii::types::global_dof_index> indices;
+    std::vector<std::vector<unsigned int>>       nodes_of;        ///< of each face of a cell
+    const std::vector<unsigned int>             *nodes = nullptr; ///< of this face
   };
 } // namespace Signorini
