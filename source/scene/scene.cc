@@ -50,8 +50,8 @@ namespace Signorini
     section.add(
       "Quadrature points",
       quadrature_points,
-      "a direction on a segment or face; 0: 2 degree + 1 on segments, on faces degree + 3 for "
-      "weighted and degree + 1 for point-wise methods; nodes have degree + 1",
+      "a direction on a segment or face; 0: degree + 1, of weighted methods on whole faces degree + 3; "
+      "nodes have degree + 1",
       Range{0, 20});
     section.add_choice(
       "Pressure basis",
@@ -68,12 +68,10 @@ namespace Signorini
   Integration
   ContactSettings::integration_of_degree(const unsigned int degree) const
   {
-    const std::string  rule = integration == "auto" ? chosen().usual_integration() : integration;
-    const unsigned int on_faces = degree + (chosen().sampling() == Sampling::nodes ? 3 : 1);
-    const unsigned int usual    = rule == "segments"   ? 2 * degree + 1 :
-                                  rule == "quadrature" ? on_faces :
-                                                         degree + 1;
-    const bool         is_dual = chosen().sampling() == Sampling::nodes && pressure_basis == "dual";
+    const std::string  rule    = integration == "auto" ? chosen().usual_integration() : integration;
+    const bool         weighs  = chosen().sampling() == Sampling::nodes;
+    const unsigned int usual   = rule == "quadrature" && weighs ? degree + 3 : degree + 1;
+    const bool         is_dual = weighs && pressure_basis == "dual";
     return {rule,
             quadrature_points == 0 || rule == "nodes" ? usual : quadrature_points,
             is_dual ? Basis::dual : Basis::standard};
