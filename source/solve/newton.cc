@@ -132,7 +132,8 @@ namespace Signorini
     cautious      = false;
     largest_force = 0;
     changes       = 0.;
-    softness      = soft_start(p);
+    is_cold       = p.linfty_norm() == 0;
+    softness      = is_cold ? soft_start() : 1;
     if (augments())
       augmented = p;
 
@@ -151,7 +152,7 @@ namespace Signorini
         step.damping = damping;
         gap          = contact.gap(u);
         stress       = contact.stress(u);
-        update_active_set(gap, stress, p, n == 0, step);
+        update_active_set(gap, stress, p, n, step);
 
         const LA::Vector r = residual(f, u, p, stress);
         rhs.block(0)       = r;
@@ -288,11 +289,11 @@ namespace Signorini
 
 
   double
-  Newton::soft_start(const LA::Vector &p) const
+  Newton::soft_start() const
   {
     // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.
     // The sign of the gap, which decides, knows nothing of the penalty.
-    if (contact.empty() || method.has_multipliers() || contact.has_stress() || p.linfty_norm() > 0)
+    if (contact.empty() || method.has_multipliers() || contact.has_stress())
       return 1;
     double stiffest = 1;
     for (const auto i : contact.epsilon.locally_owned_elements())
@@ -303,17 +304,19 @@ namespace Signorini
 
 
   void
-  Newton::update_active_set(const LA::Vector &gap,
-                            const LA::Vector &stress,
-                            LA::Vector       &p,
-                            const bool        is_first,
-                            NewtonStep       &step)
+  Newton::update_active_set(const LA::Vector  &gap,
+                            const LA::Vector  &stress,
+                            LA::Vector        &p,
+                            const unsigned int n,
+                            NewtonStep        &step)
   {
     if (contact.empty())
       return;
     last_active_set         = active_set;
     const LA::Vector &start = predicted(p, stress);
     step.active             = find_active(contact, gap, start, active_set);
+    if (is_cold && n <= 1)
+      step.active = keep_deepest(gap);
     if (!cautious && seen_before())
       {
         cautious = true;
@@ -325,7 +328,7 @@ namespace Signorini
         step.active = count(active_set);
       }
     // An obstacle that retreats has lost all contact before the bodies follow: let them first.
-    const unsigned int last_active = is_first ? count(last_active_set) : 0;
+    const unsigned int last_active = n == 0 ? count(last_active_set) : 0;
     step.follows                   = last_active > 0 && step.active != last_active;
     if (step.follows)
       {
@@ -379,6 +382,35 @@ namespace Signorini
                     (gap(i) + (compliant ? p(i) / contact.epsilon(i) : 0.));
     defect.compress(VectorOperation::insert);
     return defect;
+  }
+
+
+
+  unsigned int
+  Newton::keep_deepest(const LA::Vector &gap)
+  {
+    const MPI_Comm      comm = gap.get_mpi_communicator();
+    std::vector<double> deepest(contact.pair.empty() ?
+                                  0 :
+                                  1 + *std::max_element(contact.pair.begin(), contact.pair.end()),
+                                0.);
+    deepest.resize(Utilities::MPI::max(deepest.size(), comm), 0.);
+    auto pair = contact.pair.begin();
+    for (const auto i : gap.locally_owned_elements())
+      {
+        deepest[*pair] = std::min(deepest[*pair], gap(i));
+        ++pair;
+      }
+    Utilities::MPI::min(deepest, comm, deepest);
+    pair = contact.pair.begin();
+    for (const auto i : gap.locally_owned_elements())
+      {
+        if (last_active_set(i) == 0 && gap(i) > deepest[*pair] / 2)
+          active_set(i) = 0;
+        ++pair;
+      }
+    active_set.compress(VectorOperation::insert);
+    return count(active_set);
   }
 
 

@@ -105,16 +105,21 @@ namespace Signorini
                  double                 tolerance);
     /// What a cold start multiplies the penalties by, until the active set is nearly found.
     double
-    soft_start(const LA::Vector &p) const;
+    soft_start() const;
     void
     update_active_set(const LA::Vector &gap,
                       const LA::Vector &stress,
                       LA::Vector       &p,
-                      bool              is_first,
+                      unsigned int      n,
                       NewtonStep       &step);
     /// p^ of the law
     const LA::Vector &
     predicted(const LA::Vector &p, const LA::Vector &stress) const;
+    /// Where smooth bodies overlap, they are pushed apart on a part of that area only: Hertz' is
+    /// where they are at least half as deep as at the deepest point. Of each pair no other points
+    /// become active. Returns the number of active points.
+    unsigned int
+    keep_deepest(const LA::Vector &gap);
     void
     keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p);
     bool
@@ -149,6 +154,7 @@ namespace Signorini
     LA::Vector         active_set, last_active_set, changes;
     LA::Vector         augmented; ///< pressure of the last solution, for methods that augment
     std::set<uint64_t> history;
+    bool               is_cold     = true; ///< without a pressure to start from
     bool               cautious    = false;
     double             softness    = 1;
     bool               factorised  = false; ///< the system is that of the active set
