@@ -12,9 +12,9 @@ class Failed(Exception):
     """The program ended without a result; the text is its message."""
 
 
-def run(scene, sets, ranks, folder):
+def run(scene, sets, ranks, folder, mpi_options=()):
     """The results file of a run as a dictionary. A missed expectation of the scene (exit code 4) is no failure."""
-    command = ["mpirun", "--oversubscribe", "-np", str(ranks), ROOT / "build" / "release" / "signorini", scene]
+    command = ["mpirun", "--oversubscribe", *mpi_options, "-np", str(ranks), ROOT / "build" / "release" / "signorini", scene]
     for key, value in {**sets, "Output/VTU": "no", "Output/Directory": folder}.items():
         command += ["--set", f"{key}={value}"]
     environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",

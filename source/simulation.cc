@@ -397,7 +397,8 @@ namespace Signorini
     results["seconds"]["total"] = Utilities::MPI::max(clock.wall_time(), comm);
     for (const auto &[name, time] : timer.get_summary_data(TimerOutput::total_wall_time))
       results["seconds"][name] = Utilities::MPI::max(time, comm);
-    results["peak_memory_mb"] = peak_memory(comm);
+    results["shares_of_ranks"] = shares_of_ranks(*elasticity, surfaces);
+    results["peak_memory_mb"]  = peak_memory(comm);
 
     const std::string directory = results["output_directory"];
     const std::string file      = directory + "/results.json";

@@ -40,6 +40,11 @@ namespace Signorini
     section.add("Contact refinements",
                 contact_refinements,
                 "how often cells at contact surfaces are halved, after that");
+    section.add(
+      "Slave face weight",
+      slave_face_weight,
+      "work of contact on a slave face, in units of the work on a cell: ranks get equal sums",
+      Range{0, 1000});
     section.add("Geometry degree",
                 geometry_degree,
                 "polynomial degree of the cells' shape; 0: 1 if all is straight, else 2",
@@ -99,6 +104,25 @@ namespace Signorini
         }
     }
 
+    /// Cells count once, and once more per slave face times its weight.
+    template <int dim>
+    void
+    weigh(Triangulation<dim>                    &triangulation,
+          const std::vector<types::boundary_id> &slaves,
+          const double                           slave_face_weight)
+    {
+      constexpr unsigned int unit = 1000; // of integer weights
+      triangulation.signals.weight.connect(
+        [slaves, slave_face_weight](const auto &cell, const auto) -> unsigned int {
+          unsigned int n_slaves = 0;
+          if (cell->at_boundary())
+            for (const auto &face : cell->face_iterators())
+              n_slaves += face->at_boundary() &&
+                          std::count(slaves.begin(), slaves.end(), face->boundary_id()) > 0;
+          return unit * (1 + n_slaves * slave_face_weight);
+        });
+    }
+
     template <int dim>
     bool
     touches(const RefinementZone<dim>                               &zone,
@@ -123,16 +147,21 @@ namespace Signorini
     if (settings.geometry_degree > 0)
       degree = settings.geometry_degree;
     my_mapping = std::make_unique<MappingQ<dim>>(degree);
+    std::vector<types::boundary_id> slaves;
+    for (const auto &[slave, master] : contact_surfaces)
+      slaves.push_back(boundary_id(slave));
 
     if (settings.distribution == "p4est")
       {
         tria = std::make_unique<parallel::distributed::Triangulation<dim>>(comm);
+        weigh(*tria, slaves, settings.slave_face_weight);
         create(*tria, coarse);
         refine_initially(*tria, bodies, settings, contact_surfaces);
       }
     else
       {
         Triangulation<dim> serial(Triangulation<dim>::limit_level_difference_at_vertices);
+        weigh(serial, slaves, settings.slave_face_weight);
         create(serial, coarse);
         refine_initially(serial, bodies, settings, contact_surfaces);
         std::vector<std::pair<types::boundary_id, types::boundary_id>> pairs;

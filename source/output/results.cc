@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 
 namespace Signorini
 {
@@ -203,6 +204,40 @@ namespace Signorini
 
 
 
+  template <int dim>
+  Json
+  shares_of_ranks(const Elasticity<dim>                  &elasticity,
+                  const std::vector<ContactSurface<dim>> &surfaces)
+  {
+    std::map<std::string, unsigned int> own = {{"dofs", elasticity.owned().n_elements()},
+                                               {"cells", 0},
+                                               {"ghost_cells", 0},
+                                               {"ghost_faces", 0},
+                                               {"slave_faces", 0},
+                                               {"contact_points", 0}};
+    for (const auto &cell : elasticity.mesh().triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          ++own["cells"];
+          for (const unsigned int f : cell->face_indices())
+            own["ghost_faces"] += !cell->at_boundary(f) && cell->neighbor(f)->is_active() &&
+                                  cell->neighbor(f)->is_ghost();
+        }
+      else if (cell->is_ghost())
+        ++own["ghost_cells"];
+    for (const ContactSurface<dim> &surface : surfaces)
+      {
+        own["slave_faces"] += surface.faces;
+        own["contact_points"] += surface.points.size();
+      }
+    Json result;
+    for (const auto &[name, number] : own)
+      result[name] = Utilities::MPI::all_gather(elasticity.mesh().communicator(), number);
+    return result;
+  }
+
+
+
   Json
   peak_memory(const MPI_Comm comm)
   {
@@ -240,6 +275,10 @@ namespace Signorini
   probe_results(const Snapshot<3> &, const std::vector<Probe<3>> &);
   template Json
   force_results(const Snapshot<2> &, const std::vector<bool> &);
+  template Json
+  shares_of_ranks(const Elasticity<2> &, const std::vector<ContactSurface<2>> &);
+  template Json
+  shares_of_ranks(const Elasticity<3> &, const std::vector<ContactSurface<3>> &);
   template Json
   force_results(const Snapshot<3> &, const std::vector<bool> &);
 } // namespace Signorini

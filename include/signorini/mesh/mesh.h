@@ -30,6 +30,7 @@ namespace Signorini
     unsigned int                     refinements         = 0;
     unsigned int                     contact_refinements = 0;
     unsigned int                     geometry_degree     = 0; ///< 0: 1 if all is straight, else 2
+    double                           slave_face_weight   = 2;
     std::vector<RefinementZone<dim>> zones;
 
     void

@@ -30,6 +30,12 @@ namespace Signorini
   Json
   probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes);
 
+  /// Numbers of cells, degrees of freedom, neighbours and contact points of each rank. Collective.
+  template <int dim>
+  Json
+  shares_of_ranks(const Elasticity<dim>                  &elasticity,
+                  const std::vector<ContactSurface<dim>> &surfaces);
+
   /// Peak memory of each rank in MB.
   Json
   peak_memory(MPI_Comm comm);
