@@ -99,7 +99,8 @@ namespace Signorini
           {
             report_set_up();
             build_contact();
-            if (!solve(scene.load_steps.end_time))
+            if (!solve(scene.load_steps.end_time,
+                       std::max(scene.newton.tolerance, scene.refinement.tolerance)))
               return finish();
             refine_mesh();
           }
@@ -213,7 +214,7 @@ namespace Signorini
 
   template <int dim>
   bool
-  Simulation<dim>::solve(const double t)
+  Simulation<dim>::solve(const double t, const double tolerance)
   {
     mesh_clock.start();
     elasticity->set_time(t);
@@ -223,7 +224,9 @@ namespace Signorini
           TimerOutput::Scope scope(timer, "assembly");
           elasticity->assemble();
         }
-        newton = std::make_unique<Newton>(scene.newton,
+        NewtonSettings settings = scene.newton;
+        settings.tolerance      = tolerance;
+        newton                  = std::make_unique<Newton>(settings,
                                           scene.solver,
                                           scene.contact.chosen(),
                                           elasticity->stiffness(),
@@ -284,7 +287,7 @@ namespace Signorini
         const double t = scene.load_steps.end_time * step / scene.load_steps.number;
         if (scene.load_steps.number > 1)
           out << "  load step " << step << ", t = " << t << std::endl;
-        if (!solve(t))
+        if (!solve(t, scene.newton.tolerance))
           return;
         record_step(step, t);
       }

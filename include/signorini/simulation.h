@@ -44,7 +44,7 @@ namespace Signorini
     void
     build_contact();
     bool
-    solve(double t);
+    solve(double t, double tolerance);
     void
     refine_mesh();
     void

@@ -32,6 +32,11 @@ namespace Signorini
                 "share of the cells that are coarsened",
                 Range{0, 1});
     section.add("Maximum cells", maximum_cells, "no refinement beyond", positive);
+    section.add(
+      "Tolerance",
+      tolerance,
+      "of Newton's method on meshes that are still to be refined, if it is larger than Newton/Tolerance",
+      Range{0, 0.1});
     if (refine_fraction + coarsen_fraction > 1)
       section.fail("Refine fraction", "plus Coarsen fraction must not exceed 1");
   }

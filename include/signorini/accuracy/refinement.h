@@ -13,6 +13,7 @@ namespace Signorini
     double       refine_fraction  = 0.15;
     double       coarsen_fraction = 0.03;
     unsigned int maximum_cells    = 10000000;
+    double       tolerance        = 1e-4; ///< of Newton's method on all meshes but the last
 
     void
     declare(Section &section);
