@@ -149,9 +149,10 @@ namespace Signorini
     for (unsigned int n = 0;; ++n)
       {
         NewtonStep step;
-        step.damping = damping;
-        gap          = contact.gap(u);
-        stress       = contact.stress(u);
+        step.damping               = damping;
+        gap                        = contact.gap(u);
+        const double last_softness = softness;
+        stress                     = contact.stress(u);
         update_active_set(gap, stress, p, n, step);
 
         const LA::Vector r = residual(f, u, p, stress);
@@ -189,9 +190,10 @@ namespace Signorini
             return report;
           }
 
-        // As long as the active set changes, the next one throws away what goes beyond a good
-        // guess.
-        const bool is_settled  = contact.empty() || (n > 0 && step.changes == 0);
+        // As long as the active set or the penalty changes, the next one throws away what goes
+        // beyond a good guess.
+        const bool is_settled =
+          contact.empty() || (n > 0 && step.changes == 0 && softness == last_softness);
         step.krylov_iterations = solve_linear(x,
                                               rhs,
                                               is_settled ? 0. : settings.reduction,
@@ -341,7 +343,7 @@ namespace Signorini
       changes(i) += std::abs(difference(i));
     changes.compress(VectorOperation::add);
     step.changes = count(difference);
-    if (softness < 1 && (cautious || (step.active > 0 && step.changes <= 0.1 * step.active)))
+    if (softness < 1 && (cautious || (step.active > 0 && step.changes <= 0.2 * step.active)))
       {
         softness   = 1;
         factorised = false;
@@ -402,10 +404,15 @@ namespace Signorini
         ++pair;
       }
     Utilities::MPI::min(deepest, comm, deepest);
+    // Surfaces that touch overlap by the rounding of their coordinates, of which nothing follows.
+    double farthest = 0;
+    for (const LA::Vector &x : contact.position)
+      farthest = std::max(farthest, x.linfty_norm());
     pair = contact.pair.begin();
     for (const auto i : gap.locally_owned_elements())
       {
-        if (last_active_set(i) == 0 && gap(i) > deepest[*pair] / 2)
+        if (last_active_set(i) == 0 && gap(i) > deepest[*pair] / 2 &&
+            deepest[*pair] < -1e-10 * farthest)
           active_set(i) = 0;
         ++pair;
       }
