@@ -1,7 +1,6 @@
 """Two blocks (prm/block-on-block.prm) for other programs: decks with the same node coordinates, runs, forces."""
 
 import json
-import math
 import os
 import re
 import shutil
@@ -10,12 +9,9 @@ import sys
 import time
 from pathlib import Path
 
+from ladder import block_cells
+
 YOUNG, POISSON, CLOSING = 1000.0, 0.3, 0.01
-
-
-def cells(n):
-    """Of the lower and the upper block."""
-    return (n, n, math.ceil(n / 2)), 3 * (round(2 * n / 3),)
 
 
 class Box:
@@ -39,7 +35,7 @@ class Box:
 
 
 def blocks(n):
-    lower_cells, upper_cells = cells(n)
+    lower_cells, upper_cells = block_cells(n)
     lower = Box(lower_cells, (0, 0, 0), (1, 1, 0.5))
     upper = Box(upper_cells, (0.25, 0.25, 0.5), (0.75, 0.75, 1), len(lower.nodes) + 1, len(lower.cells) + 1)
     return lower, upper

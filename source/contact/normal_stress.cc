@@ -4,7 +4,10 @@
 #include <signorini/elasticity/kernel.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 #include <deal.II/lac/full_matrix.h>
+
+#include <cmath>
 
 #include <Eigen/Eigenvalues>
 
@@ -107,7 +110,8 @@ namespace Signorini
     const std::vector<double> values = coefficients(unit_point, n, m);
     SparseRow                 result;
     for (unsigned int i = 0; i < values.size(); ++i)
-      result.emplace_back(indices[i], values[i]);
+      if (values[i] != 0)
+        result.emplace_back(indices[i], values[i]);
     resolve(elasticity.hanging_nodes(), result);
     return result;
   }

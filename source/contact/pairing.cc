@@ -6,9 +6,11 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 
 namespace Signorini
 {
@@ -29,15 +31,6 @@ namespace Signorini
           return Quadrature<2>({{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
                                {1. / 6, 1. / 6, 1. / 6}); // Strang, Fix: degree 2
       return QWitherdenVincentSimplex<dim - 1>(n);
-    }
-
-    // Distances change by no more than its diameter on a face: this finds all points of a face that
-    // has one within the limit.
-    template <int dim>
-    double
-    reach(const FacePatch<dim> &slave, const double limit)
-    {
-      return limit + slave.diameter();
     }
 
     // A slave face on its way to the master's faces.
@@ -152,14 +145,15 @@ namespace Signorini
       if (Utilities::MPI::n_mpi_processes(comm) == 1)
         return points;
 
-      const auto ranks = Utilities::MPI::all_gather(comm, segments.extent());
+      const auto                    ranks = Utilities::MPI::all_gather(comm, segments.extent());
+      std::vector<BoundingBox<dim>> boxes;
+      for (const FacePatch<dim> &face : slave)
+        boxes.push_back(FacetedFace<dim>(face).extruded_box(reach(face, limit)));
       std::map<unsigned int, std::vector<TravellingFace<dim>>> outgoing;
       for (unsigned int rank = 0; rank < ranks.size(); ++rank)
         if (rank != Utilities::MPI::this_mpi_process(comm) && !ranks[rank].empty)
           for (unsigned int i = 0; i < slave.size(); ++i)
-            if (FacetedFace<dim>(slave[i])
-                  .extruded_box(reach(slave[i], limit))
-                  .get_neighbor_type(ranks[rank].box) != NeighborType::not_neighbors)
+            if (boxes[i].get_neighbor_type(ranks[rank].box) != NeighborType::not_neighbors)
               outgoing[rank].push_back({slave[i], i});
 
       std::map<unsigned int, std::vector<PairedPoint<dim>>> answers;

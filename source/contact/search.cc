@@ -113,7 +113,7 @@ namespace Signorini
         if (!best->overhangs)
           partners[i] = best->partner;
     if (statistics != nullptr)
-      *statistics = own_statistics;
+      *statistics += own_statistics;
     return partners;
   }
 

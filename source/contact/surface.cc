@@ -6,7 +6,9 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <limits>
+#include <memory>
 
 namespace Signorini
 {
@@ -156,7 +158,7 @@ namespace Signorini
             const Point<dim - 1>    &xi    = rule.point(q);
             const Point<dim>         x     = slave[i].position(xi);
             const ObstaclePlace<dim> place = obstacle.shape->closest(x);
-            if (std::abs(place.gap) > limit + slave[i].diameter() ||
+            if (std::abs(place.gap) > reach(slave[i], limit) ||
                 !faces_each_other(slave[i].normal(xi), place.normal))
               continue;
             PairedPoint<dim> point{i, xi, rule.weight(q) * slave[i].jacobian(xi), {}};

@@ -65,10 +65,10 @@ namespace Signorini
 
   template <int dim>
   void
-  Trace<dim>::reinit(const Cell &cell, const unsigned int face)
+  Trace<dim>::reinit(const Cell &cell, const unsigned int new_face)
   {
     cell->get_dof_indices(indices);
-    nodes = &nodes_of[face];
+    face = new_face;
   }
 
 
@@ -78,8 +78,8 @@ namespace Signorini
   Trace<dim>::normal_displacement(const Point<dim> &unit_point, const Tensor<1, dim> &n) const
   {
     SparseRow row;
-    row.reserve(2 * dim * nodes->size()); // room for a partner
-    for (const unsigned int i : *nodes)
+    row.reserve(2 * dim * nodes_of[face].size()); // room for a partner
+    for (const unsigned int i : nodes_of[face])
       if (const double value = fe.base_element(0).shape_value(i, unit_point);
           std::abs(value) > 1e-14)
         for (unsigned int d = 0; d < dim; ++d)
@@ -96,7 +96,7 @@ namespace Signorini
   Trace<dim>::unresolved_shape(const Point<dim> &unit_point) const
   {
     SparseRow row;
-    for (const unsigned int i : *nodes)
+    for (const unsigned int i : nodes_of[face])
       if (const double value = fe.base_element(0).shape_value(i, unit_point);
           std::abs(value) > 1e-14)
         row.emplace_back(indices[fe.component_to_system_index(0, i)], value);

@@ -104,22 +104,25 @@ namespace Signorini
         }
     }
 
-    /// Cells count once, and once more per slave face times its weight.
+    /// Cells count once, and once more per slave face times its weight. A cell that is being
+    /// refined is asked for each of its children, half of which are at a face of it.
     template <int dim>
     void
     weigh(Triangulation<dim>                    &triangulation,
           const std::vector<types::boundary_id> &slaves,
           const double                           slave_face_weight)
     {
-      constexpr unsigned int unit = 1000; // of integer weights
+      constexpr unsigned int unit = 10; // of integer weights, whose sum METIS has 32 bits for
       triangulation.signals.weight.connect(
-        [slaves, slave_face_weight](const auto &cell, const auto) -> unsigned int {
+        [slaves, slave_face_weight](const auto &cell, const auto status) -> unsigned int {
           unsigned int n_slaves = 0;
           if (cell->at_boundary())
             for (const auto &face : cell->face_iterators())
               n_slaves += face->at_boundary() &&
                           std::count(slaves.begin(), slaves.end(), face->boundary_id()) > 0;
-          return unit * (1 + n_slaves * slave_face_weight);
+          const bool is_itself = status == Triangulation<dim>::CELL_PERSIST ||
+                                 status == Triangulation<dim>::CELL_COARSEN;
+          return unit * (1 + n_slaves * slave_face_weight * (is_itself ? 1. : 0.5));
         });
     }
 

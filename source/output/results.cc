@@ -220,8 +220,10 @@ namespace Signorini
         {
           ++own["cells"];
           for (const unsigned int f : cell->face_indices())
-            own["ghost_faces"] += !cell->at_boundary(f) && cell->neighbor(f)->is_active() &&
-                                  cell->neighbor(f)->is_ghost();
+            if (!cell->at_boundary(f))
+              own["ghost_faces"] += cell->neighbor(f)->has_children() ?
+                                      cell->neighbor_child_on_subface(f, 0)->is_ghost() :
+                                      cell->neighbor(f)->is_ghost();
         }
       else if (cell->is_ghost())
         ++own["ghost_cells"];

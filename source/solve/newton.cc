@@ -22,8 +22,8 @@ namespace Signorini
     section.add(
       "Reduction",
       reduction,
-      "of the residual by linear solves while the active set changes, relative to the loads; "
-      "the last one goes down to the Tolerance",
+      "of the residual by linear solves while the active set changes, relative to the loads (at most 1e-6 "
+      "once a set has come up again); the last one goes down to the Tolerance",
       Range{0, 1, false, false});
   }
 
@@ -31,6 +31,8 @@ namespace Signorini
 
   namespace
   {
+    constexpr double fine_reduction = 1e-6; // by linear solves, once an active set comes up again
+
     void
     print_head(ConditionalOStream &out)
     {
@@ -130,6 +132,7 @@ namespace Signorini
   {
     history.clear();
     cautious      = false;
+    reduction     = settings.reduction;
     largest_force = 0;
     changes       = 0.;
     is_cold       = p.linfty_norm() == 0;
@@ -192,12 +195,10 @@ namespace Signorini
 
         // As long as the active set or the penalty changes, the next one throws away what goes
         // beyond a good guess.
-        const bool is_settled =
-          contact.empty() || (n > 0 && step.changes == 0 && softness == last_softness);
-        step.krylov_iterations = solve_linear(x,
-                                              rhs,
-                                              is_settled ? 0. : settings.reduction,
-                                              0.5 * settings.tolerance * scale);
+        const bool is_settled = contact.empty() || (n > 0 && step.changes == 0 && !step.withholds &&
+                                                    softness == last_softness);
+        step.krylov_iterations =
+          solve_linear(x, rhs, is_settled ? 0. : reduction, 0.5 * settings.tolerance * scale);
         damping = cautious && has_energy() ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
@@ -250,7 +251,8 @@ namespace Signorini
                            step.residual <= force_rounding / scale;
     const bool is_small = step.residual <= settings.tolerance &&
                           (step.changes == 0 || step.residual <= largest_undecided);
-    return (is_small || at_bottom) && !step.follows && (softness == 1 || step.active == 0);
+    return (is_small || at_bottom) && !step.follows && !step.withholds &&
+           (softness == 1 || step.active == 0);
   }
 
 
@@ -318,11 +320,22 @@ namespace Signorini
     const LA::Vector &start = predicted(p, stress);
     step.active             = find_active(contact, gap, start, active_set);
     if (is_cold && n <= 1)
-      step.active = keep_deepest(gap);
+      {
+        const unsigned int kept = keep_deepest(gap);
+        step.withholds          = kept < step.active;
+        step.active             = kept;
+      }
     if (!cautious && seen_before())
       {
-        cautious = true;
-        changes  = 0.;
+        // The linear solves may have been too rough to tell where there is pressure.
+        if (reduction > fine_reduction)
+          {
+            reduction = fine_reduction;
+            history.clear();
+          }
+        else
+          cautious = true;
+        changes = 0.;
       }
     if (cautious && method.has_multipliers())
       {

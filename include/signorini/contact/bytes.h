@@ -2,6 +2,7 @@
 
 #include <boost/serialization/binary_object.hpp>
 
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -21,6 +22,10 @@ namespace Signorini
   void
   serialize_bytes(Archive &ar, std::vector<T> &objects)
   {
+    // Pairs of numbers are no trivially copyable type by name, since they have an operator =.
+    static_assert(std::is_trivially_copy_constructible<T>::value &&
+                    std::is_trivially_destructible<T>::value,
+                  "sent bit by bit");
     std::size_t n = objects.size();
     serialize_bytes(ar, n);
     objects.resize(n);

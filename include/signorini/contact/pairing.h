@@ -65,6 +65,15 @@ namespace Signorini
               MPI_Comm                           comm,
               SearchStatistics                  &statistics);
 
+  /// Distances change by no more than its diameter on a face: this finds all points of a face that
+  /// has one within the limit.
+  template <int dim>
+  double
+  reach(const FacePatch<dim> &slave, const double limit)
+  {
+    return limit + slave.diameter();
+  }
+
   /// Drop the points of faces whose nearest partner is beyond the limit. A shape function on a part
   /// of a face would be a weight that changes its sign.
   template <int dim>

@@ -68,11 +68,21 @@ namespace Signorini
       complete;
   };
 
-  /// What one call of find_partners did on this rank; `projections` counts those for other ranks'
+  /// What a search did on this rank; `projections` counts those for other ranks'
   /// points as well.
   struct SearchStatistics
   {
     unsigned long points = 0, points_sent = 0, projections = 0, fallbacks = 0;
+
+    SearchStatistics &
+    operator+=(const SearchStatistics &other)
+    {
+      points += other.points;
+      points_sent += other.points_sent;
+      projections += other.projections;
+      fallbacks += other.fallbacks;
+      return *this;
+    }
   };
 
   /// For each slave point of this rank the closest place on the master surface of all ranks, if

@@ -13,7 +13,7 @@ namespace Signorini
   void
   unite(SparseRow &row);
 
-  /// Replace hanging nodes by the nodes that they hang on.
+  /// Replace hanging nodes by the nodes that they hang on. Sorts and unites a row that has any.
   void
   resolve(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
 
@@ -47,7 +47,7 @@ namespace Signorini
     const dealii::FESystem<dim>                 &fe;
     const dealii::AffineConstraints<double>     &hanging;
     std::vector<dealii::types::global_dof_index> indices;
-    std::vector<std::vector<unsigned int>>       nodes_of;        ///< of each face of a cell
-    const std::vector<unsigned int>             *nodes = nullptr; ///< of this face
+    std::vector<std::vector<unsigned int>>       nodes_of; ///< of each face of a cell
+    unsigned int                                 face = 0;
   };
 } // namespace Signorini

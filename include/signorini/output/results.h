@@ -30,7 +30,8 @@ namespace Signorini
   Json
   probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes);
 
-  /// Numbers of cells, degrees of freedom, neighbours and contact points of each rank. Collective.
+  /// Numbers of cells, of ghost cells and of faces to them, of degrees of freedom, slave faces and
+  /// contact points of each rank. Collective.
   template <int dim>
   Json
   shares_of_ranks(const Elasticity<dim>                  &elasticity,

@@ -27,8 +27,9 @@ namespace Signorini
   {
     unsigned int active = 0, changes = 0, krylov_iterations = 0;
     double       residual = 0, gap_residual = 0, damping = 1;
-    bool         follows  = false; ///< takes over the active set of the last load step
-    bool         augments = false; ///< a solution, from which the next augmentation starts
+    bool         follows   = false; ///< takes over the active set of the last load step
+    bool         withholds = false; ///< overlapping points are not active yet, see keep_deepest()
+    bool         augments  = false; ///< a solution, from which the next augmentation starts
   };
 
   struct NewtonReport
@@ -42,7 +43,8 @@ namespace Signorini
   /// since all else is linear, it is the primal-dual active set strategy (Hintermueller, Ito,
   /// Kunisch, SIAM J. Optim. 13 (2003) 865). Lives as long as the mesh does.
   ///
-  /// Full steps, which find the active set in a few, until one comes up again. From there on
+  /// Full steps, which find the active set in a few, until one comes up again. If it still does
+  /// with finer linear solves, then from there on
   /// methods with multipliers change one point at a time, the worst; the others minimise a convex
   /// energy (but for Nitsche's method with theta = 0 or -1), along which each step is searched
   /// exactly: it costs vectors of the surface only. If the method augments, one solution follows
@@ -156,6 +158,7 @@ namespace Signorini
     std::set<uint64_t> history;
     bool               is_cold     = true; ///< without a pressure to start from
     bool               cautious    = false;
+    double             reduction   = 1e-2; ///< by linear solves while the active set changes
     double             softness    = 1;
     bool               factorised  = false; ///< the system is that of the active set
     double             force_scale = 0, largest_force = 0, force_rounding = 0;

@@ -118,29 +118,36 @@ namespace Signorini
       return springs;
     }
 
-    /// Something that has all frequencies, times a function that is largest where the rows are
-    /// heavy beside their diagonal. There are the few badly shaped cells to which the largest
-    /// eigenvalue of inverse_diagonal * K belongs; from a start that is the same everywhere, one
-    /// among millions is not found in time.
+    /// Of absolute values.
     LA::Vector
-    stiff_oscillation(const Epetra_CrsMatrix &K, const LA::Vector &diagonal_K)
+    sums_of_rows(const Epetra_CrsMatrix &K)
     {
-      constexpr int power = 16;
-      LA::Vector    weights, result;
-      weights.reinit(diagonal_K);
-      result.reinit(diagonal_K);
-      double       *w = weights.trilinos_vector()[0], *r = result.trilinos_vector()[0];
-      const double *diagonal = diagonal_K.trilinos_vector()[0];
-      for (unsigned int i = 0; i < weights.locally_owned_size(); ++i)
+      LA::Vector sums = vector_on(K.RowMap());
+      for (int i = 0; i < K.NumMyRows(); ++i)
         {
           const RowView row(K, i);
           for (int k = 0; k < row.size; ++k)
-            w[i] += std::abs(row.values[k]) / diagonal[i];
+            sums.trilinos_vector()[0][i] += std::abs(row.values[k]);
         }
-      const double largest = weights.linfty_norm();
-      for (unsigned int i = 0; i < weights.locally_owned_size(); ++i)
-        r[i] =
-          std::sin(1. + 1.7 * i * i) * std::sqrt(diagonal[i]) * std::pow(w[i] / largest, power);
+      return sums;
+    }
+
+    /// Something that has all frequencies, times a function that is largest where the rows are
+    /// heavy beside their diagonal. There are the few badly shaped cells to which the largest
+    /// eigenvalue of the scaled matrix belongs; from a start that is the same everywhere, one among
+    /// millions is not found in time.
+    LA::Vector
+    stiff_oscillation(const LA::Vector &row_sums, const LA::Vector &inverse_diagonal)
+    {
+      constexpr double power = 16, everywhere = 0.01;
+      LA::Vector       result = row_sums;
+      result.scale(inverse_diagonal);
+      const double  largest = result.linfty_norm();
+      const double *inverse = inverse_diagonal.trilinos_vector()[0];
+      double       *r       = result.trilinos_vector()[0];
+      for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
+        r[i] = std::sin(1. + 1.7 * i * i) * (everywhere + std::pow(r[i] / largest, power)) /
+               std::sqrt(inverse[i]);
       return result;
     }
 
@@ -171,9 +178,19 @@ namespace Signorini
       return sum;
     }
 
-    /// diagonal += diag(b^T D b)
+    enum class Entries
+    {
+      diagonal,
+      all
+    };
+
+    /// Adds the diagonal of b^T D b, or the sums of its rows' entries (no less than their absolute
+    /// values).
     void
-    add_spring_diagonal(const Epetra_CrsMatrix &b, const LA::Vector &D, LA::Vector &diagonal)
+    add_springs(const Epetra_CrsMatrix &b,
+                const LA::Vector       &D,
+                const Entries           entries,
+                LA::Vector             &result)
     {
       Epetra_Vector columns(b.ColMap()), sums(b.DomainMap());
       for (int row = 0; row < b.NumMyRows(); ++row)
@@ -181,13 +198,17 @@ namespace Signorini
           int     n, *indices;
           double *values;
           b.ExtractMyRowView(row, n, values, indices);
+          double size = 0;
           for (int k = 0; k < n; ++k)
-            columns[indices[k]] += D.trilinos_vector()[0][row] * values[k] * values[k];
+            size += std::abs(values[k]);
+          for (int k = 0; k < n; ++k)
+            columns[indices[k]] += D.trilinos_vector()[0][row] * std::abs(values[k]) *
+                                   (entries == Entries::all ? size : std::abs(values[k]));
         }
       const int error = sums.Export(columns, Epetra_Import(b.ColMap(), b.DomainMap()), Add);
       AssertThrow(error == 0, ExcTrilinosError(error));
       for (int i = 0; i < sums.MyLength(); ++i)
-        diagonal.trilinos_vector()[0][i] += sums[i];
+        result.trilinos_vector()[0][i] += sums[i];
     }
   } // namespace
 
@@ -277,7 +298,7 @@ namespace Signorini
   {
     level.inverse_diagonal = level.diagonal_K;
     if (has_springs)
-      add_spring_diagonal(*level.B, D, level.inverse_diagonal);
+      add_springs(*level.B, D, Entries::diagonal, level.inverse_diagonal);
     level.inverse_diagonal.trilinos_vector()(0)->Reciprocal(
       *level.inverse_diagonal.trilinos_vector()(0));
   }
@@ -289,7 +310,10 @@ namespace Signorini
   {
     // By the numbers that conjugate gradients leave behind. (A power iteration of twice as many
     // products underestimates so much that the smoothers may diverge.)
-    const LA::Vector right = stiff_oscillation(*level.K, level.diagonal_K);
+    LA::Vector row_sums = sums_of_rows(*level.K);
+    if (has_springs)
+      add_springs(*level.B, D, Entries::all, row_sums);
+    const LA::Vector right = stiff_oscillation(row_sums, level.inverse_diagonal);
     LA::Vector       x;
     x.reinit(right);
     struct Operator
