@@ -195,15 +195,16 @@ namespace Signorini
       Epetra_Vector columns(b.ColMap()), sums(b.DomainMap());
       for (int row = 0; row < b.NumMyRows(); ++row)
         {
-          int     n, *indices;
-          double *values;
-          b.ExtractMyRowView(row, n, values, indices);
-          double size = 0;
-          for (int k = 0; k < n; ++k)
-            size += std::abs(values[k]);
-          for (int k = 0; k < n; ++k)
-            columns[indices[k]] += D.trilinos_vector()[0][row] * std::abs(values[k]) *
-                                   (entries == Entries::all ? size : std::abs(values[k]));
+          const RowView view(b, row);
+          double        sum = 0;
+          for (int k = 0; k < view.size; ++k)
+            sum += std::abs(view.values[k]);
+          for (int k = 0; k < view.size; ++k)
+            {
+              const double size = std::abs(view.values[k]);
+              columns[view.columns[k]] +=
+                D.trilinos_vector()[0][row] * size * (entries == Entries::all ? sum : size);
+            }
         }
       const int error = sums.Export(columns, Epetra_Import(b.ColMap(), b.DomainMap()), Add);
       AssertThrow(error == 0, ExcTrilinosError(error));
