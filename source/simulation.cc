@@ -1,11 +1,17 @@
+#include <signorini/contact/find_pairs.h>
+#include <signorini/contact/reach.h>
+#include <signorini/output/preflight.h>
 #include <signorini/output/summary.h>
 #include <signorini/parameters/section.h>
+#include <signorini/scene/expected_motion.h>
 #include <signorini/simulation.h>
 #include <signorini/solve/linear_reference.h>
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 namespace Signorini
@@ -22,7 +28,8 @@ namespace Signorini
       for (const Body<dim> &body : scene.bodies)
         bodies.emplace_back(body.name, body.mesh);
       std::vector<std::pair<std::string, std::string>> contact_surfaces;
-      for (const ContactPair<dim> &pair : scene.pairs)
+      for (const ContactPair<dim> &pair :
+           scene.auto_pairs ? std::vector<ContactPair<dim>>() : scene.pairs)
         contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
       return std::make_unique<Mesh<dim>>(bodies, scene.mesh, contact_surfaces, comm);
     }
@@ -34,8 +41,18 @@ namespace Signorini
       std::vector<Material> materials;
       for (const Body<dim> &body : scene.bodies)
         materials.push_back(body.material);
-      return std::make_unique<Elasticity<dim>>(
-        mesh, materials, scene.supports, scene.loads, scene.degree);
+      std::vector<RigidBody<dim>> rigid_bodies;
+      for (const Obstacle<dim> &obstacle : scene.obstacles)
+        if (obstacle.body.can_move())
+          rigid_bodies.push_back(obstacle.body);
+      return std::make_unique<Elasticity<dim>>(mesh,
+                                               materials,
+                                               scene.supports,
+                                               scene.loads,
+                                               scene.degree,
+                                               model_of(scene.model),
+                                               rigid_bodies,
+                                               scene.newton.stabilisation);
     }
 
     std::string
@@ -97,15 +114,15 @@ namespace Signorini
         set_up();
         for (unsigned int cycle = 0; cycle < scene.refinement.cycles; ++cycle)
           {
-            report_set_up();
             build_contact();
+            report_set_up();
             if (!solve(scene.load_steps.end_time,
                        std::max(scene.newton.tolerance, scene.refinement.tolerance)))
               return finish();
             refine_mesh();
           }
-        report_set_up();
         build_contact();
+        report_set_up();
         run_load_history();
         if (report.converged && scene.output.linear_reference)
           compare_with_linear_solve();
@@ -125,8 +142,8 @@ namespace Signorini
   Simulation<dim>::preflight()
   {
     set_up();
-    report_set_up();
     build_contact();
+    report_set_up();
     out << "The scene is complete; nothing was solved." << std::endl;
   }
 
@@ -139,17 +156,46 @@ namespace Signorini
     {
       TimerOutput::Scope scope(timer, "mesh");
       mesh = make_mesh(scene, comm);
+      if (scene.auto_pairs)
+        find_contact_pairs();
     }
     TimerOutput::Scope scope(timer, "setup");
     elasticity = make_elasticity(scene, *mesh);
     elasticity->setup();
     displacement = elasticity->zero_vector();
+    set_reach();
 
-    const auto floating = elasticity->unrestrained_modes();
-    if (!floating.empty())
-      throw SceneError(
-        "Supports/Names: no support holds " + join(floating) +
-        "; bodies that contact alone holds cannot be solved yet: prescribe a displacement that stops these motions");
+    if (elasticity->has_free_motions() && scene.output.linear_reference)
+      throw SceneError("Output/Linear reference: without contact nothing holds the bodies");
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::find_contact_pairs()
+  {
+    std::vector<double> moduli;
+    for (const Body<dim> &body : scene.bodies)
+      moduli.push_back(body.material.youngs_modulus);
+    const ContactPair<dim> pattern = scene.pairs.front();
+    const double           distance =
+      pattern.search_distance > 0 ? pattern.search_distance : mesh->size() / 10;
+    scene.pairs      = find_pairs(*mesh, scene.obstacles, moduli, pattern, distance);
+    scene.auto_pairs = false;
+    // Contact surfaces are refined, and weigh more where the mesh is distributed.
+    mesh = make_mesh(scene, comm);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::set_reach()
+  {
+    // Surfaces may come closer from both sides; sound guesses save a second solution.
+    const double guess = 3 * expected_motion(scene, mesh->extent());
+    reach.assign(scene.pairs.size(), elasticity->has_free_motions() ? mesh->size() / 10 : guess);
   }
 
 
@@ -158,16 +204,17 @@ namespace Signorini
   void
   Simulation<dim>::report_set_up()
   {
-    std::vector<unsigned long> cells(mesh->n_bodies());
-    for (const auto &cell : mesh->triangulation().active_cell_iterators())
-      if (cell->is_locally_owned())
-        ++cells[cell->material_id()];
-    Utilities::MPI::sum(cells, comm, cells);
-    out << "\nMesh " << results["cycles"].size() << ": " << elasticity->dof_handler().n_dofs()
-        << " degrees of freedom";
-    for (unsigned int body = 0; body < cells.size(); ++body)
-      out << (body == 0 ? "; cells: " : ", ") << mesh->body_name(body) << " " << cells[body];
-    out << std::endl;
+    const unsigned int cycle = results["cycles"].size();
+    out << "\nMesh " << cycle << ": " << elasticity->dof_handler().n_dofs()
+        << " degrees of freedom, " << mesh->triangulation().n_global_active_cells() << " cells"
+        << std::endl;
+    if (cycle > 0)
+      return;
+    const Json         report = Signorini::preflight(scene, *elasticity, surfaces, *contact);
+    std::ostringstream text;
+    print_preflight(report, text);
+    out << text.str() << std::flush;
+    results["preflight"] = report;
   }
 
 
@@ -184,27 +231,28 @@ namespace Signorini
     {
       TimerOutput::Scope scope(timer, "search");
       surfaces.clear();
-      for (const ContactPair<dim> &pair : scene.pairs)
-        surfaces.push_back(
-          make_contact_surface(*elasticity, pair, scene.obstacle_of(pair), method, integration));
+      for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+        surfaces.push_back(make_contact_surface(*elasticity,
+                                                scene.pairs[i],
+                                                scene.obstacle_of(scene.pairs[i]),
+                                                method,
+                                                integration,
+                                                reach[i]));
     }
     TimerOutput::Scope scope(timer, "contact");
     contact = make_gap_operator(*elasticity, surfaces, method);
     for (unsigned int i = 0; i < surfaces.size(); ++i)
       {
-        const auto faces  = Utilities::MPI::sum(surfaces[i].faces, comm);
-        const auto paired = Utilities::MPI::sum(surfaces[i].points.size(), comm);
-        out << "  pair " << scene.pairs[i].name << ": " << scene.pairs[i].slave << " (" << faces
-            << " faces) on " << scene.pairs[i].master << ", " << paired << " points on "
-            << std::lround(100 * covered_share(surfaces[i], comm)) << " % of its area" << std::endl;
-        if (paired == 0)
+        const ContactPair<dim> &pair   = scene.pairs[i];
+        const auto              paired = Utilities::MPI::sum(surfaces[i].points.size(), comm);
+        if (paired == 0 && !surfaces[i].is_apart)
           throw SceneError(
-            scene.pairs[i].master_place + ": no point of '" + scene.pairs[i].slave +
+            pair.master_place + ": no point of '" + pair.slave +
             "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
       }
     // What a former mesh knew of the pressure.
     LA::Vector start = contact->zero();
-    if (pressure.size() == elasticity->dof_handler().n_dofs())
+    if (pressure.size() == elasticity->owned().size())
       contact->gather(pressure, start);
     pressure = start;
     mesh_clock.stop();
@@ -216,14 +264,65 @@ namespace Signorini
   bool
   Simulation<dim>::solve(const double t, const double tolerance)
   {
+    do
+      solve_with_candidates(t, tolerance);
+    while (report.converged && widen_reach());
+    return report.converged;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::widen_reach()
+  {
+    bool too_short = false;
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      {
+        const ContactPair<dim> &pair = scene.pairs[i];
+        const double            approach =
+          largest_approach(*elasticity, pair, scene.obstacle_of(pair), displacement);
+        if (approach <= surfaces[i].reach)
+          continue;
+        out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
+            << ", farther than " << surfaces[i].reach;
+        if (pair.search_distance > 0)
+          out << ", its Search distance: contact beyond was not looked for" << std::endl;
+        else
+          {
+            out << ": searching again" << std::endl;
+            reach[i]  = 2 * approach;
+            too_short = true;
+          }
+      }
+    if (too_short)
+      {
+        pressure = nodal_pressure();
+        build_contact();
+      }
+    return too_short;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::solve_with_candidates(const double t, const double tolerance)
+  {
     mesh_clock.start();
     elasticity->set_time(t);
     if (!newton)
       {
-        {
-          TimerOutput::Scope scope(timer, "assembly");
-          elasticity->assemble();
-        }
+        if (!assembled)
+          {
+            TimerOutput::Scope scope(timer, "assembly");
+            elasticity->assemble();
+            assembled = true;
+          }
+        FreeMotions free_motions;
+        if (elasticity->has_free_motions())
+          free_motions =
+            FreeMotions(elasticity->free_motions(), elasticity->stabilising_springs(), *contact);
         NewtonSettings settings = scene.newton;
         settings.tolerance      = tolerance;
         newton                  = std::make_unique<Newton>(settings,
@@ -234,7 +333,8 @@ namespace Signorini
                                           *contact,
                                           elasticity->rigid_body_modes(),
                                           dim,
-                                          timer);
+                                          timer,
+                                          free_motions);
       }
     LA::Vector f;
     {
@@ -242,20 +342,34 @@ namespace Signorini
       f = elasticity->load();
     }
     elasticity->distribute(displacement);
-    obstacle_motion.clear();
-    for (const ContactPair<dim> &pair : scene.pairs)
-      {
-        obstacle_motion.emplace_back(dim, 0.);
-        if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair))
-          for (unsigned int d = 0; d < dim; ++d)
-            obstacle_motion.back()[d] = obstacle->motion(t)[d];
-      }
-    contact->set_obstacle_motion(obstacle_motion);
-
+    set_interference(t);
     report = newton->solve(f, displacement, pressure, out);
     elasticity->distribute(displacement);
     mesh_clock.stop();
-    return report.converged;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::set_interference(const double t)
+  {
+    std::vector<double> shares;
+    for (const ContactPair<dim> &pair : scene.pairs)
+      shares.push_back(pair.interference.value({}, t));
+    contact->set_interference(shares);
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  Simulation<dim>::nodal_pressure() const
+  {
+    LA::Vector nodal = elasticity->zero_vector();
+    contact->scatter(pressure, nodal);
+    elasticity->hanging_nodes().distribute(nodal);
+    return nodal;
   }
 
 
@@ -265,10 +379,9 @@ namespace Signorini
   Simulation<dim>::refine_mesh()
   {
     TimerOutput::Scope scope(timer, "estimate");
-    LA::Vector         nodal = elasticity->zero_vector();
-    contact->scatter(pressure, nodal);
-    elasticity->hanging_nodes().distribute(nodal);
+    LA::Vector         nodal = nodal_pressure();
     newton.reset();
+    assembled = false;
     const double estimate =
       refine(scene.refinement, *mesh, *elasticity, displacement, {&displacement, &nodal});
     pressure = nodal;
@@ -282,15 +395,59 @@ namespace Signorini
   void
   Simulation<dim>::run_load_history()
   {
-    for (unsigned int step = 1; step <= scene.load_steps.number; ++step)
+    const std::vector<double> ends = scene.load_steps.ends();
+    double                    t = 0, longest = std::numeric_limits<double>::max();
+    unsigned int              number = 0;
+    for (const double end : ends)
       {
-        const double t = scene.load_steps.end_time * step / scene.load_steps.number;
-        if (scene.load_steps.number > 1)
-          out << "  load step " << step << ", t = " << t << std::endl;
-        if (!solve(t, scene.newton.tolerance))
-          return;
-        record_step(step, t);
+        const double smallest = (end - t) / std::pow(2, scene.load_steps.cut_backs);
+        while (t < end)
+          {
+            const double next = end - t <= 1.001 * longest ? end : t + longest;
+            if (ends.size() > 1 || next < end)
+              out << "  load step " << number + 1 << ", t = " << next << std::endl;
+            if (attempt(next))
+              {
+                record_step(++number, next);
+                longest = 2 * (next - t);
+                t       = next;
+              }
+            else
+              {
+                longest = (next - t) / 2;
+                if (longest < 0.999 * smallest)
+                  return;
+                out << "  not solved (" << report.reason << "): half the load step" << std::endl;
+              }
+          }
       }
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::attempt(const double t)
+  {
+    const LA::Vector u = displacement, p = pressure;
+    const LA::Vector active = newton ? newton->active() : contact->zero();
+    try
+      {
+        if (solve(t, scene.newton.tolerance))
+          return true;
+      }
+    catch (const SolverFailure &failure)
+      {
+        report.converged = false;
+        report.reason    = failure.what();
+      }
+    displacement = u;
+    if (p.size() == pressure.size() && active.size() == newton->active().size())
+      {
+        pressure = p;
+        newton->set_active(active);
+      }
+    return false;
   }
 
 
@@ -309,7 +466,6 @@ namespace Signorini
                             gap,
                             pressure,
                             newton->active(),
-                            obstacle_motion,
                             t,
                             step};
 
@@ -334,6 +490,8 @@ namespace Signorini
                 {"multigrid_cycles", newton->multigrid_cycles()},
                 {"pairs", pair_results(now)}};
 
+    if (!report.undetermined.empty())
+      one["undetermined_motions"] = report.undetermined;
     std::vector<bool> rigid;
     for (const ContactPair<dim> &pair : scene.pairs)
       rigid.push_back(scene.obstacle_of(pair) != nullptr);
@@ -388,6 +546,10 @@ namespace Signorini
     results["dofs"]      = elasticity->dof_handler().n_dofs();
     results["multiplier_dofs"] =
       scene.contact.chosen().has_multipliers() ? contact->weight.size() : 0;
+    results["left_out"] = Json::array();
+    for (unsigned int i = 0; i < surfaces.size(); ++i)
+      if (surfaces[i].is_apart)
+        results["left_out"].push_back("pair " + scene.pairs[i].name + ": its surfaces stay apart");
     unsigned int faces = 0, candidates = 0;
     for (const ContactSurface<dim> &surface : surfaces)
       {

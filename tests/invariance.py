@@ -5,6 +5,8 @@
     invariance.py units SCENE     lengths times --length, stresses times --stress: same steps, iterations, active points,
                                   and scaled forces
     invariance.py swap SCENE      slave and master of the pair exchanged: opposite force
+    invariance.py springs SCENE   stabilisation of bodies that contact alone holds, over six decades: same active points
+                                  and forces
 """
 
 import argparse
@@ -17,11 +19,14 @@ from run_scene import Runner, add_arguments
 
 # What is a length in a scene file: numbers, or formulas that may contain the coordinates, or else positions where only
 # the sign of a formula counts. All other keys are angles, ratios, counts or words.
-LENGTHS = {"Corners", "Inner radius", "Outer radius", "Radius", "Height", "Center", "Point", "Apex", "Search distance"}
-LENGTH_FORMULAS = {"Displacement", "Gap", "Initial gap"}
+LENGTHS = {"Corners", "Inner radius", "Outer radius", "Radius", "Height", "Center", "Point", "Apex", "Search distance",
+           "Edge radius", "Reference point"}
+LENGTH_FORMULAS = {"Displacement", "Normal displacement", "Gap", "Initial gap"}
 POSITION_FORMULAS = {"Where"}
 STRESSES = {"Young's modulus"}
 STRESS_FORMULAS = {"Pressure", "Traction"}
+FORCE_FORMULAS = {"Force"}
+MOMENT_FORMULAS = {"Moment"}
 REFUSED = {"File", "Transformation", "Body force", "Curved boundaries"}
 
 
@@ -31,13 +36,13 @@ def scaled_numbers(text, factor):
 
 def scaled_formula(text, length, factor):
     """Of the coordinates, which have grown; each component times the factor."""
-    if text in ("from geometry", "closed", ""):
+    if text in ("from geometry", "closed", "", "0"):
         return text
     text = re.sub(r"\b[xyz]\b", lambda name: f"({name[0]}/{length!r})", text)
     return "; ".join(part if part == "free" else f"({part})*{factor!r}" for part in re.split(r"\s*;\s*", text))
 
 
-def scaled(key, value, length, stress):
+def scaled(key, value, length, stress, dim):
     if key in REFUSED and value:
         sys.exit(f"'{key}' cannot be scaled")
     if key in LENGTHS:
@@ -50,17 +55,21 @@ def scaled(key, value, length, stress):
         return scaled_formula(value, length, 1)
     if key in STRESS_FORMULAS:
         return scaled_formula(value, length, stress)
+    if key in FORCE_FORMULAS:
+        return scaled_formula(value, length, stress * length ** (dim - 1))
+    if key in MOMENT_FORMULAS:
+        return scaled_formula(value, length, stress * length ** dim)
     return value
 
 
-def scaled_scene(scene, name, length, stress):
+def scaled_scene(scene, name, length, stress, dim):
     """Writes a copy of a resolved scene, without what is expected of it, in other units."""
     with open(scene) as file, open(name, "w") as copy:
         for line in file:
             if line.startswith("subsection Expected results"):
                 break
             match = re.match(r"(\s*set (.+?) =)(.*)", line)
-            copy.write(f"{match[1]} {scaled(match[2], match[3].strip(), length, stress)}\n" if match else line)
+            copy.write(f"{match[1]} {scaled(match[2], match[3].strip(), length, stress, dim)}\n" if match else line)
 
 
 def answers(results):
@@ -98,9 +107,9 @@ def ranks(runner, compare, _):
 def units(runner, compare, arguments):
     first = runner.results()
     name = os.path.join(arguments.directory, "scaled.prm")
-    scaled_scene(os.path.join(first["output_directory"], "scene.prm"), name, arguments.length, arguments.stress)
-    second = runner.results(scene=name)
     dim = first["dimension"]
+    scaled_scene(os.path.join(first["output_directory"], "scene.prm"), name, arguments.length, arguments.stress, dim)
+    second = runner.results(scene=name)
     compare.row("scaled", answers(second), answers(first), arguments.stress * arguments.length ** (dim - 1))
     for key in ("newton_iterations", "krylov_iterations"):
         counts = [[step[key] for step in results["load_steps"]] for results in (first, second)]
@@ -120,9 +129,15 @@ def swap(runner, compare, arguments):
     compare.row("swapped", answers(second), answers(first), -1.0, same_points=False)
 
 
+def springs(runner, compare, _):
+    first = answers(runner.results())
+    for exponent in range(-4, 3):
+        compare.row(f"stabilisation 1e{exponent}", answers(runner.results([f"Newton/Stabilisation=1e{exponent}"])), first)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    checks = {"ranks": ranks, "units": units, "swap": swap}
+    checks = {"ranks": ranks, "units": units, "swap": swap, "springs": springs}
     parser.add_argument("check", choices=checks)
     add_arguments(parser)
     parser.add_argument("--tolerance", type=float, default=1e-8, help="of the forces, relative to the largest")

@@ -40,15 +40,33 @@ namespace Signorini
     void
     set_up();
     void
+    find_contact_pairs();
+    void
+    set_reach();
+    void
     report_set_up();
     void
     build_contact();
     bool
     solve(double t, double tolerance);
     void
+    solve_with_candidates(double t, double tolerance);
+    /// Returns true if surfaces have moved so far that others than the candidates may touch; then
+    /// these are candidates now.
+    bool
+    widen_reach();
+    void
+    set_interference(double t);
+    /// As a field, to be carried over to other candidates or another mesh.
+    LA::Vector
+    nodal_pressure() const;
+    void
     refine_mesh();
     void
     run_load_history();
+    /// A step of the history. If it fails, the state before it is restored.
+    bool
+    attempt(double t);
     void
     record_step(unsigned int step, double t);
     void
@@ -56,7 +74,7 @@ namespace Signorini
     ExitCode
     finish();
 
-    const Scene<dim>           scene;
+    Scene<dim>                 scene;
     const MPI_Comm             comm;
     dealii::ConditionalOStream out;
     dealii::TimerOutput        timer;
@@ -67,9 +85,10 @@ namespace Signorini
     std::vector<ContactSurface<dim>> surfaces;
     std::unique_ptr<GapOperator>     contact;
     std::unique_ptr<Newton>          newton;
+    std::vector<double>              reach; ///< of each pair: gaps of candidates
+    bool                             assembled = false;
 
-    LA::Vector                       displacement, pressure;
-    std::vector<std::vector<double>> obstacle_motion; ///< of each pair
+    LA::Vector displacement, pressure;
 
     std::unique_ptr<Writer<dim>> writer;
     NewtonReport                 report;

@@ -1,4 +1,6 @@
 #include <signorini/accuracy/known_solution.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/stress.h>
 #include <signorini/output/point_values.h>
 #include <signorini/parameters/section.h>
 
@@ -78,16 +80,6 @@ namespace Signorini
       return result;
     }
 
-    /// sigma : eps of a displacement gradient.
-    template <int dim>
-    double
-    energy_density(const Material &material, const Tensor<2, dim> &gradient)
-    {
-      const SymmetricTensor<2, dim> strain = symmetrize(gradient);
-      return material.lambda() * trace(strain) * trace(strain) +
-             2 * material.mu() * (strain * strain);
-    }
-
     template <int dim>
     void
     add_displacement_errors(const Snapshot<dim>         &s,
@@ -117,10 +109,13 @@ namespace Signorini
                 const Point<dim>    &x      = values.quadrature_point(q);
                 const Tensor<1, dim> wanted = exact.value(x, s.time);
                 const Tensor<2, dim> grad   = gradient(exact, x, s.time, cell->diameter());
-                l2.add(values.JxW(q), (u[q] - wanted).norm_square(), wanted.norm_square());
-                energy.add(values.JxW(q),
-                           energy_density(material, grad_u[q] - grad),
-                           energy_density(material, grad));
+                const double         weight = values.JxW(q) * measure(elasticity.model(), x);
+                const auto density = [&](const Tensor<2, dim> &gradient, const Tensor<1, dim> &v) {
+                  const auto eps = strain(elasticity.model(), material, gradient, v, x);
+                  return stress(material, eps) * eps;
+                };
+                l2.add(weight, (u[q] - wanted).norm_square(), wanted.norm_square());
+                energy.add(weight, density(grad_u[q] - grad, u[q] - wanted), density(grad, wanted));
               }
           }
       errors.displacement = l2.relative(elasticity.mesh().communicator());

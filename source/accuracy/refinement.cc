@@ -87,10 +87,14 @@ namespace Signorini
         settings.coarsen_fraction,
         settings.maximum_cells);
 
-    std::vector<LA::Vector>         ghosted;
-    std::vector<const LA::Vector *> in;
+    std::vector<LA::Vector>          ghosted;
+    std::vector<std::vector<double>> rigid;
+    std::vector<const LA::Vector *>  in;
     for (const LA::Vector *v : vectors)
-      ghosted.push_back(elasticity.with_ghosts(*v));
+      {
+        ghosted.push_back(elasticity.with_ghosts(*v));
+        rigid.push_back(elasticity.rigid_motion(*v));
+      }
     for (const LA::Vector &v : ghosted)
       in.push_back(&v);
     parallel::distributed::SolutionTransfer<dim, LA::Vector> transfer(elasticity.dof_handler());
@@ -99,10 +103,17 @@ namespace Signorini
     triangulation.execute_coarsening_and_refinement();
 
     elasticity.setup();
-    std::vector<LA::Vector *> out = vectors;
-    for (LA::Vector *v : out)
-      *v = elasticity.zero_vector();
+    std::vector<LA::Vector>   parts(vectors.size(), elasticity.zero_mesh_vector());
+    std::vector<LA::Vector *> out;
+    for (LA::Vector &part : parts)
+      out.push_back(&part);
     transfer.interpolate(out);
+    for (unsigned int i = 0; i < vectors.size(); ++i)
+      {
+        *vectors[i] = elasticity.zero_vector();
+        elasticity.set_mesh_part(parts[i], *vectors[i]);
+        elasticity.set_rigid_motion(rigid[i], *vectors[i]);
+      }
     return std::sqrt(Utilities::MPI::sum(error.norm_sqr(), mesh.communicator()));
   }
 

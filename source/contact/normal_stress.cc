@@ -78,6 +78,27 @@ namespace Signorini
 
 
   template <int dim>
+  Point<dim>
+  NormalStress<dim>::position(const Point<dim> &unit_point) const
+  {
+    std::array<LagrangeBasis, dim> basis;
+    for (unsigned int d = 0; d < dim; ++d)
+      basis[d] = lagrange(geometry_degree, unit_point[d]);
+    Point<dim> x;
+    auto       node = nodes.begin();
+    for (const auto &place : lattice)
+      {
+        double value = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+          value *= basis[d][place[d]][0];
+        x += value * *node++;
+      }
+    return x;
+  }
+
+
+
+  template <int dim>
   std::vector<double>
   NormalStress<dim>::coefficients(const Point<dim>     &unit_point,
                                   const Tensor<1, dim> &n,
@@ -86,14 +107,19 @@ namespace Signorini
     const Material      &material = elasticity.material(cell->material_id());
     const auto          &fe       = elasticity.finite_element();
     const Tensor<2, dim> to_real  = transpose(invert(jacobian(unit_point)));
+    const double         lambda   = in_plane_lambda(elasticity.model(), material);
+    const double         r        = position(unit_point)[0];
     std::vector<double>  result(indices.size());
     for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
       {
-        // u = N e_d: n . sigma m = lambda N_,d n.m + mu (n_d grad N . m + m_d grad N . n)
-        const Tensor<1, dim> gradient = to_real * fe.base_element(0).shape_grad(i, unit_point);
+        // u = N e_d: n . sigma m = lambda div u n.m + mu (n_d grad N . m + m_d grad N . n)
+        const Tensor<1, dim> gradient   = to_real * fe.base_element(0).shape_grad(i, unit_point);
+        Tensor<1, dim>       divergence = gradient; // of N e_d
+        if (elasticity.model() == Model::axisymmetric)
+          divergence[0] += r > 0 ? fe.base_element(0).shape_value(i, unit_point) / r : gradient[0];
         for (unsigned int d = 0; d < dim; ++d)
           result[fe.component_to_system_index(d, i)] =
-            material.lambda() * gradient[d] * (n * m) +
+            lambda * divergence[d] * (n * m) +
             material.mu() * (n[d] * (gradient * m) + m[d] * (gradient * n));
       }
     return result;
@@ -123,7 +149,9 @@ namespace Signorini
   NormalStress<dim>::bound(const unsigned int face) const
   {
     const unsigned int   n = indices.size();
-    StiffnessKernel<dim> kernel(elasticity.mesh().mapping(), elasticity.finite_element());
+    StiffnessKernel<dim> kernel(elasticity.mesh().mapping(),
+                                elasticity.finite_element(),
+                                elasticity.model());
     FullMatrix<double>   stiffness(n);
     kernel.assemble(cell, elasticity.material(cell->material_id()), stiffness);
     Eigen::MatrixXd K(n, n);
@@ -139,7 +167,8 @@ namespace Signorini
         const Tensor<1, dim>      normal = patch.normal(rule.point(q));
         const std::vector<double> row =
           coefficients(unit_point<dim>(face, rule.point(q)), normal, normal);
-        const double root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)));
+        const double root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
+                                      measure(elasticity.model(), patch.position(rule.point(q))));
         for (unsigned int i = 0; i < n; ++i)
           stress(q, i) = root * row[i];
       }

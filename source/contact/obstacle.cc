@@ -19,25 +19,9 @@ namespace Signorini
                                     {"sphere", make_sphere<dim>},
                                     {"cylinder", make_cylinder<dim>},
                                     {"paraboloid", make_paraboloid<dim>},
+                                    {"punch", make_punch<dim>},
+                                    {"cone", make_cone<dim>},
                                     {"gap function", make_gap_function<dim>}};
-  } // namespace
-
-
-
-  namespace
-  {
-    template <int dim>
-    bool
-    depends_on_place(const VectorExpression<dim> &motion)
-    {
-      Point<dim> elsewhere;
-      for (unsigned int d = 0; d < dim; ++d)
-        elsewhere[d] = 1.37 + d;
-      for (const double t : {0.31, 1., 2.7})
-        if ((motion.value(elsewhere, t) - motion.value(Point<dim>(), t)).norm() > 0)
-          return true;
-      return false;
-    }
   } // namespace
 
 
@@ -55,22 +39,8 @@ namespace Signorini
         if (name == type)
           shape = make();
     shape->declare(section);
-    section.add(
-      "Displacement",
-      displacement,
-      "motion of the obstacle, one formula in t a component, separated by ';'; empty: at rest [length]");
-    if (section.reading() && depends_on_place(displacement))
-      section.fail("Displacement",
-                   "depends on the place, but an obstacle is rigid; write it in t alone");
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  Obstacle<dim>::motion(const double t) const
-  {
-    return displacement.value(Point<dim>(), t);
+    body.name = name;
+    body.declare(section);
   }
 
 

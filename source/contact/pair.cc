@@ -14,18 +14,22 @@ namespace Signorini
     section.add("Initial gap",
                 initial_gap,
                 "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z [length]");
+    section.add("Interference",
+                interference,
+                "share of initial overlaps that counts, formula in t: 1: at once; t: ramped");
     section.add(
       "Search distance",
       search_distance,
-      "points that are farther apart at the start never touch; 0: a tenth of the size of the scene [length]",
+      "points that are farther apart at the start never touch; 0: chosen from the motion that is expected, "
+      "and widened where bodies move farther [length]",
       non_negative);
     if (!section.reading())
       return;
     slave_place  = section.place_of("Slave");
     master_place = section.place_of("Master");
-    if (slave.empty())
+    if (slave.empty() && name != "auto")
       section.fail("Slave", "is needed");
-    if (master.empty())
+    if (master.empty() && name != "auto")
       section.fail("Master", "is needed");
     if (initial_gap != "from geometry" && initial_gap != "closed")
       try

@@ -1,5 +1,9 @@
+#include <signorini/contact/boundary_faces.h>
+#include <signorini/contact/lagrange.h>
 #include <signorini/contact/method.h>
 #include <signorini/contact/normal_stress.h>
+#include <signorini/contact/pressure_functions.h>
+#include <signorini/contact/reach.h>
 #include <signorini/contact/surface.h>
 #include <signorini/parameters/section.h>
 
@@ -16,62 +20,14 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    using Cell = typename DoFHandler<dim>::active_cell_iterator;
-
-    template <int dim>
-    double
-    depth(const Cell<dim> &cell, const unsigned int face)
-    {
-      return cell->measure() / cell->face(face)->measure();
-    }
-
-    /// E/h of a cell behind a face, h being the depth of the cell.
-    template <int dim>
-    double
-    stiffness(const Elasticity<dim> &elasticity, const Cell<dim> &cell, const unsigned int face)
-    {
-      return elasticity.material(cell->material_id()).youngs_modulus / depth<dim>(cell, face);
-    }
-
-    template <int dim>
-    using Faces = std::vector<std::pair<Cell<dim>, unsigned int>>;
-
-    template <int dim>
-    Faces<dim>
-    owned_faces(const Elasticity<dim> &elasticity, const std::string &boundary)
-    {
-      Faces<dim> faces;
-      const auto id = elasticity.mesh().boundary_id(boundary);
-      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
-              faces.emplace_back(cell, f);
-      return faces;
-    }
-
-    template <int dim>
-    std::vector<FacePatch<dim>>
-    patches(const Elasticity<dim> &elasticity, const Faces<dim> &faces)
-    {
-      std::vector<FacePatch<dim>> result;
-      for (const auto &[cell, face] : faces)
-        result.emplace_back(elasticity.mesh().mapping(),
-                            elasticity.mesh().geometry_degree(),
-                            cell,
-                            face);
-      return result;
-    }
-
     /// Bounds of the normal stress on faces, see NormalStress::bound(), each found when it is first
     /// asked for. Faces of one cell share its energy.
     template <int dim>
     class StressBounds
     {
     public:
-      StressBounds(const Faces<dim> &faces)
-        : faces(faces)
+      StressBounds(const BoundaryFaces<dim> &boundary)
+        : faces(boundary.faces)
         , bounds(faces.size(), -1.)
       {}
 
@@ -97,27 +53,29 @@ namespace Signorini
         return last - first;
       }
 
-      const Faces<dim>    faces;
-      std::vector<double> bounds;
+      const std::vector<std::pair<CellIterator<dim>, unsigned int>> faces;
+      std::vector<double>                                           bounds;
     };
 
     template <int dim>
     MasterFaces<dim>
-    master_faces(const Elasticity<dim> &elasticity, const Faces<dim> &faces, const bool with_stress)
+    master_faces(const Elasticity<dim>    &elasticity,
+                 const BoundaryFaces<dim> &boundary,
+                 const bool                with_stress)
     {
       MasterFaces<dim> master;
-      master.patches = patches(elasticity, faces);
+      master.patches = boundary.patches;
       std::vector<double> stiffnesses;
-      for (const auto &[cell, face] : faces)
-        stiffnesses.push_back(stiffness<dim>(elasticity, cell, face));
-      master.complete = [faces,
+      for (unsigned int i = 0; i < boundary.faces.size(); ++i)
+        stiffnesses.push_back(boundary.stiffness(elasticity, i));
+      master.complete = [faces = boundary.faces,
                          stiffnesses,
                          with_stress,
                          trace  = Trace<dim>(elasticity),
                          stress = std::make_shared<NormalStress<dim>>(elasticity),
-                         bound  = StressBounds<dim>(faces)](const unsigned int    i,
-                                                           const Point<dim - 1> &xi,
-                                                           Partner<dim>         &partner) mutable {
+                         bound  = StressBounds<dim>(boundary)](const unsigned int    i,
+                                                              const Point<dim - 1> &xi,
+                                                              Partner<dim> &partner) mutable {
         const auto &[cell, face]    = faces[i];
         const Point<dim>      place = unit_point<dim>(face, xi);
         const Tensor<1, dim> &n     = partner.normal;
@@ -142,14 +100,47 @@ namespace Signorini
       return pair.initial_gap == "closed" ? 0. : Expression<dim>(pair.initial_gap).value(x);
     }
 
+    /// Number of the obstacle among the bodies with degrees of freedom; one more if it is at rest.
+    template <int dim>
+    unsigned int
+    rigid_body(const Elasticity<dim> &elasticity, const Obstacle<dim> &obstacle)
+    {
+      const auto &bodies = elasticity.rigid_bodies();
+      return std::find_if(bodies.begin(),
+                          bodies.end(),
+                          [&](const auto &body) { return body.name == obstacle.name; }) -
+             bodies.begin();
+    }
+
+    /// n . u of an obstacle.
+    template <int dim>
+    SparseRow
+    rigid_row(const Elasticity<dim>  &elasticity,
+              const unsigned int      body,
+              const MasterPlace<dim> &place)
+    {
+      SparseRow row;
+      if (body == elasticity.rigid_bodies().size())
+        return row;
+      const auto values = elasticity.rigid_bodies()[body].normal_displacement(place.position,
+                                                                              place.normal,
+                                                                              elasticity.lever());
+      for (unsigned int i = 0; i < values.size(); ++i)
+        if (values[i] != 0)
+          row.emplace_back(elasticity.first_dof(body) + i, values[i]);
+      return row;
+    }
+
     /// Partners on a rigid obstacle: no mesh, no search, no segments.
     template <int dim>
     std::vector<PairedPoint<dim>>
-    obstacle_points(const std::vector<FacePatch<dim>> &slave,
+    obstacle_points(const Elasticity<dim>             &elasticity,
+                    const std::vector<FacePatch<dim>> &slave,
                     const Obstacle<dim>               &obstacle,
                     const Integration                 &integration,
                     const double                       limit)
     {
+      const unsigned int            body = rigid_body(elasticity, obstacle);
       const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
       std::vector<PairedPoint<dim>> points;
       for (unsigned int i = 0; i < slave.size(); ++i)
@@ -167,6 +158,7 @@ namespace Signorini
             point.partner.distance  = std::abs(place.gap);
             point.partner.stiffness = std::numeric_limits<double>::infinity();
             point.partner.bound     = std::numeric_limits<double>::infinity();
+            point.partner.row       = rigid_row(elasticity, body, point.partner);
             points.push_back(std::move(point));
           }
       keep_near_faces(limit, points);
@@ -232,59 +224,31 @@ namespace Signorini
       point.bound = share * own_bound;
     }
 
-    /// True if the displacement of a cell's node in direction n is prescribed, or nearly so.
+    /// Of the circle that a point stands for, or 1. That of a node is the mean over its shape
+    /// function: on the axis, too, it stands for an area.
     template <int dim>
-    bool
-    is_prescribed(const Elasticity<dim>                      &elasticity,
-                  const std::vector<types::global_dof_index> &indices,
-                  const unsigned int                          node,
-                  const Tensor<1, dim>                       &n)
+    double
+    circumference(const Elasticity<dim> &elasticity,
+                  const FacePatch<dim>  &patch,
+                  const Point<dim - 1>  &xi,
+                  const Integration     &integration)
     {
-      double can_move2 = 0;
-      for (unsigned int d = 0; d < dim; ++d)
+      const Model model = elasticity.model();
+      if (model != Model::axisymmetric || integration.rule != "nodes")
+        return measure(model, patch.position(xi));
+      const unsigned int    k    = elasticity.degree();
+      const unsigned int    node = std::lround(xi[0] * k);
+      const QGauss<dim - 1> rule(k + 2);
+      double                sum = 0, area = 0;
+      for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const auto dof = indices[elasticity.finite_element().component_to_system_index(d, node)];
-          if (!elasticity.constraints().is_constrained(dof) ||
-              elasticity.hanging_nodes().is_constrained(dof))
-            can_move2 += n[d] * n[d];
+          const double share =
+            rule.weight(q) * lagrange(k, rule.point(q)[0])[node][0] * patch.jacobian(rule.point(q));
+          area += share;
+          sum += share * measure(model, patch.position(rule.point(q)));
         }
-      return can_move2 < 0.01;
+      return sum / area;
     }
-
-    template <int dim>
-    std::vector<FaceNode>
-    face_nodes(const Elasticity<dim> &elasticity,
-               const Cell<dim>       &cell,
-               const unsigned int     face,
-               const FacePatch<dim>  &patch)
-    {
-      const auto                          &fe = elasticity.finite_element();
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-      cell->get_dof_indices(indices);
-      std::vector<FaceNode> nodes;
-      for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-        {
-          const unsigned int first = fe.component_to_system_index(0, i);
-          if (!fe.has_support_on_face(first, face))
-            continue;
-          FaceNode         node{indices[first], {{0, 0}}, false};
-          Point<dim - 1>   xi;
-          const Point<dim> place = fe.base_element(0).unit_support_point(i);
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            node.xi[d] = xi[d] = place[(face / 2 + 1 + d) % dim]; // see unit_point()
-          node.prescribed = is_prescribed(elasticity, indices, i, patch.normal(xi));
-          nodes.push_back(node);
-        }
-      return nodes;
-    }
-
-    /// The slave side of a pair on this rank.
-    template <int dim>
-    struct Slave
-    {
-      Faces<dim>                  faces;
-      std::vector<FacePatch<dim>> patches;
-    };
 
     /// The contact points of paired points, which are sorted by faces; all but the functions of the
     /// pressure.
@@ -293,7 +257,8 @@ namespace Signorini
     contact_points(const Elasticity<dim>               &elasticity,
                    const ContactPair<dim>              &pair,
                    const ContactMethod                 &method,
-                   const Slave<dim>                    &slave,
+                   const BoundaryFaces<dim>            &slave,
+                   const Integration                   &integration,
                    const std::vector<PairedPoint<dim>> &paired_points)
     {
       std::vector<ContactPoint<dim>> result;
@@ -301,7 +266,7 @@ namespace Signorini
       double            face_depth = 0, face_stiffness = 0;
       Trace<dim>        trace(elasticity);
       NormalStress<dim> stress(elasticity);
-      StressBounds<dim> bound(slave.faces);
+      StressBounds<dim> bound(slave);
       const bool        with_stress = method.predictor() == Predictor::normal_stress;
       for (const PairedPoint<dim> &paired : paired_points)
         {
@@ -312,11 +277,12 @@ namespace Signorini
           if (is_new)
             {
               trace.reinit(cell, face);
-              face_stiffness = stiffness<dim>(elasticity, cell, face);
-              face_depth     = depth<dim>(cell, face);
+              face_stiffness = slave.stiffness(elasticity, paired.face);
+              face_depth     = slave.depth(paired.face);
             }
           result.push_back(contact_point(pair, patch, paired, place, face_stiffness, trace));
           result.back().depth = face_depth;
+          result.back().weight *= circumference(elasticity, patch, paired.xi, integration);
           if (!with_stress)
             continue;
           if (is_new)
@@ -328,59 +294,6 @@ namespace Signorini
                      result.back());
         }
       return result;
-    }
-
-    /// Sets the functions of the pressure at the points. Returns the number of faces that can carry
-    /// none, since the displacement of all their nodes is prescribed.
-    template <int dim>
-    unsigned int
-    set_shapes(const Elasticity<dim>               &elasticity,
-               const ContactMethod                 &method,
-               const Basis                          kind,
-               const Slave<dim>                    &slave,
-               const std::vector<PairedPoint<dim>> &paired_points,
-               std::vector<ContactPoint<dim>>      &points)
-    {
-      // Otherwise a law says what the pressure is, even where nothing can move.
-      const bool must_balance = method.predictor() == Predictor::multiplier ||
-                                method.predictor() == Predictor::last_pressure;
-      Trace<dim>             trace(elasticity);
-      std::vector<SparseRow> shapes;
-      std::vector<double>    weights;
-      unsigned int           n_prescribed = 0;
-      for (unsigned int first = 0, last = 0; first < points.size(); first = last)
-        {
-          const auto &[cell, face] = slave.faces[points[first].face];
-          trace.reinit(cell, face);
-          shapes.clear();
-          weights.clear();
-          for (; last < points.size() && points[last].face == points[first].face; ++last)
-            {
-              shapes.push_back(
-                trace.unresolved_shape(unit_point<dim>(face, paired_points[last].xi)));
-              weights.push_back(points[last].weight);
-            }
-          auto       nodes = face_nodes(elasticity, cell, face, slave.patches[points[first].face]);
-          const bool all_prescribed = std::all_of(nodes.begin(), nodes.end(), [](const auto &node) {
-            return node.prescribed;
-          });
-          if (all_prescribed && !must_balance)
-            for (FaceNode &node : nodes)
-              node.prescribed = false;
-          const PressureBasis basis(nodes, shapes, weights, kind);
-          const PressureBasis standard(nodes, shapes, weights, Basis::standard);
-          n_prescribed += basis.empty();
-          for (unsigned int q = first; q < last; ++q)
-            {
-              points[q].shape = basis.at(shapes[q - first]);
-              resolve(elasticity.hanging_nodes(), points[q].shape);
-              if (kind == Basis::standard)
-                continue;
-              points[q].interpolation = standard.at(shapes[q - first]);
-              resolve(elasticity.hanging_nodes(), points[q].interpolation);
-            }
-        }
-      return n_prescribed;
     }
 
     template <int dim>
@@ -408,7 +321,7 @@ namespace Signorini
 
     template <int dim>
     std::vector<std::pair<SparseRow, double>>
-    whole_faces(const Elasticity<dim> &elasticity, const Slave<dim> &slave)
+    whole_faces(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave)
     {
       std::vector<std::pair<SparseRow, double>> result;
       Trace<dim>                                trace(elasticity);
@@ -418,9 +331,52 @@ namespace Signorini
           trace.reinit(slave.faces[i].first, slave.faces[i].second);
           for (unsigned int q = 0; q < rule.size(); ++q)
             result.emplace_back(trace.shape(unit_point<dim>(slave.faces[i].second, rule.point(q))),
-                                rule.weight(q) * slave.patches[i].jacobian(rule.point(q)));
+                                rule.weight(q) * slave.patches[i].jacobian(rule.point(q)) *
+                                  measure(elasticity.model(),
+                                          slave.patches[i].position(rule.point(q))));
         }
       return result;
+    }
+
+    /// Of normals from opposite [degrees].
+    template <int dim>
+    double
+    largest_angle(const BoundaryFaces<dim>            &slave,
+                  const std::vector<PairedPoint<dim>> &paired,
+                  const MPI_Comm                       comm)
+    {
+      double smallest = 1;
+      for (const PairedPoint<dim> &point : paired)
+        smallest =
+          std::min(smallest, -(slave.patches[point.face].normal(point.xi) * point.partner.normal));
+      return std::acos(Utilities::MPI::min(smallest, comm)) * 180 / numbers::PI;
+    }
+
+    template <int dim>
+    double
+    deepest_overlap(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm)
+    {
+      double deepest = 0;
+      for (const ContactPoint<dim> &point : points)
+        deepest = std::max(deepest, -point.gap);
+      return Utilities::MPI::max(deepest, comm);
+    }
+
+    /// Faces that are farther away than the reach are no candidates; overlapping ones always are.
+    template <int dim>
+    void
+    keep_candidates(const double                    reach,
+                    const BoundaryFaces<dim>       &slave,
+                    std::vector<PairedPoint<dim>>  &paired,
+                    std::vector<ContactPoint<dim>> &points)
+    {
+      std::vector<bool> is_near(slave.faces.size(), false);
+      for (const ContactPoint<dim> &point : points)
+        if (point.gap <= reach)
+          is_near[point.face] = true;
+      const auto is_far = [&](const auto &point) { return !is_near[point.face]; };
+      paired.erase(std::remove_if(paired.begin(), paired.end(), is_far), paired.end());
+      points.erase(std::remove_if(points.begin(), points.end(), is_far), points.end());
     }
 
     /// With the pair's slave and master as they are.
@@ -430,31 +386,42 @@ namespace Signorini
               const ContactPair<dim> &pair,
               const Obstacle<dim>    *obstacle,
               const ContactMethod    &method,
-              const Integration      &integration)
+              const Integration      &integration,
+              const double            reach)
     {
-      const MPI_Comm      comm = elasticity.mesh().communicator();
-      ContactSurface<dim> surface;
-      Slave<dim>          slave;
-      slave.faces   = owned_faces(elasticity, pair.slave);
-      slave.patches = patches(elasticity, slave.faces);
+      const MPI_Comm           comm  = elasticity.mesh().communicator();
+      const double             limit = search_limit(elasticity, pair, reach);
+      const BoundaryFaces<dim> slave(elasticity, pair.slave);
+      ContactSurface<dim>      surface;
       surface.faces = slave.faces.size();
-      const double limit =
-        pair.search_distance > 0 ? pair.search_distance : elasticity.mesh().size() / 10;
+      surface.reach = pair.search_distance > 0 ? limit : reach;
+      // Not the reach: boxes of overlapping bodies may be as far apart as the overlap is deep.
+      if (is_apart(elasticity, pair, obstacle, slave, limit))
+        {
+          surface.is_apart = true;
+          return surface;
+        }
       auto paired = obstacle ?
-                      obstacle_points(slave.patches, *obstacle, integration, limit) :
+                      obstacle_points(elasticity, slave.patches, *obstacle, integration, limit) :
                       pair_points(slave.patches,
                                   master_faces(elasticity,
-                                               owned_faces(elasticity, pair.master),
+                                               BoundaryFaces<dim>(elasticity, pair.master),
                                                method.predictor() == Predictor::normal_stress),
                                   integration,
                                   limit,
                                   comm,
                                   surface.statistics);
       drop_empty_points(slave.patches, paired);
-      surface.points = contact_points(elasticity, pair, method, slave, paired);
+      surface.points = contact_points(elasticity, pair, method, slave, integration, paired);
       check_gaps(pair, surface.points, comm);
-      const auto n_prescribed =
-        set_shapes(elasticity, method, integration.basis, slave, paired, surface.points);
+      const unsigned int n_paired = Utilities::MPI::sum(paired.size(), comm);
+      surface.largest_angle = largest_angle(slave, paired, comm);
+      surface.reach         = std::max(surface.reach, 2 * deepest_overlap(surface.points, comm));
+      if (surface.reach < limit)
+        keep_candidates(surface.reach, slave, paired, surface.points);
+      surface.is_apart = n_paired > 0 && Utilities::MPI::sum(surface.points.size(), comm) == 0;
+      const auto n_prescribed = set_pressure_functions(
+        elasticity, method, integration.basis, slave, paired, surface.points);
       const bool some_prescribed = Utilities::MPI::max(n_prescribed, comm) > 0,
                  some_free = Utilities::MPI::max(has_shapes(surface.points) ? 1 : 0, comm) > 0;
       if (some_prescribed && (!obstacle || !some_free))
@@ -483,6 +450,7 @@ namespace Signorini
       for (auto &entry : surface.whole)
         entry.second /= 2;
       surface.faces += other.faces;
+      surface.is_apart = surface.is_apart && other.is_apart;
     }
   } // namespace
 
@@ -497,7 +465,8 @@ namespace Signorini
       covered += point.weight;
     for (const auto &[shape, weight] : surface.whole)
       whole += weight;
-    return Utilities::MPI::sum(covered, comm) / Utilities::MPI::sum(whole, comm);
+    whole = Utilities::MPI::sum(whole, comm);
+    return whole > 0 ? Utilities::MPI::sum(covered, comm) / whole : 0.;
   }
 
 
@@ -508,14 +477,16 @@ namespace Signorini
                        const ContactPair<dim> &pair,
                        const Obstacle<dim>    *obstacle,
                        const ContactMethod    &method,
-                       const Integration      &integration)
+                       const Integration      &integration,
+                       const double            reach)
   {
-    ContactSurface<dim> surface = one_sided(elasticity, pair, obstacle, method, integration);
+    ContactSurface<dim> surface = one_sided(elasticity, pair, obstacle, method, integration, reach);
     if (method.unbiased() && !obstacle)
       {
         ContactPair<dim> other = pair;
         std::swap(other.slave, other.master);
-        add_other_side(surface, one_sided<dim>(elasticity, other, nullptr, method, integration));
+        add_other_side(surface,
+                       one_sided<dim>(elasticity, other, nullptr, method, integration, reach));
       }
     return surface;
   }
@@ -531,11 +502,13 @@ namespace Signorini
                        const ContactPair<2> &,
                        const Obstacle<2> *,
                        const ContactMethod &,
-                       const Integration &);
+                       const Integration &,
+                       double);
   template ContactSurface<3>
   make_contact_surface(const Elasticity<3> &,
                        const ContactPair<3> &,
                        const Obstacle<3> *,
                        const ContactMethod &,
-                       const Integration &);
+                       const Integration &,
+                       double);
 } // namespace Signorini

@@ -26,23 +26,18 @@ namespace Signorini
   void
   resolve(const AffineConstraints<double> &hanging, SparseRow &row)
   {
-    if (std::none_of(row.begin(), row.end(), [&](const auto &entry) {
-          return hanging.is_constrained(entry.first);
-        }))
+    const auto hangs = [&](const auto &entry) { return hanging.is_constrained(entry.first); };
+    if (std::none_of(row.begin(), row.end(), hangs))
       return;
     const std::size_t n = row.size();
     for (std::size_t i = 0; i < n; ++i)
       if (const auto *entries = hanging.get_constraint_entries(row[i].first))
         {
           const double factor = row[i].second;
-          row[i].second       = 0;
           for (const auto &[index, weight] : *entries)
             row.emplace_back(index, factor * weight);
         }
-    row.erase(std::remove_if(row.begin(),
-                             row.end(),
-                             [](const auto &entry) { return entry.second == 0; }),
-              row.end());
+    row.erase(std::remove_if(row.begin(), row.end(), hangs), row.end());
     unite(row);
   }
 
@@ -52,6 +47,7 @@ namespace Signorini
   Trace<dim>::Trace(const Elasticity<dim> &elasticity)
     : fe(elasticity.finite_element())
     , hanging(elasticity.hanging_nodes())
+    , all_components(elasticity.has_inclined_supports())
     , indices(fe.n_dofs_per_cell())
     , nodes_of(GeometryInfo<dim>::faces_per_cell)
   {
@@ -83,7 +79,7 @@ namespace Signorini
       if (const double value = fe.base_element(0).shape_value(i, unit_point);
           std::abs(value) > 1e-14)
         for (unsigned int d = 0; d < dim; ++d)
-          if (n[d] != 0)
+          if (n[d] != 0 || all_components)
             row.emplace_back(indices[fe.component_to_system_index(d, i)], value * n[d]);
     resolve(hanging, row);
     return row;

@@ -18,15 +18,35 @@ namespace Signorini
   Support<dim>::declare(Section &section)
   {
     section.add("Boundaries", boundaries, "where: BODY.BOUNDARY, several separated by commas");
+    section.add_choice(
+      "Type",
+      type,
+      {"displacement", "symmetry", "roller"},
+      "prescribed components; a plane of symmetry (plane faces, any direction); or held along one direction alone");
     section.add(
       "Displacement",
       displacement,
       "one formula in x,y,z,t a component, separated by ';'; 'free' for a component that is free [length]");
+    section.add("Normal displacement",
+                normal_displacement,
+                "of a roller, outwards or along its Direction: formula in x,y,z,t [length]");
+    section.add("Direction",
+                direction,
+                "in which a roller holds; 0: normal to the faces; any length");
+    if (!section.reading())
+      return;
     place = section.place_of("Boundaries");
-    if (section.reading() && boundaries.empty())
+    if (boundaries.empty())
       section.fail("Boundaries", "a support needs at least one boundary");
-    if (section.reading() && displacement.empty())
+    if (type == "displacement" && displacement.empty())
       section.fail("Displacement", "a support must prescribe at least one component");
+    if (type != "displacement" && displacement.given())
+      section.fail("Displacement",
+                   "belongs to Type = displacement; a roller has its Normal displacement");
+    if (type != "roller" && normal_displacement.formula() != "0")
+      section.fail("Normal displacement", "belongs to Type = roller");
+    if (type != "roller" && direction.norm() > 0)
+      section.fail("Direction", "belongs to Type = roller");
   }
 
 

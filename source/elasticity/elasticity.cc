@@ -1,5 +1,4 @@
 #include <signorini/elasticity/elasticity.h>
-#include <signorini/elasticity/expression_function.h>
 #include <signorini/elasticity/kernel.h>
 #include <signorini/parameters/raw.h>
 
@@ -8,25 +7,29 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
-#include <deal.II/numerics/vector_tools_boundary.h>
 
 #include <algorithm>
-#include <map>
 
 namespace Signorini
 {
   using namespace dealii;
 
   template <int dim>
-  Elasticity<dim>::Elasticity(const Mesh<dim>                 &mesh,
-                              const std::vector<Material>     &materials,
-                              const std::vector<Support<dim>> &supports,
-                              const std::vector<Load<dim>>    &loads,
-                              const unsigned int               degree)
+  Elasticity<dim>::Elasticity(const Mesh<dim>                   &mesh,
+                              const std::vector<Material>       &materials,
+                              const std::vector<Support<dim>>   &supports,
+                              const std::vector<Load<dim>>      &loads,
+                              const unsigned int                 degree,
+                              const Model                        model,
+                              const std::vector<RigidBody<dim>> &rigid_bodies,
+                              const double                       stabilisation)
     : my_mesh(mesh)
     , materials(materials)
     , my_supports(supports)
     , loads(loads)
+    , my_model(model)
+    , my_rigid_bodies(rigid_bodies)
+    , strength(stabilisation)
     , fe(FE_Q<dim>(degree), dim)
     , dofs(mesh.triangulation())
   {}
@@ -38,14 +41,35 @@ namespace Signorini
   Elasticity<dim>::setup()
   {
     dofs.distribute_dofs(fe);
-    locally_owned = dofs.locally_owned_dofs();
-    DoFTools::extract_locally_relevant_dofs(dofs, locally_relevant);
+    my_lever = my_mesh.size() / 2;
+
+    // Indices of the mesh, and those of the rigid bodies behind them.
+    const auto         n_mesh = dofs.n_dofs(), n = n_mesh + n_rigid_dofs();
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(my_mesh.communicator()),
+                       n_ranks = Utilities::MPI::n_mpi_processes(my_mesh.communicator());
+    IndexSet relevant_of_mesh;
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant_of_mesh);
+    locally_owned = locally_relevant = IndexSet(n);
+    locally_owned.add_indices(dofs.locally_owned_dofs());
+    locally_relevant.add_indices(relevant_of_mesh);
+    locally_relevant.add_range(n_mesh, n);
+    if (rank == n_ranks - 1)
+      locally_owned.add_range(n_mesh, n);
 
     hanging.reinit(locally_relevant);
     DoFTools::make_hanging_node_constraints(dofs, hanging);
     hanging.close();
 
+    held = find_held_nodes(my_mesh, dofs, hanging, my_supports, my_model);
     make_constraints(0);
+    inclined = false;
+    for (const auto &[index, node] : held)
+      for (const auto dof : node.dofs)
+        inclined |= all_constraints.is_constrained(dof) &&
+                    !all_constraints.get_constraint_entries(dof)->empty();
+    inclined = Utilities::MPI::max(inclined ? 1 : 0, my_mesh.communicator()) == 1;
+    find_free_motions();
+    set_stabilisation();
   }
 
 
@@ -67,46 +91,30 @@ namespace Signorini
     time = t;
     all_constraints.reinit(locally_relevant);
     all_constraints.merge(hanging);
-    for (const Support<dim> &support : my_supports)
-      prescribe(support);
+    constrain(held, my_mesh, t, all_constraints);
+    for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        if (!my_rigid_bodies[body].is_free(i))
+          {
+            all_constraints.add_line(first_dof(body) + i);
+            all_constraints.set_inhomogeneity(first_dof(body) + i,
+                                              my_rigid_bodies[body].prescribed(i, t, my_lever));
+          }
     all_constraints.close();
   }
 
 
 
-  // Where supports meet, the first one counts; the others must agree with it.
+  // Of a rigid body, whose own is infinite: about that of the bodies that it touches.
   template <int dim>
-  void
-  Elasticity<dim>::prescribe(const Support<dim> &support)
+  double
+  Elasticity<dim>::rigid_stiffness() const
   {
-    const DisplacementFunction<dim> displacement(support.displacement, time);
-    ComponentMask                   mask(dim, false);
-    for (unsigned int d = 0; d < dim; ++d)
-      mask.set(d, support.displacement.prescribed(d));
-    std::map<types::global_dof_index, double> values;
-    for (const std::string &boundary : support.boundaries)
-      VectorTools::interpolate_boundary_values(
-        my_mesh.mapping(), dofs, my_mesh.boundary_id(boundary), displacement, values, mask);
-
-    const double negligible  = 1e-12 * my_mesh.size(); // collective
-    bool         contradicts = false;
-    for (const auto &[dof, value] : values)
-      if (!all_constraints.is_constrained(dof))
-        {
-          all_constraints.add_line(dof);
-          all_constraints.set_inhomogeneity(dof, value);
-        }
-      else if (!hanging.is_constrained(dof))
-        {
-          const double first = all_constraints.get_inhomogeneity(dof);
-          contradicts |= std::abs(first - value) >
-                         1e-8 * std::max(std::abs(first), std::abs(value)) + negligible;
-        }
-    if (Utilities::MPI::max(contradicts ? 1 : 0, my_mesh.communicator()) > 0)
-      throw SceneError(
-        support.place + ": the Displacement of the support '" + support.name +
-        "' contradicts that of a support before it, at nodes that they share at t = " +
-        Utilities::to_string(time) + "; leave a component free in one of them");
+    double largest = 0;
+    for (const Material &material : materials)
+      largest = std::max(largest, material.youngs_modulus);
+    const bool depends_on_size = dim == 3 || my_model == Model::axisymmetric;
+    return largest * (depends_on_size ? my_lever : 1.);
   }
 
 
@@ -115,21 +123,24 @@ namespace Signorini
   void
   Elasticity<dim>::assemble()
   {
-    TrilinosWrappers::SparsityPattern sparsity(locally_owned,
+    TrilinosWrappers::SparsityPattern    sparsity(locally_owned,
                                                locally_owned,
                                                locally_relevant,
                                                my_mesh.communicator());
-    DoFTools::make_sparsity_pattern(dofs,
-                                    sparsity,
-                                    all_constraints,
-                                    false,
-                                    Utilities::MPI::this_mpi_process(my_mesh.communicator()));
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(indices);
+          all_constraints.add_entries_local_to_global(indices, sparsity, false);
+        }
+    for (const auto i : locally_owned)
+      sparsity.add(i, i);
     sparsity.compress();
     matrix.reinit(sparsity);
 
-    StiffnessKernel<dim>                 kernel(my_mesh.mapping(), fe);
-    FullMatrix<double>                   cell_matrix(fe.n_dofs_per_cell());
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe, my_model);
+    FullMatrix<double>   cell_matrix(fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -137,6 +148,13 @@ namespace Signorini
           cell->get_dof_indices(indices);
           all_constraints.distribute_local_to_global(cell_matrix, indices, matrix);
         }
+    for (auto i = dofs.n_dofs(); i < locally_owned.size(); ++i)
+      if (locally_owned.is_element(i) && all_constraints.is_constrained(i))
+        matrix.add(i, i, rigid_stiffness());
+    if (has_free_motions())
+      for (const auto i : locally_owned)
+        if (stabilisation(i) > 0)
+          matrix.add(i, i, stabilisation(i));
     matrix.compress(VectorOperation::add);
   }
 
@@ -147,8 +165,8 @@ namespace Signorini
   Elasticity<dim>::load() const
   {
     LA::Vector           f = zero_vector();
-    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe);
-    LoadKernel<dim>      load_kernel(my_mesh, fe, loads, time);
+    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe, my_model);
+    LoadKernel<dim>      load_kernel(my_mesh, fe, my_model, loads, time);
 
     const unsigned int                   n = fe.n_dofs_per_cell();
     FullMatrix<double>                   cell_matrix(n);
@@ -170,6 +188,10 @@ namespace Signorini
           else if (loaded)
             all_constraints.distribute_local_to_global(cell_load, indices, f);
         }
+    for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        if (locally_owned.is_element(first_dof(body) + i))
+          f(first_dof(body) + i) += my_rigid_bodies[body].load(i, time, my_lever);
     f.compress(VectorOperation::add);
     all_constraints.set_zero(f);
     return f;
@@ -192,9 +214,57 @@ namespace Signorini
   LA::Vector
   Elasticity<dim>::with_ghosts(const LA::Vector &u) const
   {
-    LA::Vector ghosted(locally_owned, locally_relevant, my_mesh.communicator());
-    ghosted = u;
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    LA::Vector ghosted(dofs.locally_owned_dofs(), relevant, my_mesh.communicator());
+    if (u.size() == dofs.n_dofs())
+      ghosted = u;
+    else
+      {
+        LA::Vector part = zero_mesh_vector();
+        for (const auto i : dofs.locally_owned_dofs())
+          part(i) = u(i);
+        part.compress(VectorOperation::insert);
+        ghosted = part;
+      }
     return ghosted;
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::set_mesh_part(const LA::Vector &part, LA::Vector &u) const
+  {
+    for (const auto i : dofs.locally_owned_dofs())
+      u(i) = part(i);
+    u.compress(VectorOperation::insert);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Elasticity<dim>::rigid_motion(const LA::Vector &u) const
+  {
+    std::vector<double> values(n_rigid_dofs(), 0.);
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (locally_owned.is_element(dofs.n_dofs() + i))
+        values[i] = u(dofs.n_dofs() + i);
+    Utilities::MPI::sum(values, my_mesh.communicator(), values);
+    return values;
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::set_rigid_motion(const std::vector<double> &values, LA::Vector &u) const
+  {
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (locally_owned.is_element(dofs.n_dofs() + i))
+        u(dofs.n_dofs() + i) = values[i];
+    u.compress(VectorOperation::insert);
   }
 
 
@@ -220,17 +290,15 @@ namespace Signorini
     // Unconstrained residual: internal forces - loads, hanging nodes resolved.
     const LA::Vector     ghosted  = with_ghosts(u);
     LA::Vector           residual = zero_vector();
-    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe);
-    LoadKernel<dim>      load_kernel(my_mesh, fe, loads, time);
+    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe, my_model);
+    LoadKernel<dim>      load_kernel(my_mesh, fe, my_model, loads, time);
 
     const unsigned int                   n = fe.n_dofs_per_cell();
     FullMatrix<double>                   cell_matrix(n);
     Vector<double>                       cell_force(n), cell_load(n), values(n);
     std::vector<types::global_dof_index> indices(n);
     Resultant<dim>                       total_load;
-    // Of the nodes of supported cells; a node is a point in the middle of a cell, too.
-    std::map<types::global_dof_index, Point<dim>> position;
-    FEValues<dim>                                 nodes(my_mesh.mapping(),
+    FEValues<dim>                        nodes(my_mesh.mapping(),
                         fe,
                         Quadrature<dim>(fe.get_unit_support_points()),
                         update_quadrature_points);
@@ -247,9 +315,11 @@ namespace Signorini
           nodes.reinit(cell);
           for (unsigned int i = 0; i < n; ++i)
             {
-              position[indices[i]] = nodes.quadrature_point(i);
+              const unsigned int component = fe.system_to_component_index(i).first;
+              if (my_model == Model::axisymmetric && component == 0)
+                continue; // the circumference is in balance
               Tensor<1, dim> force;
-              force[fe.system_to_component_index(i).first] = loaded ? cell_load[i] : 0.;
+              force[component] = loaded ? cell_load[i] : 0.;
               total_load.force += force;
               total_load.moment += moment_of(nodes.quadrature_point(i), force);
             }
@@ -263,38 +333,33 @@ namespace Signorini
     residual.compress(VectorOperation::add);
     residual -= contact_force;
 
-    std::vector<Resultant<dim>> result;
-    IndexSet                    counted(dofs.n_dofs()); // by a support before
-    for (const Support<dim> &support : my_supports)
-      {
-        std::set<types::boundary_id> ids;
-        for (const std::string &boundary : support.boundaries)
-          ids.insert(my_mesh.boundary_id(boundary));
-        Resultant<dim> sum;
-        for (unsigned int d = 0; d < dim; ++d)
-          if (support.displacement.prescribed(d))
-            {
-              ComponentMask mask(dim, false);
-              mask.set(d, true);
-              IndexSet held = DoFTools::extract_boundary_dofs(dofs, mask, ids) & locally_owned;
-              held.subtract_set(counted);
-              for (const auto i : held)
-                if (!hanging.is_constrained(i))
-                  {
-                    Tensor<1, dim> force;
-                    force[d] = residual(i);
-                    sum.force += force;
-                    sum.moment += moment_of(position.at(i), force);
-                  }
-              counted.add_indices(held);
-            }
-        result.push_back(sum);
-      }
+    std::vector<Resultant<dim>> result(my_supports.size());
+    for (const auto &[index, node] : held)
+      if (locally_owned.is_element(index))
+        {
+          Tensor<1, dim> force;
+          for (unsigned int d = 0; d < dim; ++d)
+            force[d] = residual(node.dofs[d]);
+          // Where supports meet, the first one takes what it can.
+          const auto directions = node.orthonormal();
+          for (unsigned int k = 0; k < directions.size(); ++k)
+            if (const Support<dim> *support = node.holds[k].support)
+              {
+                Tensor<1, dim> share = (force * directions[k]) * directions[k];
+                if (my_model == Model::axisymmetric)
+                  share[0] = 0;
+                Resultant<dim> &sum = result[support - my_supports.data()];
+                sum.force += share;
+                sum.moment += moment_of(node.position, share);
+              }
+        }
     result.push_back(total_load);
     for (Resultant<dim> &resultant : result)
       {
         resultant.force  = Utilities::MPI::sum(resultant.force, my_mesh.communicator());
         resultant.moment = Utilities::MPI::sum(resultant.moment, my_mesh.communicator());
+        if (my_model == Model::axisymmetric)
+          resultant.moment = 0;
       }
     return result;
   }

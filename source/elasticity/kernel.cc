@@ -7,12 +7,17 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  StiffnessKernel<dim>::StiffnessKernel(const Mapping<dim> &mapping, const FESystem<dim> &fe)
+  StiffnessKernel<dim>::StiffnessKernel(const Mapping<dim>  &mapping,
+                                        const FESystem<dim> &fe,
+                                        const Model          model)
     : fe(fe)
+    , model(model)
     , values(mapping,
              fe.base_element(0),
              QGauss<dim>(fe.degree + 1),
-             update_gradients | update_JxW_values)
+             update_gradients | update_JxW_values |
+               (model == Model::axisymmetric ? update_values | update_quadrature_points :
+                                               update_default))
   {}
 
 
@@ -24,8 +29,12 @@ namespace Signorini
                                  FullMatrix<double> &cell_matrix)
   {
     values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
-    const double       lambda = material.lambda(), mu = material.mu();
+    const double       lambda = in_plane_lambda(model, material), mu = material.mu();
     const unsigned int n = fe.base_element(0).n_dofs_per_cell();
+    weights              = values.get_JxW_values();
+    if (model == Model::axisymmetric)
+      for (const unsigned int q : values.quadrature_point_indices())
+        weights[q] *= measure(model, values.quadrature_point(q));
 
     cell_matrix = 0;
     for (unsigned int i = 0; i < n; ++i)
@@ -36,7 +45,7 @@ namespace Signorini
           Tensor<2, dim> G;
           for (const unsigned int q : values.quadrature_point_indices())
             {
-              const Tensor<1, dim>  weighted = values.shape_grad(i, q) * values.JxW(q);
+              const Tensor<1, dim>  weighted = values.shape_grad(i, q) * weights[q];
               const Tensor<1, dim> &other    = values.shape_grad(j, q);
               for (unsigned int a = 0; a < dim; ++a)
                 for (unsigned int b = 0; b < dim; ++b)
@@ -53,6 +62,41 @@ namespace Signorini
                 cell_matrix(column, row)  = k;
               }
         }
+    if (model == Model::axisymmetric)
+      add_hoop(lambda, mu, cell_matrix);
+  }
+
+
+
+  // With h_i = N_i/r, the radial component has the hoop strain h_i, so that
+  // K_ab += int lambda (d_a N_i h_j delta_b0 + h_i d_b N_j delta_a0) + (lambda + 2 mu) h_i h_j
+  // delta_a0 delta_b0.
+  template <int dim>
+  void
+  StiffnessKernel<dim>::add_hoop(const double        lambda,
+                                 const double        mu,
+                                 FullMatrix<double> &cell_matrix)
+  {
+    const unsigned int n = fe.base_element(0).n_dofs_per_cell();
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const double r = values.quadrature_point(q)[0];
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            {
+              const double h_i = values.shape_value(i, q) / r, h_j = values.shape_value(j, q) / r;
+              const unsigned int row    = fe.component_to_system_index(0, i),
+                                 column = fe.component_to_system_index(0, j);
+              cell_matrix(row, column) += (lambda + 2 * mu) * h_i * h_j * weights[q];
+              for (unsigned int a = 0; a < dim; ++a)
+                {
+                  cell_matrix(fe.component_to_system_index(a, i), column) +=
+                    lambda * values.shape_grad(i, q)[a] * h_j * weights[q];
+                  cell_matrix(row, fe.component_to_system_index(a, j)) +=
+                    lambda * h_i * values.shape_grad(j, q)[a] * weights[q];
+                }
+            }
+      }
   }
 
 
@@ -60,9 +104,11 @@ namespace Signorini
   template <int dim>
   LoadKernel<dim>::LoadKernel(const Mesh<dim>              &mesh,
                               const FESystem<dim>          &fe,
+                              const Model                   model,
                               const std::vector<Load<dim>> &loads,
                               const double                  t)
     : fe(fe)
+    , model(model)
     , t(t)
     , values(mesh.mapping(),
              fe.base_element(0),
@@ -123,8 +169,9 @@ namespace Signorini
     values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
     for (const unsigned int q : values.quadrature_point_indices())
       {
+        const Point<dim>    &x = values.quadrature_point(q);
         const Tensor<1, dim> force =
-          load.body_force.value(values.quadrature_point(q), t) * values.JxW(q);
+          load.body_force.value(x, t) * values.JxW(q) * measure(model, x);
         for (const unsigned int i : values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
             cell_load[fe.component_to_system_index(d, i)] += force[d] * values.shape_value(i, q);
@@ -146,7 +193,7 @@ namespace Signorini
         const Point<dim>    &x = face_values.quadrature_point(q);
         const Tensor<1, dim> force =
           (load.traction.value(x, t) - load.pressure.value(x, t) * face_values.normal_vector(q)) *
-          face_values.JxW(q);
+          face_values.JxW(q) * measure(model, x);
         for (const unsigned int i : face_values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
             cell_load[fe.component_to_system_index(d, i)] +=

@@ -4,6 +4,7 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <cmath>
+#include <map>
 
 namespace Signorini
 {
@@ -65,6 +66,10 @@ namespace Signorini
     const auto [center, size] = center_and_size(my_mesh.extent());
     std::vector<std::vector<double>> modes(n_modes<dim>,
                                            std::vector<double>(locally_owned.n_elements()));
+    // Rigid bodies are not connected to others, but each of their nodes can move.
+    for (auto i = dofs.n_dofs(); i < locally_owned.size(); ++i)
+      if (locally_owned.is_element(i))
+        modes[(i - dofs.n_dofs()) % dim][locally_owned.index_within_set(i)] = 1;
 
     FEValues<dim>                        values(my_mesh.mapping(),
                          fe,
@@ -90,17 +95,160 @@ namespace Signorini
 
 
 
-  template <int dim>
-  std::vector<std::string>
-  Elasticity<dim>::unrestrained_modes() const
+  namespace
   {
-    // Body by body, the Gram matrix of the modes over the prescribed degrees of freedom: modes in
-    // its kernel move nothing that a support holds.
+    /// Combinations of the modes in which nothing with this Gram matrix moves: its kernel.
+    template <int dim>
+    std::vector<Vector<double>>
+    kernel_of(const FullMatrix<double> &gram)
+    {
+      constexpr unsigned int   n = n_modes<dim>;
+      LAPACKFullMatrix<double> matrix(n);
+      matrix = gram;
+      FullMatrix<double> vectors(n, n);
+      Vector<double>     eigenvalues(n);
+      const double       scale = 1 + gram.linfty_norm();
+      matrix.compute_eigenvalues_symmetric(-scale, 2 * scale, 1e-14 * scale, eigenvalues, vectors);
+      std::vector<Vector<double>> result;
+      for (unsigned int i = 0; i < eigenvalues.size(); ++i)
+        if (eigenvalues[i] < 1e-8 * scale)
+          {
+            result.emplace_back(n);
+            for (unsigned int j = 0; j < n; ++j)
+              result.back()[j] = vectors(j, i);
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::find_free_motions()
+  {
+    // Body by body, the Gram matrix of the modes over the directions that supports hold: modes in
+    // its kernel move nothing there.
     constexpr unsigned int                     n = n_modes<dim>;
     std::vector<FullMatrix<double>>            gram(my_mesh.n_bodies(), FullMatrix<double>(n));
     std::vector<std::pair<Point<dim>, double>> extents;
     for (unsigned int body = 0; body < my_mesh.n_bodies(); ++body)
       extents.push_back(center_and_size(my_mesh.extent(body)));
+
+    std::map<types::global_dof_index, unsigned int> body_of;
+    std::vector<types::global_dof_index>            indices(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (!cell->is_artificial() && cell->at_boundary())
+        {
+          cell->get_dof_indices(indices);
+          for (const auto i : indices)
+            if (held.count(i) > 0)
+              body_of[i] = cell->material_id();
+        }
+    for (const auto &[index, node] : held)
+      if (locally_owned.is_element(index))
+        {
+          const unsigned int body    = body_of.at(index);
+          const auto &[center, size] = extents[body];
+          for (const Tensor<1, dim> &direction : node.orthonormal())
+            {
+              std::array<double, n> along{};
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  const auto at = modes_at<dim>((node.position - center) / size, d);
+                  for (unsigned int a = 0; a < n; ++a)
+                    along[a] += direction[d] * at[a];
+                }
+              for (unsigned int a = 0; a < n; ++a)
+                for (unsigned int b = 0; b < n; ++b)
+                  gram[body](a, b) += along[a] * along[b];
+            }
+        }
+
+    body_motions.clear();
+    for (unsigned int body = 0; body < my_mesh.n_bodies(); ++body)
+      {
+        Utilities::MPI::sum(gram[body], my_mesh.communicator(), gram[body]);
+        if (my_model == Model::axisymmetric)
+          // The hoop holds the radius, and so all but the translation along the axis.
+          for (const unsigned int a : {0, 2})
+            gram[body](a, a) += 1 + gram[body].linfty_norm();
+        for (const Vector<double> &modes : kernel_of<dim>(gram[body]))
+          body_motions.push_back(
+            {body, my_mesh.body_name(body) + ": " + mode_name<dim>(modes), modes});
+      }
+  }
+
+
+
+  // Springs on the nodes of bodies that can move freely, as stiff as E L/L^3 times their share of
+  // the volume; and on free rigid bodies.
+  template <int dim>
+  void
+  Elasticity<dim>::set_stabilisation()
+  {
+    bool any = !body_motions.empty();
+    for (const RigidBody<dim> &body : my_rigid_bodies)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        any |= body.is_free(i);
+    stabilisation = any ? zero_vector() : LA::Vector();
+    if (!any)
+      return;
+
+    std::vector<double> per_volume(my_mesh.n_bodies(), 0.);
+    for (const BodyMotion &motion : body_motions)
+      {
+        const double size       = center_and_size(my_mesh.extent(motion.body)).second;
+        per_volume[motion.body] = strength * materials[motion.body].youngs_modulus / (size * size);
+      }
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned() && per_volume[cell->material_id()] > 0)
+        {
+          cell->get_dof_indices(indices);
+          const double share = per_volume[cell->material_id()] * cell->measure() *
+                               measure(my_model, cell->center()) * dim / indices.size();
+          for (const auto i : indices)
+            if (!all_constraints.is_constrained(i))
+              stabilisation(i) += share;
+        }
+    for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        if (my_rigid_bodies[body].is_free(i) && locally_owned.is_element(first_dof(body) + i))
+          stabilisation(first_dof(body) + i) += strength * rigid_stiffness();
+    stabilisation.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Elasticity<dim>::free_motion_names() const
+  {
+    std::vector<std::string> names;
+    for (const BodyMotion &motion : body_motions)
+      names.push_back(motion.name);
+    for (const RigidBody<dim> &body : my_rigid_bodies)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        if (body.is_free(i))
+          names.push_back(body.name + ": " + RigidBody<dim>::name_of(i));
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::vector<FreeMotion>
+  Elasticity<dim>::free_motions() const
+  {
+    std::vector<FreeMotion> result;
+    for (const std::string &name : free_motion_names())
+      result.push_back({name, zero_vector()});
+    std::vector<std::pair<Point<dim>, double>> extents;
+    for (const BodyMotion &motion : body_motions)
+      {
+        extents.push_back(center_and_size(my_mesh.extent(motion.body)));
+      }
 
     FEValues<dim>                        values(my_mesh.mapping(),
                          fe,
@@ -108,43 +256,37 @@ namespace Signorini
                          update_quadrature_points);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        {
-          const auto &[center, size] = extents[cell->material_id()];
-          values.reinit(cell);
-          cell->get_dof_indices(indices);
-          for (unsigned int i = 0; i < indices.size(); ++i)
-            if (all_constraints.is_constrained(indices[i]) && !hanging.is_constrained(indices[i]))
-              {
-                const auto at = modes_at<dim>((values.quadrature_point(i) - center) / size,
-                                              fe.system_to_component_index(i).first);
-                for (unsigned int a = 0; a < n; ++a)
-                  for (unsigned int b = 0; b < n; ++b)
-                    gram[cell->material_id()](a, b) += at[a] * at[b];
-              }
-        }
-
-    std::vector<std::string> names;
-    for (unsigned int body = 0; body < my_mesh.n_bodies(); ++body)
-      {
-        Utilities::MPI::sum(gram[body], my_mesh.communicator(), gram[body]);
-        LAPACKFullMatrix<double> matrix(n);
-        matrix = gram[body];
-        FullMatrix<double> vectors(n, n);
-        Vector<double>     eigenvalues(n);
-        const double       scale = 1 + gram[body].linfty_norm();
-        matrix.compute_eigenvalues_symmetric(
-          -scale, 2 * scale, 1e-14 * scale, eigenvalues, vectors);
-        for (unsigned int i = 0; i < eigenvalues.size(); ++i)
-          if (eigenvalues[i] < 1e-8 * scale)
+      if (cell->is_locally_owned())
+        for (unsigned int k = 0; k < body_motions.size(); ++k)
+          if (body_motions[k].body == cell->material_id())
             {
-              Vector<double> mode(n);
-              for (unsigned int j = 0; j < n; ++j)
-                mode[j] = vectors(j, i);
-              names.push_back(my_mesh.body_name(body) + ": " + mode_name<dim>(mode));
+              const auto &[center, size] = extents[k];
+              values.reinit(cell);
+              cell->get_dof_indices(indices);
+              for (unsigned int i = 0; i < indices.size(); ++i)
+                if (locally_owned.is_element(indices[i]) &&
+                    !all_constraints.is_constrained(indices[i]))
+                  {
+                    const auto at  = modes_at<dim>((values.quadrature_point(i) - center) / size,
+                                                  fe.system_to_component_index(i).first);
+                    double     sum = 0;
+                    for (unsigned int m = 0; m < at.size(); ++m)
+                      sum += at[m] * body_motions[k].modes[m];
+                    result[k].motion(indices[i]) = sum;
+                  }
             }
-      }
-    return names;
+    unsigned int k = body_motions.size();
+    for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        if (my_rigid_bodies[body].is_free(i))
+          {
+            if (locally_owned.is_element(first_dof(body) + i))
+              result[k].motion(first_dof(body) + i) = 1;
+            ++k;
+          }
+    for (FreeMotion &one : result)
+      one.motion.compress(VectorOperation::insert);
+    return result;
   }
 
 
@@ -153,8 +295,20 @@ namespace Signorini
   Elasticity<2>::rigid_body_modes() const;
   template std::vector<std::vector<double>>
   Elasticity<3>::rigid_body_modes() const;
+  template void
+  Elasticity<2>::find_free_motions();
+  template void
+  Elasticity<3>::find_free_motions();
+  template void
+  Elasticity<2>::set_stabilisation();
+  template void
+  Elasticity<3>::set_stabilisation();
   template std::vector<std::string>
-  Elasticity<2>::unrestrained_modes() const;
+  Elasticity<2>::free_motion_names() const;
   template std::vector<std::string>
-  Elasticity<3>::unrestrained_modes() const;
+  Elasticity<3>::free_motion_names() const;
+  template std::vector<FreeMotion>
+  Elasticity<2>::free_motions() const;
+  template std::vector<FreeMotion>
+  Elasticity<3>::free_motions() const;
 } // namespace Signorini

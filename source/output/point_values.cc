@@ -59,9 +59,9 @@ namespace Signorini
     const LA::Vector p = s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair));
     for (const ContactPoint<dim> &point : points)
       {
-        double gap = point.gap, pressure = 0;
-        for (unsigned int d = 0; d < dim; ++d)
-          gap -= point.normal[d] * s.obstacle_motion[pair][d];
+        const double share =
+          point.gap < 0 && !s.contact.interference.empty() ? s.contact.interference[pair] : 1.;
+        double gap = share * point.gap, pressure = 0;
         for (const auto &[dof, value] : point.row)
           gap += value * u(dof);
         for (const auto &[node, value] :

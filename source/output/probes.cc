@@ -1,5 +1,6 @@
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/stress.h>
 #include <signorini/output/probes.h>
-#include <signorini/output/stress.h>
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -260,15 +261,16 @@ namespace Signorini
         Tensor<2, dim> gradient;
         if (rank == Utilities::MPI::this_mpi_process(comm))
           evaluate(elasticity, ghosted, places[i], u, gradient);
-        result[i].name                    = probes[i].name;
-        result[i].found                   = true;
-        result[i].displacement            = Utilities::MPI::sum(u, comm);
-        gradient                          = Utilities::MPI::sum(gradient, comm);
-        const SymmetricTensor<2, 3> sigma = stress(elasticity.material(claim.body), gradient);
-        result[i].von_mises               = von_mises(sigma);
-        for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int b = 0; b <= a; ++b)
-            result[i].stress[a][b] = sigma[a][b];
+        result[i].name                       = probes[i].name;
+        result[i].found                      = true;
+        result[i].displacement               = Utilities::MPI::sum(u, comm);
+        gradient                             = Utilities::MPI::sum(gradient, comm);
+        const Material             &material = elasticity.material(claim.body);
+        const SymmetricTensor<2, 3> sigma    = stress(
+          material,
+          strain(elasticity.model(), material, gradient, result[i].displacement, probes[i].point));
+        result[i].von_mises = von_mises(sigma);
+        result[i].stress    = sigma;
       }
     return result;
   }

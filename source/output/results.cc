@@ -43,7 +43,7 @@ namespace Signorini
       {}
 
       std::vector<double> force, moment;
-      double              area = 0, active_points = 0, points = 0;
+      double              normal_force = 0, area = 0, active_points = 0, points = 0;
       // Of each, the maximum.
       double pressure = 0, penetration = 0, minus_gap = -std::numeric_limits<double>::max(),
              tension = 0, complementarity = 0;
@@ -54,7 +54,7 @@ namespace Signorini
         for (auto *numbers : {&force, &moment})
           for (double &x : *numbers)
             x = Utilities::MPI::sum(x, comm);
-        for (double *x : {&area, &active_points, &points})
+        for (double *x : {&normal_force, &area, &active_points, &points})
           *x = Utilities::MPI::sum(*x, comm);
         for (double *x : {&pressure, &penetration, &minus_gap, &tension, &complementarity})
           *x = Utilities::MPI::max(*x, comm);
@@ -71,10 +71,13 @@ namespace Signorini
         if (*which++ == pair)
           {
             const double p = s.pressure(i), g = s.gap(i), force = p * s.contact.weight(i);
-            for (unsigned int d = 0; d < sums.force.size(); ++d)
+            // Radial forces are in balance around the axis, and so are moments.
+            const bool on_circles = s.elasticity.model() == Model::axisymmetric;
+            for (unsigned int d = on_circles; d < sums.force.size(); ++d)
               sums.force[d] += force * s.contact.normal[d](i);
-            for (unsigned int d = 0; d < sums.moment.size(); ++d)
+            for (unsigned int d = on_circles; d < sums.moment.size(); ++d)
               sums.moment[d] += force * s.contact.moment[d](i);
+            sums.normal_force += force;
             sums.points += 1;
             sums.area += s.active(i) * s.contact.weight(i);
             sums.active_points += s.active(i);
@@ -132,6 +135,7 @@ namespace Signorini
         result[snapshot.pairs[pair].name] = {
           {"force", list(sums.force)},
           {"moment", list(sums.moment)},
+          {"normal_force", sums.normal_force},
           {"area", sums.area},
           {"points", sums.points},
           {"active_points", sums.active_points},
@@ -144,6 +148,44 @@ namespace Signorini
       }
     return result;
   }
+
+
+
+  namespace
+  {
+    /// Motion of the moving obstacles, and what they exert on the bodies.
+    template <int dim>
+    Json
+    obstacle_results(const Snapshot<dim> &s)
+    {
+      using Body               = RigidBody<dim>;
+      const Elasticity<dim> &e = s.elasticity;
+      const LA::Vector forces = s.contact.total_force(s.pressure, s.contact.stress(s.displacement));
+      const std::vector<double> motion = e.rigid_motion(s.displacement),
+                                force  = e.rigid_motion(forces);
+      Json result                      = Json::object();
+      for (unsigned int b = 0; b < e.rigid_bodies().size(); ++b)
+        {
+          Json               u, w, f, m;
+          const unsigned int first = b * Body::n_dofs;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              u.push_back(motion[first + d]);
+              f.push_back(-force[first + d]);
+            }
+          for (unsigned int d = 0; d < Body::n_rotations; ++d)
+            {
+              w.push_back(motion[first + dim + d] / e.lever());
+              m.push_back(-force[first + dim + d] * e.lever());
+            }
+          result[e.rigid_bodies()[b].name] = {{"displacement", u},
+                                              {"rotation", w},
+                                              {"force", f},
+                                              {"moment", m}};
+        }
+      return result;
+    }
+  } // namespace
 
 
 
@@ -171,7 +213,7 @@ namespace Signorini
         Tensor<1, dim> force;
         for (unsigned int d = 0; d < dim; ++d)
           force[d] = sums.force[d];
-        largest = std::max(largest, force.norm());
+        largest = std::max({largest, force.norm(), sums.normal_force});
         if (!master_is_rigid[pair])
           continue;
         sum.force += force;
@@ -180,6 +222,7 @@ namespace Signorini
       }
     const double lever = s.elasticity.mesh().size();
     return {{"supports", supports},
+            {"obstacles", obstacle_results(s)},
             {"total_load", list(reactions.back().force)},
             {"force_balance", largest > 0 ? sum.force.norm() / largest : 0.},
             {"moment_balance", largest > 0 ? sum.moment.norm() / (largest * lever) : 0.}};
@@ -194,7 +237,10 @@ namespace Signorini
     Json result = Json::object();
     for (const ProbeValue<dim> &probe : evaluate_probes(s.elasticity, s.displacement, probes))
       {
-        std::vector<double> stress(probe.stress.begin_raw(), probe.stress.end_raw());
+        const auto         &sigma  = probe.stress;
+        std::vector<double> stress = {sigma[0][0], sigma[1][1], sigma[0][1], sigma[2][2]};
+        if (dim == 3)
+          stress.assign(sigma.begin_raw(), sigma.end_raw());
         result[probe.name] = {{"displacement", list(probe.displacement)},
                               {"stress", list(stress)},
                               {"von_mises", probe.von_mises}};

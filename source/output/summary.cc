@@ -41,7 +41,8 @@ namespace Signorini
     const Json &step = results["load_steps"].back();
     out << std::setprecision(6);
     for (const auto &[name, pair] : step["pairs"].items())
-      out << "\n  pair " << name << ":  force on the slave " << numbers(pair["force"]) << ", area "
+      out << "\n  pair " << name << ":  force on the slave " << numbers(pair["force"])
+          << ", pressure times area " << pair["normal_force"].get<double>() << ", area "
           << pair["area"].get<double>() << "\n    largest pressure "
           << pair["max_pressure"].get<double>()
           << "\n    largest violations: penetration, tension, "
@@ -49,6 +50,17 @@ namespace Signorini
           << "\n      at the contact points       " << violations(pair["at_points"]) << "\n";
     for (const auto &[name, support] : step["supports"].items())
       out << "  support " << name << ":  force " << numbers(support["reaction"]) << "\n";
+    for (const auto &[name, obstacle] : step["obstacles"].items())
+      out << "  obstacle " << name << ":  moved by " << numbers(obstacle["displacement"])
+          << ", rotated by " << numbers(obstacle["rotation"]) << ", force "
+          << numbers(obstacle["force"]) << ", moment " << numbers(obstacle["moment"]) << "\n";
+    if (step.contains("undetermined_motions"))
+      {
+        out << "  not determined, the smallest was taken:";
+        for (const auto &name : step["undetermined_motions"])
+          out << " " << name.get<std::string>() << ";";
+        out << "\n";
+      }
     out << "  sum of all forces / largest: " << step["force_balance"].get<double>()
         << ", of moments / (largest force times size): " << step["moment_balance"].get<double>()
         << "\n";

@@ -1,5 +1,6 @@
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/stress.h>
 #include <signorini/output/pvd.h>
-#include <signorini/output/stress.h>
 #include <signorini/output/vtu.h>
 
 #include <deal.II/numerics/data_out.h>
@@ -51,8 +52,13 @@ namespace Signorini
             Tensor<2, dim> gradient;
             for (unsigned int d = 0; d < dim; ++d)
               gradient[d] = inputs.solution_gradients[q][d];
-            const SymmetricTensor<2, 3> sigma = stress(material, gradient);
-            computed[q][0]                    = von_mises(sigma);
+            Tensor<1, dim> u;
+            for (unsigned int d = 0; d < dim; ++d)
+              u[d] = inputs.solution_values[q][d];
+            const SymmetricTensor<2, 3> sigma = stress(
+              material,
+              strain(elasticity.model(), material, gradient, u, inputs.evaluation_points[q]));
+            computed[q][0] = von_mises(sigma);
             for (unsigned int c = 0; c < n_components<dim>; ++c)
               computed[q][1 + c] = sigma[components[c].i][components[c].j];
           }
@@ -68,7 +74,7 @@ namespace Signorini
       }
 
       // Scalars, because a tensor in a VTU file has nine components and no place for sigma_zz of
-      // plane strain.
+      // plane strain or the hoop.
       std::vector<DataComponentInterpretation::DataComponentInterpretation>
       get_data_component_interpretation() const override
       {
@@ -78,7 +84,7 @@ namespace Signorini
       UpdateFlags
       get_needed_update_flags() const override
       {
-        return update_gradients;
+        return update_values | update_gradients | update_quadrature_points;
       }
 
     private:

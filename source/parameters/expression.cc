@@ -1,5 +1,6 @@
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/table.h>
 
 #include <deal.II/base/function_parser.h>
 
@@ -51,7 +52,7 @@ namespace Signorini
       try
         {
           parser->initialize(FunctionParser<dim>::default_variable_names() + ",t",
-                             formula,
+                             expand_tables(formula),
                              {{"pi", numbers::PI}},
                              true);
           // muParser reads the formula at the first evaluation.
@@ -89,26 +90,27 @@ namespace Signorini
 
 
 
-  template <int dim>
-  VectorExpression<dim>::VectorExpression(const std::string &text)
+  template <int dim, int n_components>
+  VectorExpression<dim, n_components>::VectorExpression(const std::string &text)
   {
     const std::vector<std::string> parts = split(text, ';');
     if (parts.empty())
       return;
-    if (parts.size() != dim)
+    is_given = true;
+    if (parts.size() != n_components)
       throw SceneError("'" + text + "' has " + std::to_string(parts.size()) +
-                       " components, separated by ';', but " + std::to_string(dim) +
+                       " components, separated by ';', but " + std::to_string(n_components) +
                        " are needed (write 'free' for one that is not prescribed)");
-    for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int d = 0; d < n_components; ++d)
       if (parts[d] != "free")
         components[d] = Expression<dim>(parts[d]);
   }
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   bool
-  VectorExpression<dim>::empty() const
+  VectorExpression<dim, n_components>::empty() const
   {
     for (const auto &component : components)
       if (component)
@@ -118,12 +120,12 @@ namespace Signorini
 
 
 
-  template <int dim>
-  Tensor<1, dim>
-  VectorExpression<dim>::value(const Point<dim> &p, const double t) const
+  template <int dim, int n_components>
+  Tensor<1, n_components>
+  VectorExpression<dim, n_components>::value(const Point<dim> &p, const double t) const
   {
-    Tensor<1, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
+    Tensor<1, n_components> result;
+    for (unsigned int d = 0; d < n_components; ++d)
       if (components[d])
         result[d] = components[d]->value(p, t);
     return result;
@@ -131,11 +133,11 @@ namespace Signorini
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   std::string
-  VectorExpression<dim>::text() const
+  VectorExpression<dim, n_components>::text() const
   {
-    if (empty())
+    if (!is_given)
       return "";
     std::vector<std::string> parts;
     for (const auto &component : components)
@@ -168,5 +170,6 @@ namespace Signorini
   template class Expression<2>;
   template class Expression<3>;
   template class VectorExpression<2>;
+  template class VectorExpression<2, 1>;
   template class VectorExpression<3>;
 } // namespace Signorini

@@ -79,9 +79,9 @@ namespace Signorini
       return value.formula();
     }
 
-    template <int dim>
+    template <int dim, int n_components>
     std::string
-    to_text(const VectorExpression<dim> &value)
+    to_text(const VectorExpression<dim, n_components> &value)
     {
       return value.text();
     }
@@ -411,11 +411,11 @@ namespace Signorini
 
 
 
-  template <int dim>
+  template <int dim, int n_components>
   void
-  from_text(const std::string &text, VectorExpression<dim> &value)
+  from_text(const std::string &text, VectorExpression<dim, n_components> &value)
   {
-    value = VectorExpression<dim>(text);
+    value = VectorExpression<dim, n_components>(text);
   }
 
 
@@ -434,6 +434,8 @@ namespace Signorini
   INSTANTIATE(Expression<2>)
   INSTANTIATE(Expression<3>)
   INSTANTIATE(VectorExpression<2>)
+  using OneComponent = VectorExpression<2, 1>;
+  INSTANTIATE(OneComponent)
   INSTANTIATE(VectorExpression<3>)
 #undef INSTANTIATE
 } // namespace Signorini

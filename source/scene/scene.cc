@@ -98,6 +98,32 @@ namespace Signorini
                 "t runs from 0 to this; supports, loads and obstacles depend on it",
                 positive);
     section.add("Number", number, "of equal steps", positive);
+    section.add("Times", times, "ends of the steps, instead of End time and Number; increasing");
+    section.add("Cut-backs",
+                cut_backs,
+                "how often a step that cannot be solved is halved; it grows again afterwards",
+                Range{0, 20});
+    for (unsigned int i = 0; i < times.size(); ++i)
+      if (times[i] <= (i > 0 ? times[i - 1] : 0))
+        section.fail("Times", "must be positive and increasing");
+    if (section.reading() && !times.empty())
+      {
+        end_time = times.back();
+        number   = times.size();
+      }
+  }
+
+
+
+  std::vector<double>
+  LoadSteps::ends() const
+  {
+    if (!times.empty())
+      return times;
+    std::vector<double> result;
+    for (unsigned int step = 1; step <= number; ++step)
+      result.push_back(end_time * step / number);
+    return result;
   }
 
 
@@ -107,14 +133,24 @@ namespace Signorini
   Scene<dim>::declare(Section &section)
   {
     unsigned int dimension = dim;
-    section.add("Dimension", dimension, "2 (plane strain) | 3");
+    section.add("Dimension", dimension, "2 | 3");
+    section.add_choice(
+      "Model",
+      model,
+      model_names<dim>(),
+      dim == 2 ? "axisymmetric: x is the radius, y the axis, and forces are those of the whole "
+                 "circumference; else forces are per thickness" :
+                 "what the mesh stands for");
     section.add("Title", title, "");
 
     section.add_named("Bodies", bodies, "Elastic bodies: a mesh and a material each.");
     section.add_named("Obstacles", obstacles, "Rigid surfaces; they are never meshed.");
     section.add_named("Supports", supports, "Prescribed displacements.");
     section.add_named("Loads", loads, "Tractions, pressures, body forces.");
-    section.add_named("Contact pairs", pairs, "Surfaces that may touch.");
+    section.add_named("Contact pairs",
+                      pairs,
+                      "Surfaces that may touch. Names = auto finds those that see each other.");
+    auto_pairs = pairs.size() == 1 && pairs[0].name == "auto" && pairs[0].slave.empty();
     section.add_section(
       "Mesh",
       "What is done to the meshes of all bodies before the first solution.",
@@ -183,6 +219,25 @@ namespace Signorini
                          "', beyond what rounding allows; take an obstacle for a rigid body");
     }
 
+    /// What keeps the symmetry about the axis: motions and forces along it.
+    template <int dim>
+    void
+    check_axisymmetric(const Scene<dim> &scene)
+    {
+      if (model_of(scene.model) != Model::axisymmetric)
+        return;
+      for (const Obstacle<dim> &obstacle : scene.obstacles)
+        {
+          const RigidBody<dim> &body     = obstacle.body;
+          const bool            sideways = body.displacement.given() &&
+                                (body.is_free(0) || body.displacement.value({}, 1)[0] != 0);
+          if (sideways || body.rotation.given())
+            throw SceneError("Obstacles/" + obstacle.name +
+                             ": with Model = axisymmetric an obstacle moves along the axis only; "
+                             "write Displacement = 0; ... and no Rotation");
+        }
+    }
+
     void
     require(const std::string              &what,
             const std::vector<std::string> &wanted,
@@ -220,7 +275,7 @@ namespace Signorini
       }
     std::vector<std::string> masters = boundaries;
     masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
-    for (const ContactPair<dim> &pair : pairs)
+    for (const ContactPair<dim> &pair : auto_pairs ? std::vector<ContactPair<dim>>() : pairs)
       {
         require("boundary", {pair.slave}, boundaries, pair.slave_place);
         require("boundary or obstacle", {pair.master}, masters, pair.master_place);
@@ -233,6 +288,7 @@ namespace Signorini
       }
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
+    check_axisymmetric(*this);
     contact.check(degree);
     check_contrast(bodies);
     if (mesh.distribution == "METIS" && refinement.cycles > 0)

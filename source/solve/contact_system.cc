@@ -38,13 +38,16 @@ namespace Signorini
 
   ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
                                const GapOperator      &contact,
-                               const ContactMethod    &method)
+                               const ContactMethod    &method,
+                               FreeMotions             free_motions)
     : ContactSystem(stiffness,
                     contact,
                     method.has_multipliers() && !contact.empty(),
                     0,
                     method.predictor() == Predictor::none)
-  {}
+  {
+    motions = std::move(free_motions);
+  }
 
 
 
@@ -170,6 +173,7 @@ namespace Signorini
       v->compress(VectorOperation::insert);
     if (!saddle && !contact.empty())
       sum_up_surface_stiffness();
+    motions.set_active(active);
   }
 
 
@@ -191,8 +195,18 @@ namespace Signorini
     contact_terms(dst, src);
     LA::Vector &force = workspace;
     force.reinit(src.block(0), true);
-    K.vmult(force, src.block(0));
+    internal_force(force, src.block(0));
     dst.block(0) += force;
+    motions.add_loose(dst.block(0), src.block(0));
+  }
+
+
+
+  void
+  ContactSystem::internal_force(LA::Vector &dst, const LA::Vector &u) const
+  {
+    K.vmult(dst, u);
+    motions.subtract_springs(dst, u);
   }
 
 

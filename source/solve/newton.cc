@@ -25,6 +25,16 @@ namespace Signorini
       "of the residual by linear solves while the active set changes, relative to the loads (at most 1e-6 "
       "once a set has come up again); the last one goes down to the Tolerance",
       Range{0, 1, false, false});
+    section.add(
+      "Stabilisation",
+      stabilisation,
+      "of motions that contact alone stops, in units of E times size, until it does; the result does not depend on it",
+      positive);
+    section.add_choice(
+      "Undetermined motions",
+      undetermined,
+      {"refuse", "allow"},
+      "of bodies that neither supports nor contact hold; allow: where no force drives them, the smallest is taken");
   }
 
 
@@ -50,12 +60,9 @@ namespace Signorini
       out << row.str() << std::endl;
     }
 
-    /// Of entries 1, -1 and 0.
-    unsigned int
-    count(const LA::Vector &set)
-    {
-      return static_cast<unsigned int>(set.l1_norm() + 0.5);
-    }
+    const std::string how_to_hold =
+      "prescribe a displacement that does, or set Newton/Undetermined motions = allow, which takes the "
+      "smallest motion";
   } // namespace
 
 
@@ -68,19 +75,23 @@ namespace Signorini
                  const GapOperator                      &contact,
                  const std::vector<std::vector<double>> &modes,
                  const unsigned int                      dim,
-                 TimerOutput                            &timer)
+                 TimerOutput                            &timer,
+                 FreeMotions                             free_motions)
     : settings(settings)
     , method(method)
     , K(stiffness)
     , constraints(constraints)
     , contact(contact)
-    , system(stiffness, contact, method)
+    , system(stiffness, contact, method, std::move(free_motions))
     , linear_solver(linear_settings, system, modes, dim, timer)
-    , active_set(contact.zero())
-    , last_active_set(contact.zero())
-    , changes(contact.zero())
+    , active_set(contact)
     , augmented(contact.zero())
-  {}
+  {
+    const auto never_held = system.free_motions().never_held();
+    if (!never_held.empty() && settings.undetermined == "refuse")
+      throw SceneError("Supports/Names: no support holds " + join(never_held) +
+                       ", and no contact can; " + how_to_hold);
+  }
 
 
 
@@ -92,7 +103,7 @@ namespace Signorini
   {
     LA::Vector r;
     r.reinit(f);
-    K.vmult(r, u);
+    system.internal_force(r, u);
     r.sadd(-1, 1, f);
     double scale = f.l2_norm();
     if (!contact.empty())
@@ -120,7 +131,7 @@ namespace Signorini
       return 0;
     LA::Vector springs = contact.weight;
     springs.scale(contact.epsilon);
-    springs.scale(active_set);
+    springs.scale(active_set.values());
     const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
     return std::numeric_limits<double>::epsilon() * length * springs.l2_norm();
   }
@@ -130,11 +141,10 @@ namespace Signorini
   NewtonReport
   Newton::solve(const LA::Vector &f, LA::Vector &u, LA::Vector &p, ConditionalOStream &out)
   {
-    history.clear();
+    active_set.restart();
     cautious      = false;
     reduction     = settings.reduction;
     largest_force = 0;
-    changes       = 0.;
     is_cold       = p.linfty_norm() == 0;
     softness      = is_cold ? soft_start() : 1;
     if (augments())
@@ -186,10 +196,19 @@ namespace Signorini
           report.reason = "the residual is not a number: loads, supports or the mesh are invalid";
         else if (!report.converged && n == settings.maximum_steps)
           report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" +
-                          chattering_points();
+                          active_set.chattering_points();
         if (report.converged || !report.reason.empty())
           {
             record(step);
+            report.undetermined = system.free_motions().loose();
+            if (report.converged && !report.undetermined.empty() &&
+                settings.undetermined == "refuse")
+              {
+                report.converged = false;
+                report.reason    = "nothing determines " + join(report.undetermined) +
+                                ": no force drives it, but neither supports nor contact hold it; " +
+                                how_to_hold;
+              }
             return report;
           }
 
@@ -203,7 +222,15 @@ namespace Signorini
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
           p += x.block(1);
+        const auto driven = system.free_motions().driven(r, 1e-8 * scale);
+        if (!driven.empty() && !system.free_motions().close(u, r))
+          report.reason = "nothing stops " + join(driven) +
+                          ": no support, and no contact within reach in that direction";
+        if (contact.tied)
+          constraints.distribute(u);
         record(step);
+        if (!report.reason.empty())
+          return report;
         if (step.krylov_iterations == 0 && step.residual == before)
           {
             report.reason =
@@ -237,7 +264,7 @@ namespace Signorini
   {
     augmented = p;
     cautious  = false;
-    history.clear();
+    active_set.restart();
   }
 
 
@@ -275,7 +302,7 @@ namespace Signorini
   {
     if (!factorised)
       {
-        system.set_active(active_set, softness);
+        system.set_active(active_set.values(), softness);
         linear_solver.update();
         factorised = true;
       }
@@ -285,7 +312,7 @@ namespace Signorini
     if (system.is_saddle_point())
       {
         x.block(1).scale(contact.stiffness);
-        x.block(1).scale(active_set);
+        x.block(1).scale(active_set.values());
       }
     return iterations;
   }
@@ -316,46 +343,31 @@ namespace Signorini
   {
     if (contact.empty())
       return;
-    last_active_set         = active_set;
     const LA::Vector &start = predicted(p, stress);
-    step.active             = find_active(contact, gap, start, active_set);
+    active_set.update(gap, start);
     if (is_cold && n <= 1)
       {
-        const unsigned int kept = keep_deepest(gap);
-        step.withholds          = kept < step.active;
-        step.active             = kept;
+        const unsigned int all      = active_set.size();
+        const bool         may_fall = n == 0 && !system.free_motions().empty();
+        const unsigned int kept     = may_fall ? active_set.drop_touching(gap) :
+                                                 active_set.keep_deepest(gap);
+        step.withholds              = kept < all;
       }
-    if (!cautious && seen_before())
+    if (!cautious && active_set.seen_before())
       {
         // The linear solves may have been too rough to tell where there is pressure.
         if (reduction > fine_reduction)
-          {
-            reduction = fine_reduction;
-            history.clear();
-          }
+          reduction = fine_reduction;
         else
           cautious = true;
-        changes = 0.;
+        active_set.restart();
       }
     if (cautious && method.has_multipliers())
-      {
-        keep_all_but_the_worst(gap, p);
-        step.active = count(active_set);
-      }
+      active_set.keep_all_but_the_worst(gap, p);
     // An obstacle that retreats has lost all contact before the bodies follow: let them first.
-    const unsigned int last_active = n == 0 ? count(last_active_set) : 0;
-    step.follows                   = last_active > 0 && step.active != last_active;
-    if (step.follows)
-      {
-        active_set  = last_active_set;
-        step.active = last_active;
-      }
-    LA::Vector difference = active_set;
-    difference -= last_active_set;
-    for (const auto i : difference.locally_owned_elements())
-      changes(i) += std::abs(difference(i));
-    changes.compress(VectorOperation::add);
-    step.changes = count(difference);
+    step.follows = n == 0 && active_set.keep_last_if_any();
+    step.active  = active_set.size();
+    step.changes = active_set.count_changes();
     if (softness < 1 && (cautious || (step.active > 0 && step.changes <= 0.2 * step.active)))
       {
         softness   = 1;
@@ -363,7 +375,7 @@ namespace Signorini
       }
     if (step.changes > 0)
       factorised = false;
-    set_pressure(method, contact, gap, start, active_set, p);
+    set_pressure(method, contact, gap, start, active_set.values(), p);
     p *= softness;
   }
 
@@ -401,80 +413,6 @@ namespace Signorini
 
 
 
-  unsigned int
-  Newton::keep_deepest(const LA::Vector &gap)
-  {
-    const MPI_Comm      comm = gap.get_mpi_communicator();
-    std::vector<double> deepest(contact.pair.empty() ?
-                                  0 :
-                                  1 + *std::max_element(contact.pair.begin(), contact.pair.end()),
-                                0.);
-    deepest.resize(Utilities::MPI::max(deepest.size(), comm), 0.);
-    auto pair = contact.pair.begin();
-    for (const auto i : gap.locally_owned_elements())
-      {
-        deepest[*pair] = std::min(deepest[*pair], gap(i));
-        ++pair;
-      }
-    Utilities::MPI::min(deepest, comm, deepest);
-    // Surfaces that touch overlap by the rounding of their coordinates, of which nothing follows.
-    double farthest = 0;
-    for (const LA::Vector &x : contact.position)
-      farthest = std::max(farthest, x.linfty_norm());
-    pair = contact.pair.begin();
-    for (const auto i : gap.locally_owned_elements())
-      {
-        if (last_active_set(i) == 0 && gap(i) > deepest[*pair] / 2 &&
-            deepest[*pair] < -1e-10 * farthest)
-          active_set(i) = 0;
-        ++pair;
-      }
-    active_set.compress(VectorOperation::insert);
-    return count(active_set);
-  }
-
-
-
-  void
-  Newton::keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p)
-  {
-    const auto violation = [&](const auto i) {
-      return active_set(i) == last_active_set(i) ? 0. :
-                                                   std::abs(p(i) - contact.epsilon(i) * gap(i));
-    };
-    double worst = 0;
-    for (const auto i : gap.locally_owned_elements())
-      worst = std::max(worst, violation(i));
-    worst = Utilities::MPI::max(worst, gap.get_mpi_communicator());
-    for (const auto i : gap.locally_owned_elements())
-      if (const double v = violation(i); v > 0 && v < worst)
-        active_set(i) = last_active_set(i);
-    active_set.compress(VectorOperation::insert);
-  }
-
-
-
-  bool
-  Newton::seen_before()
-  {
-    // A sum of well-mixed numbers, one an active point: independent of order and ranks.
-    uint64_t hash = 0;
-    for (const auto i : active_set.locally_owned_elements())
-      if (active_set(i) > 0)
-        {
-          uint64_t z = (i + 1) * 0x9e3779b97f4a7c15ULL;
-          z          = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-          hash += z ^ (z >> 27);
-        }
-    hash                  = Utilities::MPI::sum(hash, active_set.get_mpi_communicator());
-    LA::Vector difference = active_set;
-    difference -= last_active_set;
-    // To stay where we are is no cycle.
-    return !history.insert(hash).second && difference.l1_norm() > 0;
-  }
-
-
-
   double
   Newton::line_search(const LA::Vector &r,
                       const LA::Vector &gap,
@@ -487,9 +425,11 @@ namespace Signorini
     // the last term with Nitsche's method (theta = 1) only, and p(a) from the law.
     LA::Vector K_du, B_du = contact.zero();
     K_du.reinit(du);
-    K.vmult(K_du, du);
+    system.internal_force(K_du, du);
     contact.B_free.vmult(B_du, du);
-    const LA::Vector  S_du  = contact.has_stress() ? contact.stress(du) : contact.zero();
+    LA::Vector S_du = contact.zero();
+    if (contact.has_stress())
+      contact.S_free.vmult(S_du, du);
     const double      slope = -(r * du), curvature = K_du * du;
     const double      theta = contact.theta;
     const LA::Vector &start = predicted(p, stress);
@@ -526,33 +466,4 @@ namespace Signorini
 
 
 
-  std::string
-  Newton::chattering_points() const
-  {
-    if (contact.empty())
-      return "";
-    std::ostringstream text;
-    unsigned int       n = 0;
-    for (const auto i : changes.locally_owned_elements())
-      if (changes(i) >= 3)
-        {
-          if (n++ < 3)
-            {
-              text << " (";
-              for (unsigned int d = 0; d < contact.position.size(); ++d)
-                text << (d > 0 ? ", " : "") << contact.position[d](i);
-              text << ")";
-            }
-        }
-    const MPI_Comm comm = changes.get_mpi_communicator();
-    std::string    places;
-    for (const std::string &part : Utilities::MPI::all_gather(comm, text.str()))
-      places += part;
-    n = Utilities::MPI::sum(n, comm);
-    if (n == 0)
-      return "";
-    return "; the active set keeps changing at " + std::to_string(n) +
-           " contact points, among them" + places +
-           ". Refine there, lower the penalty, or take another method";
-  }
 } // namespace Signorini

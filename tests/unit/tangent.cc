@@ -181,7 +181,7 @@ namespace
     stress.reinit(cell);
     const double bound = stress.bound(face);
 
-    StiffnessKernel<dim> kernel(scene.mesh.mapping(), fe);
+    StiffnessKernel<dim> kernel(scene.mesh.mapping(), fe, scene.elasticity.model());
     FullMatrix<double>   K(fe.n_dofs_per_cell());
     kernel.assemble(cell, scene.elasticity.material(cell->material_id()), K);
     const QGauss<dim - 1> rule(degree + 2);

@@ -4,9 +4,9 @@
 
 #include <signorini/contact/gap_operator.h>
 #include <signorini/contact/method.h>
-#include <signorini/elasticity/expression_function.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/function.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 namespace TestScene
@@ -39,6 +39,36 @@ namespace TestScene
     mesh.declare(section);
     return mesh;
   }
+
+  /// A VectorExpression at a fixed time, as deal.II wants a function of displacements.
+  template <int dim>
+  class DisplacementFunction : public Function<dim>
+  {
+  public:
+    DisplacementFunction(const VectorExpression<dim> &expression, const double t)
+      : Function<dim>(dim)
+      , expression(expression)
+      , t(t)
+    {}
+
+    double
+    value(const Point<dim> &p, const unsigned int component) const override
+    {
+      return expression.value(p, t)[component];
+    }
+
+    void
+    vector_value(const Point<dim> &p, Vector<double> &values) const override
+    {
+      const Tensor<1, dim> u = expression.value(p, t);
+      for (unsigned int d = 0; d < dim; ++d)
+        values[d] = u[d];
+    }
+
+  private:
+    const VectorExpression<dim> expression;
+    const double                t;
+  };
 
   template <int dim>
   struct TwoBlocks

@@ -20,15 +20,20 @@ namespace Signorini
   /// positive in compression, and p exerts B^T W p + theta S^T W (s - p)/eps.
   struct GapOperator
   {
-    dealii::IndexSet dofs;      ///< locally owned degrees of freedom
-    LA::SparseMatrix B;         ///< columns: all degrees of freedom (hanging nodes resolved)
-    LA::SparseMatrix B_free;    ///< the same without the columns of prescribed displacements
+    dealii::IndexSet dofs; ///< locally owned degrees of freedom
+    LA::SparseMatrix B;    ///< columns: all degrees of freedom (hanging nodes resolved)
+    /// The same for changes of free degrees of freedom: without the columns of prescribed
+    /// displacements, those of tied components added to the ones that move them.
+    LA::SparseMatrix B_free;
     LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
     double           theta = 0; ///< see above
-    LA::Vector       weight; ///< area of each point; sums up to the slave area that has a partner
-    LA::Vector       rest_gap;
-    LA::Vector       stiffness;       ///< E/h [force/length^3]
-    LA::Vector       epsilon;         ///< of the contact law, ContactMethod::penalty(), likewise
+    bool       tied = false;    ///< B refers to components that supports tie to others, see B_free
+    LA::Vector weight;    ///< area of each point; sums up to the slave area that has a partner
+    LA::Vector       rest_gap;    ///< from the geometry
+    LA::Vector       initial_gap; ///< g_0: the same with the share of overlaps that counts now
+    std::vector<double> interference; ///< that share of each pair; empty: all
+    LA::Vector stiffness; ///< E/h [force/length^3]
+    LA::Vector epsilon;   ///< of the contact law, ContactMethod::penalty(), likewise
     std::vector<LA::Vector> position; ///< dim vectors
     std::vector<LA::Vector>
       normal; ///< dim vectors: mean normal, not of unit length on curved faces
@@ -39,11 +44,9 @@ namespace Signorini
     /// quadrature points.
     std::vector<dealii::types::global_dof_index> node;
 
-    LA::Vector initial_gap; ///< rest_gap with the obstacles moved: set by set_obstacle_motion
-
-    /// @param motion displacement of each pair's master (zero for bodies), pair by pair
+    /// @param shares of initial overlaps that count, pair by pair
     void
-    set_obstacle_motion(const std::vector<std::vector<double>> &motion);
+    set_interference(const std::vector<double> &shares);
 
     /// B u + g_0; u must satisfy its constraints.
     LA::Vector

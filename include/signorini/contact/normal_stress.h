@@ -44,6 +44,9 @@ namespace Signorini
                  const dealii::Tensor<1, dim> &n,
                  const dealii::Tensor<1, dim> &m) const;
 
+    dealii::Point<dim>
+    position(const dealii::Point<dim> &unit_point) const;
+
     dealii::Tensor<2, dim>
     jacobian(const dealii::Point<dim> &unit_point) const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/parameters/expression.h>
+#include <signorini/elasticity/rigid_body.h>
 
 #include <memory>
 #include <string>
@@ -41,12 +41,9 @@ namespace Signorini
     std::string                         name;
     std::string                         type = "plane";
     std::shared_ptr<ObstacleShape<dim>> shape;
-    VectorExpression<dim> displacement; ///< of the rigid body, at time t; empty: at rest
-
-    /// Motion at time t. Contact is linearised about the reference position, thesis (44): the
-    /// gap falls by displacement . normal.
-    dealii::Tensor<1, dim>
-    motion(double t) const;
+    /// How it moves. Contact is linearised about the reference position, thesis (44): the gap falls
+    /// by displacement . normal.
+    RigidBody<dim> body;
 
     void
     declare(Section &section);

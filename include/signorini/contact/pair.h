@@ -16,7 +16,8 @@ namespace Signorini
     std::string name, slave, master;
     std::string slave_place, master_place;         ///< in the scene file
     std::string initial_gap     = "from geometry"; ///< or "closed", or a formula of the coordinates
-    double      search_distance = 0;               ///< 0: a tenth of the extent of the scene
+    Expression<dim> interference{"1"}; ///< share of initial overlaps that counts at time t
+    double          search_distance = 0; ///< 0: automatic
 
     void
     declare(Section &section);

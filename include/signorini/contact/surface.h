@@ -46,6 +46,9 @@ namespace Signorini
     std::vector<std::pair<SparseRow, double>> whole;
     SearchStatistics                          statistics;
     unsigned int                              faces = 0;
+    double reach         = 0;     ///< faces with larger gaps are no candidates
+    bool   is_apart      = false; ///< none is one
+    double largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]
   };
 
   /// Share of the slave's area that has a partner. Collective.
@@ -56,11 +59,14 @@ namespace Signorini
   /// Integrate the slave and find the partners. Collective. Unbiased methods get both surfaces, as
   /// slaves of each other with half their areas; all normals point out of the pair's master.
   /// @param obstacle null if the master is a boundary of a body
+  /// @param reach the gap up to which faces are candidates, unless the pair has a search distance;
+  /// at least twice the deepest initial overlap
   template <int dim>
   ContactSurface<dim>
   make_contact_surface(const Elasticity<dim>  &elasticity,
                        const ContactPair<dim> &pair,
                        const Obstacle<dim>    *obstacle,
                        const ContactMethod    &method,
-                       const Integration      &integration);
+                       const Integration      &integration,
+                       double                  reach = 0);
 } // namespace Signorini

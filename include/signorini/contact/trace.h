@@ -44,8 +44,9 @@ namespace Signorini
     unresolved_shape(const dealii::Point<dim> &unit_point) const;
 
   private:
-    const dealii::FESystem<dim>                 &fe;
-    const dealii::AffineConstraints<double>     &hanging;
+    const dealii::FESystem<dim>             &fe;
+    const dealii::AffineConstraints<double> &hanging;
+    const bool all_components; ///< supports may tie those along the normal to the others
     std::vector<dealii::types::global_dof_index> indices;
     std::vector<std::vector<unsigned int>>       nodes_of; ///< of each face of a cell
     unsigned int                                 face = 0;

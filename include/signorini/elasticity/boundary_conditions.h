@@ -9,14 +9,17 @@ namespace Signorini
 {
   class Section;
 
-  /// A prescribed displacement, per component, on boundaries of bodies.
+  /// A prescribed displacement on boundaries of bodies: per component, or along one direction.
   template <int dim>
   struct Support
   {
     std::string              name;
-    std::vector<std::string> boundaries; ///< "body.boundary"
-    std::string              place;      ///< of the boundaries in the scene file
+    std::vector<std::string> boundaries;            ///< "body.boundary"
+    std::string              place;                 ///< of the boundaries in the scene file
+    std::string              type = "displacement"; ///< or "symmetry", "roller"
     VectorExpression<dim>    displacement;
+    Expression<dim>          normal_displacement; ///< of a roller
+    dealii::Point<dim>       direction; ///< in which a roller holds; zero: along the normal
 
     void
     declare(Section &section);

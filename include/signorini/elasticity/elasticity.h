@@ -1,7 +1,9 @@
 #pragma once
 
-#include <signorini/elasticity/boundary_conditions.h>
-#include <signorini/elasticity/material.h>
+#include <signorini/elasticity/free_motion.h>
+#include <signorini/elasticity/held_nodes.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/rigid_body.h>
 #include <signorini/linear_algebra.h>
 #include <signorini/mesh/mesh.h>
 
@@ -28,6 +30,9 @@ namespace Signorini
   /// Linear elasticity of all bodies on the present mesh: sum over bodies of the virtual work
   /// int sigma(u):eps(v) dV = int b.v dV + int t.v dA, thesis (28), discretised to K d = f
   /// (38)-(41). K is assembled once per mesh; supports and loads depend on time.
+  ///
+  /// Behind the degrees of freedom of the mesh, those of moving rigid bodies follow, which the last
+  /// rank owns.
   template <int dim>
   class Elasticity
   {
@@ -36,7 +41,14 @@ namespace Signorini
                const std::vector<Material>     &materials,
                const std::vector<Support<dim>> &supports,
                const std::vector<Load<dim>>    &loads,
-               unsigned int                     degree);
+               unsigned int                     degree,
+               Model model = dim == 2 ? Model::plane_strain : Model::solid,
+               const std::vector<RigidBody<dim>> &rigid_bodies  = {},
+               double                             stabilisation = default_stabilisation);
+
+    /// Of free motions: springs in units of E times the size of the body. With this, forces push
+    /// bodies about as far as contact then gives way, from where it is found soonest.
+    static constexpr double default_stabilisation = 0.25;
 
     /// Distribute degrees of freedom on the mesh as it is now.
     void
@@ -88,9 +100,20 @@ namespace Signorini
     std::vector<std::vector<double>>
     rigid_body_modes() const;
 
-    /// Names of the rigid-body modes that no support holds, e.g. "ball: translation z".
+    /// Motions without deformation that no support holds: of elastic bodies, and of rigid ones
+    /// along free components. They vanish at all constrained degrees of freedom.
+    std::vector<FreeMotion>
+    free_motions() const;
+
     std::vector<std::string>
-    unrestrained_modes() const;
+    free_motion_names() const;
+
+    /// True if there are any. Known after setup().
+    bool
+    has_free_motions() const
+    {
+      return stabilisation.size() > 0;
+    }
 
     const Mesh<dim> &
     mesh() const
@@ -152,6 +175,59 @@ namespace Signorini
       return my_supports;
     }
 
+    const HeldNodes<dim> &
+    held_nodes() const
+    {
+      return held;
+    }
+
+    Model
+    model() const
+    {
+      return my_model;
+    }
+
+    const std::vector<RigidBody<dim>> &
+    rigid_bodies() const
+    {
+      return my_rigid_bodies;
+    }
+
+    /// The first degree of freedom of rigid body i.
+    dealii::types::global_dof_index
+    first_dof(const unsigned int i) const
+    {
+      return dofs.n_dofs() + i * RigidBody<dim>::n_dofs;
+    }
+
+    /// Arm by which rotations of rigid bodies are measured.
+    double
+    lever() const
+    {
+      return my_lever;
+    }
+
+    /// The values of all degrees of freedom of rigid bodies, on all ranks. Collective.
+    std::vector<double>
+    rigid_motion(const LA::Vector &u) const;
+    void
+    set_rigid_motion(const std::vector<double> &values, LA::Vector &u) const;
+
+    /// What K has on its diagonal beyond the stiffness where free motions would make it singular;
+    /// empty if there are none. Newton's method takes it out of the residual.
+    const LA::Vector &
+    stabilising_springs() const
+    {
+      return stabilisation;
+    }
+
+    /// True if degrees of freedom are tied to others by supports that are not along the axes.
+    bool
+    has_inclined_supports() const
+    {
+      return inclined;
+    }
+
     /// A zero vector of the degrees of freedom, without ghosts.
     LA::Vector
     zero_vector() const
@@ -159,9 +235,21 @@ namespace Signorini
       return LA::Vector(locally_owned, my_mesh.communicator());
     }
 
-    /// The same vector with ghosts, to be read on locally owned and ghost cells.
+    /// The part of a vector that belongs to the mesh, with ghosts, to be read on locally owned and
+    /// ghost cells.
     LA::Vector
     with_ghosts(const LA::Vector &u) const;
+
+    /// Of the mesh alone, without ghosts.
+    LA::Vector
+    zero_mesh_vector() const
+    {
+      return LA::Vector(dofs.locally_owned_dofs(), my_mesh.communicator());
+    }
+
+    /// Puts the mesh's part into a vector, and back.
+    void
+    set_mesh_part(const LA::Vector &part, LA::Vector &u) const;
 
     unsigned int
     degree() const
@@ -171,20 +259,45 @@ namespace Signorini
 
   private:
     void
-    prescribe(const Support<dim> &support);
-    void
     make_constraints(double t);
+    void
+    find_free_motions();
+    void
+    set_stabilisation();
+    double
+    rigid_stiffness() const;
+    unsigned int
+    n_rigid_dofs() const
+    {
+      return my_rigid_bodies.size() * RigidBody<dim>::n_dofs;
+    }
 
-    const Mesh<dim>                &my_mesh;
-    const std::vector<Material>     materials;
-    const std::vector<Support<dim>> my_supports;
-    const std::vector<Load<dim>>    loads;
+    const Mesh<dim>                  &my_mesh;
+    const std::vector<Material>       materials;
+    const std::vector<Support<dim>>   my_supports;
+    const std::vector<Load<dim>>      loads;
+    const Model                       my_model;
+    const std::vector<RigidBody<dim>> my_rigid_bodies; ///< those that can move
+    const double                      strength;        ///< of the stabilisation
 
     dealii::FESystem<dim>             fe;
     dealii::DoFHandler<dim>           dofs;
     dealii::IndexSet                  locally_owned, locally_relevant;
     dealii::AffineConstraints<double> hanging, all_constraints;
+    HeldNodes<dim>                    held;
     LA::SparseMatrix                  matrix;
-    double                            time = 0;
+    double                            time = 0, my_lever = 1;
+    bool                              inclined = false;
+
+    /// A combination of the rigid-body modes of one elastic body.
+    struct BodyMotion
+    {
+      unsigned int           body;
+      std::string            name;
+      dealii::Vector<double> modes;
+    };
+
+    std::vector<BodyMotion> body_motions; ///< that no support holds
+    LA::Vector              stabilisation;
   };
 } // namespace Signorini

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/boundary_conditions.h>
-#include <signorini/elasticity/material.h>
+#include <signorini/elasticity/model.h>
 #include <signorini/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -21,15 +21,23 @@ namespace Signorini
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    StiffnessKernel(const dealii::Mapping<dim> &mapping, const dealii::FESystem<dim> &fe);
+    StiffnessKernel(const dealii::Mapping<dim>  &mapping,
+                    const dealii::FESystem<dim> &fe,
+                    Model                        model);
 
     void
     assemble(const Cell &cell, const Material &material, dealii::FullMatrix<double> &cell_matrix);
 
   private:
+    /// Axisymmetric: what the hoop strain u_r/r adds.
+    void
+    add_hoop(double lambda, double mu, dealii::FullMatrix<double> &cell_matrix);
+
     const dealii::FESystem<dim> &fe;
+    const Model                  model;
     // The gradients of the scalar element serve all components.
     dealii::FEValues<dim> values;
+    std::vector<double>   weights; ///< of the quadrature points
   };
 
   /// Load vector of one cell: body forces, tractions and pressures, thesis (39).
@@ -41,6 +49,7 @@ namespace Signorini
 
     LoadKernel(const Mesh<dim>              &mesh,
                const dealii::FESystem<dim>  &fe,
+               Model                         model,
                const std::vector<Load<dim>> &loads,
                double                        t);
 
@@ -58,6 +67,7 @@ namespace Signorini
                  dealii::Vector<double> &cell_load);
 
     const dealii::FESystem<dim> &fe;
+    const Model                  model;
     const double                 t;
     dealii::FEValues<dim>        values;
     dealii::FEFaceValues<dim>    face_values;

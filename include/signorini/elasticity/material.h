@@ -4,7 +4,7 @@ namespace Signorini
 {
   class Section;
 
-  /// Isotropic linear elasticity: sigma = lambda tr(eps) I + 2 mu eps. In 2D this is plane strain.
+  /// Isotropic linear elasticity: sigma = lambda tr(eps) I + 2 mu eps. For 2D see Model.
   struct Material
   {
     double youngs_modulus = 200000, poissons_ratio = 0.3;

@@ -13,11 +13,11 @@ namespace Signorini
   template <int dim>
   struct ProbeValue
   {
-    std::string                     name;
-    dealii::Tensor<1, dim>          displacement;
-    dealii::SymmetricTensor<2, dim> stress; ///< tension positive
-    double                          von_mises = 0;
-    bool                            found     = false;
+    std::string                   name;
+    dealii::Tensor<1, dim>        displacement;
+    dealii::SymmetricTensor<2, 3> stress; ///< tension positive
+    double                        von_mises = 0;
+    bool                          found     = false;
   };
 
   /// Displacement and stress at each probe, the same on all ranks and independent of their number.

@@ -17,9 +17,8 @@ namespace Signorini
     const LA::Vector                       &displacement; ///< owned, satisfies its constraints
     /// On the rows of the gap operator: gap positive when open, pressure positive in compression,
     /// active 1 or 0.
-    const LA::Vector                       &gap, &pressure, &active;
-    const std::vector<std::vector<double>> &obstacle_motion; ///< of each pair's master; or zero
-    double                                  time;
-    unsigned int                            step;
+    const LA::Vector &gap, &pressure, &active;
+    double            time;
+    unsigned int      step;
   };
 } // namespace Signorini

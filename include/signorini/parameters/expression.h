@@ -18,7 +18,8 @@ namespace dealii
 namespace Signorini
 {
   /// A scalar function of the coordinates x, y (z in 3D) and the time t, given by a formula of
-  /// muParser; the constant `pi` is known. A formula that cannot be read throws SceneError on
+  /// muParser; the constant `pi` is known, and table(x, x1, y1, x2, y2, ...), see expand_tables(). A
+  /// formula that cannot be read throws SceneError on
   /// construction.
   template <int dim>
   class Expression
@@ -42,7 +43,7 @@ namespace Signorini
 
   /// One expression a component, separated by `;`. A component may be `free`: then it is not
   /// prescribed.
-  template <int dim>
+  template <int dim, int n_components = dim>
   class VectorExpression
   {
   public:
@@ -59,15 +60,23 @@ namespace Signorini
     bool
     empty() const;
 
+    /// False for the empty text.
+    bool
+    given() const
+    {
+      return is_given;
+    }
+
     /// The components at p; free ones are zero.
-    dealii::Tensor<1, dim>
+    dealii::Tensor<1, n_components>
     value(const dealii::Point<dim> &p, double t = 0) const;
 
     std::string
     text() const;
 
   private:
-    std::array<std::optional<Expression<dim>>, dim> components;
+    std::array<std::optional<Expression<dim>>, n_components> components;
+    bool                                                     is_given = false;
   };
 
   /// Value of a formula in named constants, e.g. evaluate("2*a", {{"a", 3}}). Throws SceneError.

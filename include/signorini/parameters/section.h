@@ -168,7 +168,7 @@ namespace Signorini
   template <int dim>
   void
   from_text(const std::string &text, Expression<dim> &value);
-  template <int dim>
+  template <int dim, int n_components>
   void
-  from_text(const std::string &text, VectorExpression<dim> &value);
+  from_text(const std::string &text, VectorExpression<dim, n_components> &value);
 } // namespace Signorini

@@ -6,7 +6,7 @@
 #include <signorini/contact/obstacle.h>
 #include <signorini/contact/pair.h>
 #include <signorini/elasticity/boundary_conditions.h>
-#include <signorini/elasticity/material.h>
+#include <signorini/elasticity/model.h>
 #include <signorini/mesh/mesh.h>
 #include <signorini/output/settings.h>
 #include <signorini/scene/expected_result.h>
@@ -55,8 +55,14 @@ namespace Signorini
 
   struct LoadSteps
   {
-    double       end_time = 1;
-    unsigned int number   = 1;
+    double              end_time = 1;
+    unsigned int        number   = 1;
+    std::vector<double> times; ///< instead of equal steps
+    unsigned int        cut_backs = 4;
+
+    /// The ends of all steps.
+    std::vector<double>
+    ends() const;
 
     void
     declare(Section &section);
@@ -66,6 +72,7 @@ namespace Signorini
   template <int dim>
   struct Scene
   {
+    std::string model = model_names<dim>().front();
     std::string title;
     std::string name; ///< of the scene file, without folder and .prm
 
@@ -74,6 +81,7 @@ namespace Signorini
     std::vector<Support<dim>>     supports;
     std::vector<Load<dim>>        loads;
     std::vector<ContactPair<dim>> pairs;
+    bool auto_pairs = false; ///< to be found: the one pair says what they have in common
     MeshSettings<dim>             mesh;
     unsigned int                  degree = 1;
     ContactSettings               contact;

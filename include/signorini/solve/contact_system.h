@@ -2,6 +2,7 @@
 
 #include <signorini/contact/method.h>
 #include <signorini/linear_algebra.h>
+#include <signorini/solve/free_motions.h>
 
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
@@ -36,7 +37,8 @@ namespace Signorini
   public:
     ContactSystem(const LA::SparseMatrix &stiffness,
                   const GapOperator      &contact,
-                  const ContactMethod    &method);
+                  const ContactMethod    &method,
+                  FreeMotions             free_motions = FreeMotions());
 
     /// Condensed, with the springs D = factor k W on active points, whatever the method.
     ContactSystem(const LA::SparseMatrix &stiffness, const GapOperator &contact, double factor);
@@ -49,6 +51,17 @@ namespace Signorini
 
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
+
+    /// The forces of the bodies' deformation: K u without the springs that K has against free
+    /// motions.
+    void
+    internal_force(LA::Vector &dst, const LA::Vector &u) const;
+
+    const FreeMotions &
+    free_motions() const
+    {
+      return motions;
+    }
 
     /// The same without K.
     void
@@ -70,6 +83,7 @@ namespace Signorini
       return !contact.has_stress() || contact.theta == 1;
     }
 
+    /// K, with springs against free motions: that is what preconditioners are built of.
     const LA::SparseMatrix &
     stiffness() const
     {
@@ -129,6 +143,7 @@ namespace Signorini
     const bool              saddle;
     const double            factor;    ///< of springs; 0: they are those of the contact law
     const bool              compliant; ///< multipliers whose law is g + p/eps = 0
+    FreeMotions             motions;
     LA::Vector              D, X, Y, A, I;
     mutable LA::Vector      workspace;
 

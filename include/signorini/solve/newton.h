@@ -1,13 +1,13 @@
 #pragma once
 
 #include <signorini/contact/method.h>
+#include <signorini/solve/active_set.h>
 #include <signorini/solve/linear_solver.h>
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +18,8 @@ namespace Signorini
     unsigned int maximum_steps = 40;
     double       tolerance     = 1e-10;
     double       reduction     = 1e-2;
+    double       stabilisation = 0.25;
+    std::string  undetermined  = "refuse";
 
     void
     declare(Section &section);
@@ -37,6 +39,9 @@ namespace Signorini
     bool                    converged = false;
     std::string             reason; ///< why not
     std::vector<NewtonStep> steps;
+    /// Motions that neither supports nor contact determine; no force drives them, and the solution
+    /// has the smallest.
+    std::vector<std::string> undetermined;
   };
 
   /// Semismooth Newton method for K u = f + B^T W p with the contact law between p and the gap:
@@ -60,7 +65,8 @@ namespace Signorini
            const GapOperator                       &contact,
            const std::vector<std::vector<double>>  &modes,
            unsigned int                             dim,
-           dealii::TimerOutput                     &timer);
+           dealii::TimerOutput                     &timer,
+           FreeMotions                              free_motions = FreeMotions());
 
     /// @param f load vector with prescribed displacements eliminated
     /// @param u in: start, with the prescribed displacements of this step; out: solution
@@ -74,16 +80,20 @@ namespace Signorini
       return linear_solver.multigrid_cycles();
     }
 
+    /// Start the next solution from that set.
+    void
+    set_active(const LA::Vector &active)
+    {
+      active_set.set(active);
+      factorised = false;
+    }
+
     /// The active set that belongs to the last solution: 1 or 0.
     const LA::Vector &
     active() const
     {
-      return active_set;
+      return active_set.values();
     }
-
-    /// Names of the contact points that changed in the last steps, for messages.
-    std::string
-    chattering_points() const;
 
   private:
     bool
@@ -117,15 +127,6 @@ namespace Signorini
     /// p^ of the law
     const LA::Vector &
     predicted(const LA::Vector &p, const LA::Vector &stress) const;
-    /// Where smooth bodies overlap, they are pushed apart on a part of that area only: Hertz' is
-    /// where they are at least half as deep as at the deepest point. Of each pair no other points
-    /// become active. Returns the number of active points.
-    unsigned int
-    keep_deepest(const LA::Vector &gap);
-    void
-    keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p);
-    bool
-    seen_before();
     /// What the active points lack to obey the law, as a force: of the gap times E/h, or the change
     /// of the force by the next augmentation.
     LA::Vector
@@ -153,14 +154,13 @@ namespace Signorini
     ContactSystem                            system;
     LinearSolver                             linear_solver;
 
-    LA::Vector         active_set, last_active_set, changes;
-    LA::Vector         augmented; ///< pressure of the last solution, for methods that augment
-    std::set<uint64_t> history;
-    bool               is_cold     = true; ///< without a pressure to start from
-    bool               cautious    = false;
-    double             reduction   = 1e-2; ///< by linear solves while the active set changes
-    double             softness    = 1;
-    bool               factorised  = false; ///< the system is that of the active set
-    double             force_scale = 0, largest_force = 0, force_rounding = 0;
+    ActiveSet  active_set;
+    LA::Vector augmented; ///< pressure of the last solution, for methods that augment
+    bool       is_cold     = true; ///< without a pressure to start from
+    bool       cautious    = false;
+    double     reduction   = 1e-2; ///< by linear solves while the active set changes
+    double     softness    = 1;
+    bool       factorised  = false; ///< the system is that of the active set
+    double     force_scale = 0, largest_force = 0, force_rounding = 0;
   };
 } // namespace Signorini

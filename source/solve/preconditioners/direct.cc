@@ -17,7 +17,8 @@ namespace Signorini
 
 
   Direct::Direct(const ContactSystem &system, const std::string &direct_solver)
-    : all(system, everywhere(system), direct_solver)
+    : system(system)
+    , all(system, everywhere(system), direct_solver)
   {}
 
 
@@ -26,6 +27,14 @@ namespace Signorini
   Direct::update()
   {
     all.update();
+  }
+
+
+
+  void
+  Direct::start(LA::BlockVector &x, const LA::BlockVector &rhs) const
+  {
+    vmult(x, rhs);
   }
 
 

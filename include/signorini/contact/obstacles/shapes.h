@@ -27,6 +27,16 @@ namespace Signorini
   std::unique_ptr<ObstacleShape<dim>>
   make_paraboloid();
 
+  /// Flat circular face (2D: strip) with rounded edges, at the end of a shaft.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_punch();
+
+  /// Circular cone (2D: wedge).
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_cone();
+
   /// Any surface, given by the gap along a fixed normal.
   template <int dim>
   std::unique_ptr<ObstacleShape<dim>>

@@ -23,13 +23,24 @@ namespace Signorini
       return false;
     }
 
+    /// Springs against free motions are in the factors, but not in the system.
     bool
     is_exact() const override
+    {
+      return system.free_motions().empty();
+    }
+
+    bool
+    keeps_constraints() const override
     {
       return true;
     }
 
+    void
+    start(LA::BlockVector &x, const LA::BlockVector &rhs) const override;
+
   private:
-    ZoneSolver all;
+    const ContactSystem &system;
+    ZoneSolver           all;
   };
 } // namespace Signorini

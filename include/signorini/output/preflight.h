@@ -1,0 +1,25 @@
+#pragma once
+
+#include <signorini/contact/surface.h>
+#include <signorini/output/prediction.h>
+#include <signorini/scene/scene.h>
+
+#include <nlohmann/json.hpp>
+
+#include <iosfwd>
+
+namespace Signorini
+{
+  /// What is known of a scene before it is solved: bodies, motions that contact alone stops, pairs
+  /// with their gaps and meshes, what is left out and why, warnings with their cures, and what the
+  /// run will take. Keys in words; the printed report shows the same. Collective.
+  template <int dim>
+  nlohmann::ordered_json
+  preflight(const Scene<dim>                       &scene,
+            const Elasticity<dim>                  &elasticity,
+            const std::vector<ContactSurface<dim>> &surfaces,
+            const GapOperator                      &contact);
+
+  void
+  print_preflight(const nlohmann::ordered_json &report, std::ostream &out);
+} // namespace Signorini

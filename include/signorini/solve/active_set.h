@@ -1,0 +1,83 @@
+#pragma once
+
+#include <signorini/contact/gap_operator.h>
+
+#include <set>
+#include <string>
+
+namespace Signorini
+{
+  /// The contact points where the law has a pressure, and what Newton's method remembers of them:
+  /// the set of the step before, those that were, and how often points have changed.
+  class ActiveSet
+  {
+  public:
+    explicit ActiveSet(const GapOperator &contact);
+
+    /// 1 where active, else 0.
+    const LA::Vector &
+    values() const
+    {
+      return now;
+    }
+
+    unsigned int
+    size() const;
+
+    /// Keep the set, but forget the way to it.
+    void
+    restart();
+
+    /// Start from another set.
+    void
+    set(const LA::Vector &values)
+    {
+      now = values;
+    }
+
+    /// The set that the contact law asks for; what was the present one becomes the last one.
+    void
+    update(const LA::Vector &gap, const LA::Vector &predicted);
+
+    /// Where smooth bodies overlap, they are pushed apart on a part of that area only: Hertz' is
+    /// where they are at least half as deep as at the deepest point. Of each pair no other points
+    /// become active. Returns the number of active points.
+    unsigned int
+    keep_deepest(const LA::Vector &gap);
+
+    /// A body that nothing but contact holds, or an obstacle under a given force, rests on a point
+    /// at first; better it is pushed in a little before that point counts. Returns the number of
+    /// active points.
+    unsigned int
+    drop_touching(const LA::Vector &gap);
+
+    /// Of all changes, make the one that violates the law most.
+    void
+    keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p);
+
+    /// Take back all changes if there was an active point. Returns true if that changes anything.
+    bool
+    keep_last_if_any();
+
+    /// True if the set is one of those since restart(), but not the last one.
+    bool
+    seen_before();
+
+    /// Number of points that are not as in the last set.
+    unsigned int
+    count_changes();
+
+    /// Names of the contact points that changed often, for messages.
+    std::string
+    chattering_points() const;
+
+  private:
+    /// Surfaces that touch overlap by that, of which nothing follows.
+    double
+    coordinate_rounding() const;
+
+    const GapOperator &contact;
+    LA::Vector         now, last, changes;
+    std::set<uint64_t> history;
+  };
+} // namespace Signorini

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <signorini/contact/gap_operator.h>
+#include <signorini/elasticity/free_motion.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// Motions without deformation that no support stops: contact has to. K has no stiffness against
+  /// them but springs S, which make it regular and have no part in the solution. What the active
+  /// points stop needs no springs, so that they are taken out of the linear systems again, up to
+  /// those along the motions z that are loose,
+  ///
+  ///   K - S + sum_z S z (S z)^T   with z^T S z' = delta_zz',
+  ///
+  /// and they are never in the residual. Along loose motions, the forces at work push the bodies
+  /// until they touch something.
+  class FreeMotions
+  {
+  public:
+    FreeMotions() = default;
+
+    /// @param springs S, a diagonal; positive wherever a motion is not zero
+    FreeMotions(std::vector<FreeMotion> motions,
+                const LA::Vector       &springs,
+                const GapOperator      &contact);
+
+    bool
+    empty() const
+    {
+      return motions.empty();
+    }
+
+    /// Find out which motions the active points leave loose. Collective.
+    void
+    set_active(const LA::Vector &active);
+
+    /// dst -= S src
+    void
+    subtract_springs(LA::Vector &dst, const LA::Vector &src) const;
+
+    /// dst += sum_z S z (S z).src, over loose motions
+    void
+    add_loose(LA::Vector &dst, const LA::Vector &src) const;
+
+    /// Names of the motions that would be loose even if all contact points were active.
+    const std::vector<std::string> &
+    never_held() const
+    {
+      return hopeless;
+    }
+
+    /// Names of the loose motions along which the forces r are not in balance, relative to a force
+    /// (empty argument: of all). "ball: translation z"
+    std::vector<std::string>
+    loose() const;
+    std::vector<std::string>
+    driven(const LA::Vector &r, double scale) const;
+
+    /// Move u along the loose motions, as r drives them, up to the first contact and a little
+    /// further. Returns false if nothing stands in the way.
+    bool
+    close(LA::Vector &u, const LA::Vector &r) const;
+
+  private:
+    struct Loose
+    {
+      std::string name;
+      LA::Vector  motion, spring_force; ///< z, S z
+    };
+
+    std::vector<FreeMotion> motions; ///< orthonormal with respect to S
+    LA::Vector              springs;
+    const GapOperator      *contact = nullptr;
+    std::vector<LA::Vector> approach; ///< B z of each motion
+    double                  strongest = 0;
+    std::vector<Loose>      loose_motions;
+
+    std::vector<std::string> hopeless;
+  };
+} // namespace Signorini

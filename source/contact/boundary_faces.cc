@@ -1,0 +1,45 @@
+#include <signorini/contact/boundary_faces.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  BoundaryFaces<dim>::BoundaryFaces(const Elasticity<dim> &elasticity, const std::string &boundary)
+  {
+    const Mesh<dim> &mesh = elasticity.mesh();
+    const auto       id   = mesh.boundary_id(boundary);
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+            {
+              faces.emplace_back(cell, f);
+              patches.emplace_back(mesh.mapping(), mesh.geometry_degree(), cell, f);
+            }
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryFaces<dim>::depth(const unsigned int i) const
+  {
+    const auto &[cell, face] = faces[i];
+    return cell->measure() / cell->face(face)->measure();
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryFaces<dim>::stiffness(const Elasticity<dim> &elasticity, const unsigned int i) const
+  {
+    return elasticity.material(faces[i].first->material_id()).youngs_modulus / depth(i);
+  }
+
+
+
+  template struct BoundaryFaces<2>;
+  template struct BoundaryFaces<3>;
+} // namespace Signorini

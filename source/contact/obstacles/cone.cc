@@ -1,0 +1,70 @@
+#include <signorini/contact/obstacles/shapes.h>
+#include <signorini/parameters/section.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Cone : public ObstacleShape<dim>
+    {
+    public:
+      Cone()
+      {
+        normal[dim - 1] = -1;
+      }
+
+      void
+      declare(Section &section) override
+      {
+        section.add("Apex", apex, "[length]");
+        section.add("Normal",
+                    normal,
+                    "axis, out of the obstacle at the apex, towards the body; any length");
+        section.add("Angle",
+                    angle,
+                    "of the flank against the plane across the axis [degrees]",
+                    Range{0, 89, false});
+        if (normal.norm() == 0)
+          section.fail("Normal", "must not be zero");
+      }
+
+      ObstaclePlace<dim>
+      closest(const Point<dim> &x) const override
+      {
+        const Tensor<1, dim> n      = normal / normal.norm();
+        const Tensor<1, dim> r      = x - apex;
+        const double         height = r * n;
+        const Tensor<1, dim> across = r - height * n;
+        const double         s      = across.norm();
+        const double         sine   = std::sin(angle * numbers::PI / 180),
+                     cosine         = std::cos(angle * numbers::PI / 180);
+        if (height * sine > s * cosine)
+          return {r.norm(), r / r.norm()}; // the apex is closest
+        return {height * cosine + s * sine, cosine * n + (s > 0 ? sine / s : 0.) * across};
+      }
+
+    private:
+      Point<dim> apex, normal;
+      double     angle = 10;
+    };
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_cone()
+  {
+    return std::make_unique<Cone<dim>>();
+  }
+
+  template std::unique_ptr<ObstacleShape<2>>
+  make_cone();
+  template std::unique_ptr<ObstacleShape<3>>
+  make_cone();
+} // namespace Signorini

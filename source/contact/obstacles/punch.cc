@@ -1,0 +1,73 @@
+#include <signorini/contact/obstacles/shapes.h>
+#include <signorini/parameters/section.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Punch : public ObstacleShape<dim>
+    {
+    public:
+      Punch()
+      {
+        normal[dim - 1] = -1;
+      }
+
+      void
+      declare(Section &section) override
+      {
+        section.add("Center", center, "of the flat face [length]");
+        section.add("Normal",
+                    normal,
+                    "of the flat face, out of the obstacle, towards the body; any length");
+        section.add("Radius",
+                    radius,
+                    dim == 2 ? "half the width of the flat face [length]" :
+                               "of the flat face [length]",
+                    positive);
+        section.add("Edge radius", edge, "of the rounded edge; 0: sharp [length]", non_negative);
+        if (normal.norm() == 0)
+          section.fail("Normal", "must not be zero");
+      }
+
+      ObstaclePlace<dim>
+      closest(const Point<dim> &x) const override
+      {
+        const Tensor<1, dim> n       = normal / normal.norm();
+        const Tensor<1, dim> r       = x - center;
+        const double         height  = r * n;
+        const Tensor<1, dim> lateral = r - height * n;
+        const double         beyond  = lateral.norm() - radius;
+        if (beyond <= 0)
+          return {height, n};
+        // The edge is a quarter of a circle (a torus) behind the rim of the flat face.
+        const Tensor<1, dim> out = lateral / lateral.norm();
+        if (height <= -edge)
+          return {beyond - edge, out}; // beside the shaft
+        const Tensor<1, dim> from_center = beyond * out + (height + edge) * n;
+        return {from_center.norm() - edge, from_center / from_center.norm()};
+      }
+
+    private:
+      Point<dim> center, normal;
+      double     radius = 1, edge = 0;
+    };
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_punch()
+  {
+    return std::make_unique<Punch<dim>>();
+  }
+
+  template std::unique_ptr<ObstacleShape<2>>
+  make_punch();
+  template std::unique_ptr<ObstacleShape<3>>
+  make_punch();
+} // namespace Signorini

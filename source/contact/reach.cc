@@ -1,0 +1,157 @@
+#include <signorini/contact/reach.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Of the faces on all ranks; empty if there are none.
+    template <int dim>
+    BoundingBox<dim>
+    box_of(const std::vector<FacePatch<dim>> &patches, const MPI_Comm comm)
+    {
+      std::vector<double> bounds(2 * dim, -std::numeric_limits<double>::max());
+      for (const FacePatch<dim> &patch : patches)
+        {
+          const auto &[low, high] = patch.box().get_boundary_points();
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              bounds[d]       = std::max(bounds[d], high[d]);
+              bounds[dim + d] = std::max(bounds[dim + d], -low[d]);
+            }
+        }
+      Utilities::MPI::max(bounds, comm, bounds);
+      Point<dim> low, high;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          high[d] = bounds[d];
+          low[d]  = -bounds[dim + d];
+        }
+      return BoundingBox<dim>({low, high});
+    }
+
+    /// Largest displacement of a node of the boundary.
+    template <int dim>
+    double
+    largest_displacement(const Elasticity<dim> &elasticity,
+                         const std::string     &boundary,
+                         const LA::Vector      &ghosted)
+    {
+      const FESystem<dim>                 &fe = elasticity.finite_element();
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      const auto                           id      = elasticity.mesh().boundary_id(boundary);
+      double                               largest = 0;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+              {
+                cell->get_dof_indices(indices);
+                for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+                  if (fe.base_element(0).has_support_on_face(i, f))
+                    {
+                      Tensor<1, dim> u;
+                      for (unsigned int d = 0; d < dim; ++d)
+                        u[d] = ghosted(indices[fe.component_to_system_index(d, i)]);
+                      largest = std::max(largest, u.norm());
+                    }
+              }
+      return Utilities::MPI::max(largest, elasticity.mesh().communicator());
+    }
+
+    template <int dim>
+    double
+    largest_displacement(const Elasticity<dim> &elasticity,
+                         const Obstacle<dim>   &obstacle,
+                         const LA::Vector      &u)
+    {
+      const std::vector<double> motion = elasticity.rigid_motion(u);
+      for (unsigned int b = 0; b < elasticity.rigid_bodies().size(); ++b)
+        if (elasticity.rigid_bodies()[b].name == obstacle.name)
+          {
+            // Rotations move nothing by more than two levers' arm.
+            double     sum   = 0;
+            const auto first = motion.begin() + b * RigidBody<dim>::n_dofs;
+            for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+              sum += (i < dim ? 1 : 2) * std::abs(first[i]);
+            return sum;
+          }
+      return 0;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  search_limit(const Elasticity<dim> &elasticity, const ContactPair<dim> &pair, const double reach)
+  {
+    const double tenth_of_scene = elasticity.lever() / 5;
+    return pair.search_distance > 0 ? pair.search_distance : std::max(tenth_of_scene, reach);
+  }
+
+
+
+  template <int dim>
+  bool
+  is_apart(const Elasticity<dim>    &elasticity,
+           const ContactPair<dim>   &pair,
+           const Obstacle<dim>      *obstacle,
+           const BoundaryFaces<dim> &slave,
+           const double              distance)
+  {
+    const MPI_Comm comm = elasticity.mesh().communicator();
+    if (pair.initial_gap != "from geometry")
+      return false;
+    if (obstacle)
+      {
+        double closest = std::numeric_limits<double>::max();
+        for (const FacePatch<dim> &patch : slave.patches)
+          closest =
+            std::min(closest,
+                     std::abs(obstacle->shape->closest(patch.center()).gap) - patch.diameter());
+        return Utilities::MPI::min(closest, comm) > distance;
+      }
+    BoundingBox<dim> box = box_of(slave.patches, comm);
+    box.extend(distance);
+    const BoundingBox<dim> master =
+      box_of(BoundaryFaces<dim>(elasticity, pair.master).patches, comm);
+    return box.get_neighbor_type(master) == NeighborType::not_neighbors;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_approach(const Elasticity<dim>  &elasticity,
+                   const ContactPair<dim> &pair,
+                   const Obstacle<dim>    *obstacle,
+                   const LA::Vector       &u)
+  {
+    const LA::Vector ghosted = elasticity.with_ghosts(u);
+    return largest_displacement(elasticity, pair.slave, ghosted) +
+           (obstacle ? largest_displacement(elasticity, *obstacle, u) :
+                       largest_displacement(elasticity, pair.master, ghosted));
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template double search_limit(const Elasticity<dim> &, const ContactPair<dim> &, double);         \
+  template bool   is_apart(const Elasticity<dim> &,                                                \
+                           const ContactPair<dim> &,                                               \
+                           const Obstacle<dim> *,                                                  \
+                           const BoundaryFaces<dim> &,                                             \
+                           double);                                                                \
+  template double largest_approach(const Elasticity<dim> &,                                        \
+                                   const ContactPair<dim> &,                                       \
+                                   const Obstacle<dim> *,                                          \
+                                   const LA::Vector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

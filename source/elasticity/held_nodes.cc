@@ -1,0 +1,424 @@
+#include <signorini/elasticity/held_nodes.h>
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/utilities.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Tensor<1, dim>
+    axis(const unsigned int d)
+    {
+      Tensor<1, dim> e;
+      e[d] = 1;
+      return e;
+    }
+
+    /// Faces along the axes hold one component alone, to the last digit.
+    template <int dim>
+    Tensor<1, dim>
+    without_rounding(Tensor<1, dim> n)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(n[d]) > 1 - 1e-14)
+          n = n[d] > 0 ? axis<dim>(d) : -axis<dim>(d);
+      return n;
+    }
+
+    /// Normals of the faces around a node, those of one smooth surface summed up.
+    template <int dim>
+    void
+    add_normal(const Tensor<1, dim> &n, std::vector<Tensor<1, dim>> &sums)
+    {
+      constexpr double cosine_of_corner = 0.64; // 50 degrees
+      for (Tensor<1, dim> &sum : sums)
+        if (n * sum > cosine_of_corner * sum.norm())
+          {
+            sum += n;
+            return;
+          }
+      sums.push_back(n);
+    }
+
+    template <int dim>
+    class Finder
+    {
+    public:
+      Finder(const Mesh<dim>                 &mesh,
+             const DoFHandler<dim>           &dofs,
+             const AffineConstraints<double> &hanging)
+        : mesh(mesh)
+        , fe(dynamic_cast<const FESystem<dim> &>(dofs.get_fe()))
+        , dofs(dofs)
+        , hanging(hanging)
+        , indices(fe.n_dofs_per_cell())
+        , values(mesh.mapping(),
+                 fe.base_element(0),
+                 Quadrature<dim>(fe.base_element(0).get_unit_support_points()),
+                 update_quadrature_points)
+      {
+        for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
+          {
+            std::vector<Point<dim - 1>> points;
+            for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+              if (fe.base_element(0).has_support_on_face(i, f))
+                {
+                  nodes_of[f].push_back(i);
+                  const Point<dim> &p = fe.base_element(0).unit_support_point(i);
+                  Point<dim - 1>    xi; // the cyclic order of QProjector
+                  for (unsigned int d = 0; d < dim - 1; ++d)
+                    xi[d] = p[(f / 2 + 1 + d) % dim];
+                  points.push_back(xi);
+                }
+            normals.push_back(std::make_unique<FEFaceValues<dim>>(mesh.mapping(),
+                                                                  fe.base_element(0),
+                                                                  Quadrature<dim - 1>(points),
+                                                                  update_normal_vectors));
+          }
+      }
+
+      /// Calls visit(node, cell's number of it, position in the list of the face) for the nodes of
+      /// faces with one of these ids, cell by cell and face by face.
+      template <typename Visit>
+      void
+      on_boundary(const types::boundary_id id, const bool with_normals, const Visit &visit)
+      {
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (!cell->is_artificial() && cell->at_boundary())
+            for (const unsigned int f : cell->face_indices())
+              if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+                {
+                  read(cell);
+                  if (with_normals)
+                    normals[f]->reinit(
+                      static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), f);
+                  for (unsigned int k = 0; k < nodes_of[f].size(); ++k)
+                    if (HeldNode<dim> *node = held(nodes_of[f][k]))
+                      visit(*node,
+                            with_normals ? without_rounding<dim>(normals[f]->normal_vector(k)) :
+                                           Tensor<1, dim>());
+                }
+      }
+
+      /// The axis of an axisymmetric body: there is no radial displacement.
+      void
+      hold_axis()
+      {
+        const double on_axis = 1e-10 * mesh.size();
+        double       lowest  = 0;
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (!cell->is_artificial() && cell->at_boundary())
+            {
+              bool near = false;
+              for (const unsigned int v : cell->vertex_indices())
+                {
+                  near |= cell->vertex(v)[0] < on_axis;
+                  lowest = std::min(lowest, cell->vertex(v)[0]);
+                }
+              if (!near)
+                continue;
+              read(cell);
+              for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+                if (values.quadrature_point(i)[0] < on_axis)
+                  if (HeldNode<dim> *node = held(i); node && node->holds.empty())
+                    node->holds.push_back({axis<dim>(0), nullptr});
+            }
+        lowest = Utilities::MPI::min(lowest, mesh.communicator());
+        if (lowest < -on_axis)
+          throw SceneError("Model = axisymmetric: a body reaches x = " + std::to_string(lowest) +
+                           ", but x is the radius; keep the bodies at x >= 0");
+      }
+
+      HeldNodes<dim> result;
+
+    private:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+      void
+      read(const Cell &cell)
+      {
+        cell->get_dof_indices(indices);
+        values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
+      }
+
+      /// The entry of the cell's node i; null if it hangs.
+      HeldNode<dim> *
+      held(const unsigned int i)
+      {
+        HeldNode<dim> node;
+        for (unsigned int d = 0; d < dim; ++d)
+          node.dofs[d] = indices[fe.component_to_system_index(d, i)];
+        if (hanging.is_constrained(node.dofs[0]))
+          return nullptr;
+        node.position = values.quadrature_point(i);
+        return &result.emplace(node.dofs[0], node).first->second;
+      }
+
+      const Mesh<dim>                                                         &mesh;
+      const FESystem<dim>                                                     &fe;
+      const DoFHandler<dim>                                                   &dofs;
+      const AffineConstraints<double>                                         &hanging;
+      std::vector<types::global_dof_index>                                     indices;
+      FEValues<dim>                                                            values;
+      std::array<std::vector<unsigned int>, GeometryInfo<dim>::faces_per_cell> nodes_of;
+      std::vector<std::unique_ptr<FEFaceValues<dim>>>                          normals;
+    };
+
+    template <int dim>
+    void
+    hold_components(Finder<dim> &finder, const Mesh<dim> &mesh, const Support<dim> &support)
+    {
+      for (const std::string &boundary : support.boundaries)
+        finder.on_boundary(mesh.boundary_id(boundary), false, [&](HeldNode<dim> &node, auto) {
+          if (!node.holds.empty() && node.holds.back().support == &support)
+            return; // from the face beside
+          for (unsigned int d = 0; d < dim; ++d)
+            if (support.displacement.prescribed(d))
+              node.holds.push_back({axis<dim>(d), &support});
+        });
+    }
+
+    template <int dim>
+    void
+    check_plane(const Mesh<dim>                   &mesh,
+                const Support<dim>                &support,
+                const std::string                 &boundary,
+                const std::vector<Tensor<1, dim>> &normals)
+    {
+      std::vector<double> largest(2 * dim, -2.);
+      for (const Tensor<1, dim> &n : normals)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            largest[d]       = std::max(largest[d], n[d]);
+            largest[dim + d] = std::max(largest[dim + d], -n[d]);
+          }
+      Utilities::MPI::max(largest, mesh.communicator(), largest);
+      for (unsigned int d = 0; d < dim; ++d)
+        if (largest[d] + largest[dim + d] > 1e-6)
+          throw SceneError(support.place + ": '" + boundary +
+                           "' is not plane, so that it cannot be a plane of symmetry; "
+                           "take Type = roller for a curved surface that holds along its normal");
+    }
+
+    template <int dim>
+    void
+    hold_normals(Finder<dim> &finder, const Mesh<dim> &mesh, const Support<dim> &support)
+    {
+      std::map<HeldNode<dim> *, std::vector<Tensor<1, dim>>> sums;
+      const bool along_normal = support.direction.norm() == 0;
+      for (const std::string &boundary : support.boundaries)
+        {
+          std::vector<Tensor<1, dim>> normals;
+          finder.on_boundary(mesh.boundary_id(boundary),
+                             along_normal,
+                             [&](HeldNode<dim> &node, const Tensor<1, dim> &n) {
+                               normals.push_back(n);
+                               if (along_normal)
+                                 add_normal(n, sums[&node]);
+                               else
+                                 sums[&node] = {without_rounding<dim>(support.direction /
+                                                                      support.direction.norm())};
+                             });
+          if (support.type == "symmetry")
+            check_plane(mesh, support, boundary, normals);
+        }
+      for (auto &[node, directions] : sums)
+        {
+          for (Tensor<1, dim> &n : directions)
+            n /= n.norm();
+          // Ranks see the faces around a node in different order.
+          std::sort(directions.begin(), directions.end(), [](const auto &a, const auto &b) {
+            for (unsigned int d = 0; d < dim; ++d)
+              if (std::abs(a[d] - b[d]) > 1e-6)
+                return a[d] < b[d];
+            return false;
+          });
+          for (const Tensor<1, dim> &n : directions)
+            node->holds.push_back({without_rounding<dim>(n), &support});
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  HeldNode<dim>::orthonormal() const
+  {
+    std::vector<Tensor<1, dim>> result;
+    for (const Hold<dim> &hold : holds)
+      {
+        Tensor<1, dim> n = hold.direction;
+        for (const Tensor<1, dim> &before : result)
+          n -= (n * before) * before;
+        result.push_back(n.norm() > 1e-6 ? n / n.norm() : Tensor<1, dim>());
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  HeldNode<dim>::free_part(const Tensor<1, dim> &v) const
+  {
+    Tensor<1, dim> rest = v;
+    for (const Tensor<1, dim> &n : orthonormal())
+      rest -= (v * n) * n;
+    return rest;
+  }
+
+
+
+  template <int dim>
+  HeldNodes<dim>
+  find_held_nodes(const Mesh<dim>                 &mesh,
+                  const DoFHandler<dim>           &dofs,
+                  const AffineConstraints<double> &hanging,
+                  const std::vector<Support<dim>> &supports,
+                  const Model                      model)
+  {
+    Finder<dim> finder(mesh, dofs, hanging);
+    if (model == Model::axisymmetric)
+      finder.hold_axis();
+    for (const Support<dim> &support : supports)
+      if (support.type == "displacement")
+        hold_components(finder, mesh, support);
+      else
+        hold_normals(finder, mesh, support);
+    return std::move(finder.result);
+  }
+
+
+
+  namespace
+  {
+    /// n.u = value, by Gauss elimination the value of component `pivot`.
+    template <int dim>
+    struct Equation
+    {
+      Tensor<1, dim> n;
+      double         value;
+      unsigned int   pivot;
+    };
+
+    /// Takes one more equation in. Returns false if it contradicts those before.
+    template <int dim>
+    bool
+    eliminate(std::vector<Equation<dim>> &equations, Equation<dim> next, const double negligible)
+    {
+      double largest = std::abs(next.value);
+      for (const Equation<dim> &one : equations)
+        {
+          const double factor = next.n[one.pivot];
+          next.n -= factor * one.n;
+          next.value -= factor * one.value;
+          largest = std::max(largest, std::abs(factor * one.value));
+        }
+      for (unsigned int d = 0; d < dim; ++d)
+        // The same on all ranks, whatever their roundings are.
+        if (std::abs(next.n[d]) > (1 + 1e-6) * std::abs(next.n[next.pivot]))
+          next.pivot = d;
+      const double factor = next.n[next.pivot];
+      if (std::abs(factor) < 1e-6)
+        return std::abs(next.value) <= 1e-8 * largest + negligible;
+      next.n /= factor;
+      next.value /= factor;
+      for (Equation<dim> &one : equations)
+        {
+          const double share = one.n[next.pivot];
+          one.n -= share * next.n;
+          one.value -= share * next.value;
+        }
+      equations.push_back(next);
+      return true;
+    }
+
+    template <int dim>
+    double
+    prescribed(const HeldNode<dim> &node, const Hold<dim> &hold, const double t)
+    {
+      if (!hold.support)
+        return 0;
+      return hold.support->type == "displacement" ?
+               hold.support->displacement.value(node.position, t) * hold.direction :
+               hold.support->normal_displacement.value(node.position, t);
+    }
+
+    template <int dim>
+    std::string
+    contradiction(const HeldNode<dim> &node, const Support<dim> &support, const double t)
+    {
+      const std::string what =
+        support.place + ": the Displacement of the support '" + support.name + "' contradicts ";
+      if (!node.holds.front().support)
+        return what + "the axis of symmetry, on which nothing moves sideways";
+      return what + "that of a support before it, at nodes that they share at t = " +
+             Utilities::to_string(t) + "; leave a component free in one of them";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  constrain(const HeldNodes<dim>      &nodes,
+            const Mesh<dim>           &mesh,
+            const double               t,
+            AffineConstraints<double> &constraints)
+  {
+    const double negligible = 1e-12 * mesh.size(); // collective
+    std::string  contradicts;
+    for (const auto &[index, node] : nodes)
+      {
+        std::vector<Equation<dim>> equations;
+        for (const Hold<dim> &hold : node.holds)
+          if (!eliminate(equations,
+                         Equation<dim>{hold.direction, prescribed(node, hold, t), 0},
+                         negligible))
+            contradicts = contradiction(node, *hold.support, t);
+        for (const Equation<dim> &one : equations)
+          {
+            const auto line = node.dofs[one.pivot];
+            constraints.add_line(line);
+            for (unsigned int d = 0; d < dim; ++d)
+              if (d != one.pivot && std::abs(one.n[d]) > 1e-13)
+                constraints.add_entry(line, node.dofs[d], -one.n[d]);
+            constraints.set_inhomogeneity(line, one.value);
+          }
+      }
+    for (const std::string &message : Utilities::MPI::all_gather(mesh.communicator(), contradicts))
+      if (!message.empty())
+        throw SceneError(message);
+  }
+
+
+
+  template struct HeldNode<2>;
+  template struct HeldNode<3>;
+  template HeldNodes<2>
+  find_held_nodes(const Mesh<2> &,
+                  const DoFHandler<2> &,
+                  const AffineConstraints<double> &,
+                  const std::vector<Support<2>> &,
+                  Model);
+  template HeldNodes<3>
+  find_held_nodes(const Mesh<3> &,
+                  const DoFHandler<3> &,
+                  const AffineConstraints<double> &,
+                  const std::vector<Support<3>> &,
+                  Model);
+  template void
+  constrain(const HeldNodes<2> &, const Mesh<2> &, double, AffineConstraints<double> &);
+  template void
+  constrain(const HeldNodes<3> &, const Mesh<3> &, double, AffineConstraints<double> &);
+} // namespace Signorini

@@ -1,0 +1,147 @@
+#include <signorini/elasticity/rigid_body.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::array<std::string, 3> axes = {{"x", "y", "z"}};
+
+    template <int dim, int n>
+    bool
+    depends_on_place(const VectorExpression<dim, n> &motion)
+    {
+      Point<dim> elsewhere;
+      for (unsigned int d = 0; d < dim; ++d)
+        elsewhere[d] = 1.37 + d;
+      for (const double t : {0.31, 1., 2.7})
+        if ((motion.value(elsewhere, t) - motion.value(Point<dim>(), t)).norm() > 0)
+          return true;
+      return false;
+    }
+
+    /// A force where the motion is prescribed would have no effect.
+    template <int dim, int n>
+    void
+    check_driven(const Section                  &section,
+                 const std::string              &force_key,
+                 const VectorExpression<dim, n> &force,
+                 const std::string              &motion_key,
+                 const VectorExpression<dim, n> &motion)
+    {
+      for (unsigned int d = 0; d < n; ++d)
+        for (const double t : {0.31, 1., 2.7})
+          if (force.value(Point<dim>(), t)[d] != 0 && (!motion.given() || motion.prescribed(d)))
+            section.fail(force_key,
+                         "acts in component " + std::to_string(d + 1) + ", in which " + motion_key +
+                           (motion.given() ? " prescribes the motion" : " is not given") +
+                           "; write 'free' for that component of " + motion_key);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  RigidBody<dim>::declare(Section &section)
+  {
+    section.add(
+      "Displacement",
+      displacement,
+      "motion, one formula in t a component, separated by ';'; 'free' where a Force drives it; empty: at rest [length]");
+    section.add(
+      "Force",
+      force,
+      "on the obstacle, and by it on the bodies, in free components; formulas in t [force]");
+    section.add("Rotation",
+                rotation,
+                dim == 2 ?
+                  "small rotation, counterclockwise: formula in t, or free; empty: none [radian]" :
+                  "small rotation about x; y; z: formulas in t, or free; empty: none [radian]");
+    section.add(
+      "Moment",
+      moment,
+      "on the obstacle about the Reference point, in free components of the Rotation [force*length]");
+    section.add("Reference point", reference, "what the Rotation is about [length]");
+    if (!section.reading())
+      return;
+    if (depends_on_place(displacement))
+      section.fail("Displacement",
+                   "depends on the place, but an obstacle is rigid; write it in t alone");
+    if (depends_on_place(rotation))
+      section.fail("Rotation",
+                   "depends on the place, but an obstacle is rigid; write it in t alone");
+    check_driven(section, "Force", force, "Displacement", displacement);
+    check_driven(section, "Moment", moment, "Rotation", rotation);
+  }
+
+
+
+  template <int dim>
+  bool
+  RigidBody<dim>::is_free(const unsigned int i) const
+  {
+    if (i < dim)
+      return displacement.given() && !displacement.prescribed(i);
+    return i - dim < n_rotations && rotation.given() && !rotation.prescribed(i - dim);
+  }
+
+
+
+  template <int dim>
+  double
+  RigidBody<dim>::prescribed(const unsigned int i, const double t, const double lever) const
+  {
+    if (i < dim)
+      return displacement.value(Point<dim>(), t)[i];
+    return i - dim < n_rotations ? rotation.value(Point<dim>(), t)[i - dim] * lever : 0.;
+  }
+
+
+
+  template <int dim>
+  double
+  RigidBody<dim>::load(const unsigned int i, const double t, const double lever) const
+  {
+    if (i < dim)
+      return force.value(Point<dim>(), t)[i];
+    return i - dim < n_rotations ? moment.value(Point<dim>(), t)[i - dim] / lever : 0.;
+  }
+
+
+
+  template <int dim>
+  std::array<double, RigidBody<dim>::n_dofs>
+  RigidBody<dim>::normal_displacement(const Point<dim>     &x,
+                                      const Tensor<1, dim> &n,
+                                      const double          lever) const
+  {
+    // u = t + w cross r, so that u.n = t.n + w.(r cross n)
+    std::array<double, n_dofs> result{};
+    const Tensor<1, dim>       r = (x - reference) / lever;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = n[d];
+    if constexpr (dim == 2)
+      result[2] = r[0] * n[1] - r[1] * n[0];
+    else
+      for (unsigned int d = 0; d < 3; ++d)
+        result[3 + d] = cross_product_3d(r, n)[d];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::string
+  RigidBody<dim>::name_of(const unsigned int i)
+  {
+    return i < dim ? "translation " + axes[i] : "rotation about " + axes[dim == 2 ? 2 : i - dim];
+  }
+
+
+
+  template struct RigidBody<2>;
+  template struct RigidBody<3>;
+} // namespace Signorini

@@ -1,0 +1,336 @@
+#include <signorini/contact/boundary_faces.h>
+#include <signorini/output/preflight.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <ostream>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+  using Json = nlohmann::ordered_json;
+
+  namespace
+  {
+    template <int dim>
+    Json
+    list(const Point<dim> &p)
+    {
+      Json result = Json::array();
+      for (unsigned int d = 0; d < dim; ++d)
+        result.push_back(p[d]);
+      return result;
+    }
+
+    template <int dim>
+    Json
+    bodies(const Scene<dim> &scene, const Elasticity<dim> &elasticity)
+    {
+      const Mesh<dim>           &mesh = elasticity.mesh();
+      std::vector<unsigned long> cells(mesh.n_bodies());
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned())
+          ++cells[cell->material_id()];
+      Utilities::MPI::sum(cells, mesh.communicator(), cells);
+      Json result = Json::object();
+      for (unsigned int b = 0; b < cells.size(); ++b)
+        {
+          const auto &[low, high]          = mesh.extent(b).get_boundary_points();
+          result[scene.bodies[b].name] = {{"from", list(low)},
+                                          {"to", list(high)},
+                                          {"cells", cells[b]},
+                                          {"youngs_modulus",
+                                           scene.bodies[b].material.youngs_modulus},
+                                          {"poissons_ratio",
+                                           scene.bodies[b].material.poissons_ratio}};
+        }
+      return result;
+    }
+
+    /// Number of faces of a boundary and their mean size.
+    template <int dim>
+    std::pair<double, double>
+    faces_of(const Elasticity<dim> &elasticity, const std::string &boundary)
+    {
+      const MPI_Comm           comm = elasticity.mesh().communicator();
+      const BoundaryFaces<dim> faces(elasticity, boundary);
+      double                   n = faces.faces.size(), size = 0;
+      for (const FacePatch<dim> &patch : faces.patches)
+        size += patch.diameter() / std::sqrt(dim - 1.);
+      n = Utilities::MPI::sum(n, comm);
+      return {n, Utilities::MPI::sum(size, comm) / std::max(1., n)};
+    }
+
+    /// Shares of the candidates' area by the initial gap.
+    template <int dim>
+    Json
+    gaps(const ContactSurface<dim> &surface, const double rounding, const MPI_Comm comm)
+    {
+      constexpr unsigned int n_bins = 10;
+      std::array<double, 2>  range{{std::numeric_limits<double>::max(),
+                                   std::numeric_limits<double>::max()}}; // least, minus largest
+      std::vector<double>    shares(3, 0.);
+      for (const ContactPoint<dim> &point : surface.points)
+        {
+          range[0] = std::min(range[0], point.gap);
+          range[1] = std::min(range[1], -point.gap);
+          shares[point.gap < -rounding ? 0 : point.gap <= rounding ? 1 : 2] += point.weight;
+        }
+      const double least = Utilities::MPI::min(range[0], comm),
+                   most  = -Utilities::MPI::min(range[1], comm);
+      std::vector<double> histogram(n_bins, 0.);
+      for (const ContactPoint<dim> &point : surface.points)
+        {
+          const double place = most > least ? (point.gap - least) / (most - least) : 0.;
+          histogram[std::min<unsigned int>(n_bins * place, n_bins - 1)] += point.weight;
+        }
+      Utilities::MPI::sum(shares, comm, shares);
+      Utilities::MPI::sum(histogram, comm, histogram);
+      const double area = shares[0] + shares[1] + shares[2];
+      for (auto *numbers : {&shares, &histogram})
+        for (double &x : *numbers)
+          x = area > 0 ? std::round(1e4 * x / area) / 1e4 : 0.;
+      return {{"least", least},
+              {"largest", most},
+              {"overlapping", shares[0]},
+              {"touching", shares[1]},
+              {"open", shares[2]},
+              {"histogram", histogram}};
+    }
+
+    /// True if all vertices of the slave's faces that are candidates are vertices of the master.
+    template <int dim>
+    bool
+    matches(const Elasticity<dim> &elasticity, const ContactPair<dim> &pair, const double size)
+    {
+      const MPI_Comm comm     = elasticity.mesh().communicator();
+      const auto     vertices = [&](const std::string &boundary) {
+        const BoundaryFaces<dim>       faces(elasticity, boundary);
+        std::set<std::array<long, dim>> own;
+        for (const auto &[cell, face] : faces.faces)
+          for (const unsigned int v : cell->face(face)->vertex_indices())
+            {
+              std::array<long, dim> key;
+              for (unsigned int d = 0; d < dim; ++d)
+                key[d] = std::lround(cell->face(face)->vertex(v)[d] / (0.02 * size));
+              own.insert(key);
+            }
+        return own;
+      };
+      const auto     slave = vertices(pair.slave);
+      decltype(vertices(pair.slave)) master;
+      for (const auto &some : Utilities::MPI::all_gather(
+             comm,
+             [&] {
+               const auto                         own = vertices(pair.master);
+               std::vector<std::array<long, dim>> as_list(own.begin(), own.end());
+               return as_list;
+             }()))
+        master.insert(some.begin(), some.end());
+      unsigned int n_same = 0;
+      for (const auto &key : slave)
+        n_same += master.count(key);
+      return Utilities::MPI::sum(n_same, comm) > 0.9 * Utilities::MPI::sum(slave.size(), comm);
+    }
+
+    template <int dim>
+    Json
+    pairs(const Scene<dim>                       &scene,
+          const Elasticity<dim>                  &elasticity,
+          const std::vector<ContactSurface<dim>> &surfaces,
+          Json                                   &warnings)
+    {
+      const MPI_Comm comm     = elasticity.mesh().communicator();
+      const double   rounding = 1e-10 * elasticity.lever();
+      Json           result   = Json::object();
+      for (unsigned int i = 0; i < surfaces.size(); ++i)
+        {
+          const ContactPair<dim> &pair     = scene.pairs[i];
+          const auto [n_slave, slave_size] = faces_of(elasticity, pair.slave);
+          Json one                         = {{"slave", pair.slave},
+                                              {"slave_faces", n_slave},
+                                              {"slave_face_size", slave_size},
+                                              {"master", pair.master}};
+          if (surfaces[i].is_apart)
+            {
+              one["candidates"] = 0;
+              result[pair.name] = one;
+              continue;
+            }
+          one["candidates"]    = Utilities::MPI::sum(surfaces[i].points.size(), comm);
+          one["covered_share"] = covered_share(surfaces[i], comm);
+          one["reach"]         = surfaces[i].reach;
+          one["gap"]           = gaps(surfaces[i], rounding, comm);
+          one["largest_angle"] = surfaces[i].largest_angle;
+          const std::string where = "pair " + pair.name + ": ";
+          if (const double overlap = -one["gap"]["least"].get<double>(); overlap > slave_size)
+            warnings.push_back(where + "the surfaces overlap at the start by more than a face of the slave; "
+                                       "refine the slave, or ramp it: Interference = t");
+          if (one["largest_angle"] > 60)
+            warnings.push_back(where + "normals are up to " +
+                               std::to_string(one["largest_angle"].template get<int>()) +
+                               " degrees from opposite; contact there is badly resolved: refine, or split the surface");
+          if (!scene.obstacle_of(pair))
+            {
+              const auto [n_master, master_size] = faces_of(elasticity, pair.master);
+              one["master_faces"]                = n_master;
+              one["master_face_size"]            = master_size;
+              one["matching"]                    = matches(elasticity, pair, std::min(slave_size, master_size));
+              if (slave_size > 1.5 * master_size)
+                warnings.push_back(where + "the slave is coarser than the master, whose nodes may go "
+                                           "through it unseen; exchange Slave and Master, or refine " +
+                                   pair.slave);
+              else if (master_size > 8 * slave_size)
+                warnings.push_back(where + "the master is more than 8 times coarser than the slave, whose "
+                                           "resolution is lost on it; refine " +
+                                   pair.master);
+            }
+          result[pair.name] = one;
+        }
+      return result;
+    }
+
+    template <int dim>
+    Json
+    left_out(const Scene<dim>                       &scene,
+             const std::vector<ContactSurface<dim>> &surfaces,
+             const GapOperator                      &contact)
+    {
+      Json result = Json::array();
+      for (unsigned int i = 0; i < surfaces.size(); ++i)
+        if (surfaces[i].is_apart)
+          result.push_back("pair " + scene.pairs[i].name +
+                           ": its surfaces are farther apart than bodies are expected to move (checked after each solution)");
+      if (contact.empty())
+        result.push_back("contact: nothing can touch, the scene is one linear problem a load step");
+      else
+        result.push_back("friction: no scene asks for it yet, so nothing tangential is stored or solved");
+      for (const Obstacle<dim> &obstacle : scene.obstacles)
+        {
+          unsigned int n_free = 0;
+          for (unsigned int d = 0; d < RigidBody<dim>::n_dofs; ++d)
+            n_free += obstacle.body.is_free(d);
+          result.push_back("mesh of the rigid " + obstacle.name + ": " +
+                           (n_free > 0 ? std::to_string(n_free) + " unknown motions instead" :
+                                         "it has no unknowns"));
+        }
+      return result;
+    }
+
+    template <int dim>
+    void
+    warn_of_bodies(const Scene<dim> &scene, Json &warnings)
+    {
+      for (const Body<dim> &body : scene.bodies)
+        if (body.material.poissons_ratio > 0.49 && scene.degree == 1)
+          warnings.push_back("body " + body.name +
+                             ": nearly incompressible, where degree 1 is too stiff; set Mesh/Degree = 2 and "
+                             "Solver/Preconditioner = direct");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Json
+  preflight(const Scene<dim>                       &scene,
+            const Elasticity<dim>                  &elasticity,
+            const std::vector<ContactSurface<dim>> &surfaces,
+            const GapOperator                      &contact)
+  {
+    const Prediction prediction = predict(scene, elasticity);
+    Json             warnings   = Json::array();
+    warn_of_bodies(scene, warnings);
+    Json report = {{"model", scene.model},
+                   {"degree", scene.degree},
+                   {"dofs", elasticity.dof_handler().n_dofs()},
+                   {"bodies", bodies(scene, elasticity)},
+                   {"held_by_contact_alone", elasticity.free_motion_names()},
+                   {"pairs", pairs(scene, elasticity, surfaces, warnings)},
+                   {"left_out", left_out(scene, surfaces, contact)},
+                   {"warnings", warnings},
+                   {"predicted",
+                    {{"seconds", prediction.seconds},
+                     {"memory_mb", prediction.memory_mb},
+                     {"seconds_per_cell", prediction.seconds_per_cell}}}};
+    return report;
+  }
+
+
+
+  namespace
+  {
+    std::string
+    text(const Json &numbers)
+    {
+      std::ostringstream out;
+      out << std::setprecision(4) << "(";
+      for (unsigned int i = 0; i < numbers.size(); ++i)
+        out << (i > 0 ? ", " : "") << numbers[i].get<double>();
+      return out.str() + ")";
+    }
+
+    void
+    print_pair(const std::string &name, const Json &pair, std::ostream &out)
+    {
+      out << "  pair " << name << ": " << pair["slave"].get<std::string>() << " ("
+          << pair["slave_faces"].get<double>() << " faces of size "
+          << pair["slave_face_size"].get<double>() << ") on " << pair["master"].get<std::string>();
+      if (pair.contains("master_faces"))
+        out << " (" << pair["master_faces"].get<double>() << " of "
+            << pair["master_face_size"].get<double>()
+            << (pair["matching"].get<bool>() ? ", matching)" : ")");
+      out << "\n";
+      if (!pair.contains("gap"))
+        return;
+      const Json &gap = pair["gap"];
+      out << "    candidates: " << pair["candidates"] << " points on "
+          << std::lround(100 * pair["covered_share"].get<double>()) << " % of the slave, gaps from "
+          << gap["least"].get<double>() << " to " << gap["largest"].get<double>() << "; "
+          << std::lround(100 * gap["overlapping"].get<double>()) << " % overlap, "
+          << std::lround(100 * gap["touching"].get<double>()) << " % touch, "
+          << std::lround(100 * gap["open"].get<double>()) << " % are open\n";
+    }
+  } // namespace
+
+
+
+  void
+  print_preflight(const Json &report, std::ostream &out)
+  {
+    out << std::setprecision(4);
+    for (const auto &[name, body] : report["bodies"].items())
+      out << "  body " << name << ": " << text(body["from"]) << " to " << text(body["to"]) << ", "
+          << body["cells"] << " cells, E " << body["youngs_modulus"].get<double>() << ", nu "
+          << body["poissons_ratio"].get<double>() << "\n";
+    for (const auto &[name, pair] : report["pairs"].items())
+      print_pair(name, pair, out);
+    for (const auto &motion : report["held_by_contact_alone"])
+      out << "  held by contact alone: " << motion.get<std::string>() << "\n";
+    for (const auto &what : report["left_out"])
+      out << "  left out: " << what.get<std::string>() << "\n";
+    for (const auto &warning : report["warnings"])
+      out << "  WARNING: " << warning.get<std::string>() << "\n";
+    out << "  expected: about " << std::setprecision(2) << report["predicted"]["seconds"].get<double>()
+        << " s and " << std::setprecision(3) << report["predicted"]["memory_mb"].get<double>()
+        << " MB a rank\n"
+        << std::flush;
+  }
+
+
+
+  template Json
+  preflight(const Scene<2> &,
+            const Elasticity<2> &,
+            const std::vector<ContactSurface<2>> &,
+            const GapOperator &);
+  template Json
+  preflight(const Scene<3> &,
+            const Elasticity<3> &,
+            const std::vector<ContactSurface<3>> &,
+            const GapOperator &);
+} // namespace Signorini

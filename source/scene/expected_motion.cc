@@ -1,0 +1,93 @@
+#include <signorini/scene/expected_motion.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::vector<Point<dim>>
+    corners_and_center(const BoundingBox<dim> &extent)
+    {
+      const auto &[low, high]        = extent.get_boundary_points();
+      std::vector<Point<dim>> points = {low + (high - low) / 2};
+      for (unsigned int corner = 0; corner < (1u << dim); ++corner)
+        {
+          points.push_back(low);
+          for (unsigned int d = 0; d < dim; ++d)
+            if (corner >> d & 1)
+              points.back()[d] = high[d];
+        }
+      return points;
+    }
+
+    /// Of what is prescribed at time t.
+    template <int dim>
+    double
+    prescribed_motion(const Scene<dim>              &scene,
+                      const std::vector<Point<dim>> &points,
+                      const double                   size,
+                      const double                   t)
+    {
+      double supports = 0, obstacles = 0;
+      for (const Support<dim> &support : scene.supports)
+        for (const Point<dim> &x : points)
+          supports = std::max({supports,
+                               support.displacement.value(x, t).norm(),
+                               std::abs(support.normal_displacement.value(x, t))});
+      for (const Obstacle<dim> &obstacle : scene.obstacles)
+        obstacles = std::max(obstacles,
+                             obstacle.body.displacement.value({}, t).norm() +
+                               obstacle.body.rotation.value({}, t).norm() * size);
+      return supports + obstacles;
+    }
+
+    /// As a stress.
+    template <int dim>
+    double
+    largest_load(const Scene<dim>              &scene,
+                 const std::vector<Point<dim>> &points,
+                 const double                   size,
+                 const double                   t)
+    {
+      double largest = 0;
+      for (const Load<dim> &load : scene.loads)
+        for (const Point<dim> &x : points)
+          largest =
+            std::max(largest,
+                     load.traction.value(x, t).norm() + std::abs(load.pressure.value(x, t)) +
+                       load.body_force.value(x, t).norm() * size);
+      return largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  expected_motion(const Scene<dim> &scene, const BoundingBox<dim> &extent)
+  {
+    const std::vector<Point<dim>> points  = corners_and_center(extent);
+    const auto                   &bounds  = extent.get_boundary_points();
+    const double                  size    = bounds.first.distance(bounds.second);
+    double                        softest = std::numeric_limits<double>::max(), motion = 0;
+    for (const Body<dim> &body : scene.bodies)
+      softest = std::min(softest, body.material.youngs_modulus);
+    for (const double t : scene.load_steps.ends())
+      motion = std::max(motion,
+                        prescribed_motion(scene, points, size, t) +
+                          largest_load(scene, points, size, t) * size / softest);
+    return motion;
+  }
+
+
+
+  template double
+  expected_motion(const Scene<2> &, const BoundingBox<2> &);
+  template double
+  expected_motion(const Scene<3> &, const BoundingBox<3> &);
+} // namespace Signorini

@@ -1,0 +1,210 @@
+#include <signorini/contact/method.h>
+#include <signorini/solve/active_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Of entries 1, -1 and 0.
+    unsigned int
+    count(const LA::Vector &set)
+    {
+      return static_cast<unsigned int>(set.l1_norm() + 0.5);
+    }
+  } // namespace
+
+
+
+  ActiveSet::ActiveSet(const GapOperator &contact)
+    : contact(contact)
+    , now(contact.zero())
+    , last(contact.zero())
+    , changes(contact.zero())
+  {}
+
+
+
+  void
+  ActiveSet::restart()
+  {
+    history.clear();
+    changes = 0.;
+  }
+
+
+
+  void
+  ActiveSet::update(const LA::Vector &gap, const LA::Vector &predicted)
+  {
+    last = now;
+    find_active(contact, gap, predicted, now);
+  }
+
+
+
+  unsigned int
+  ActiveSet::size() const
+  {
+    return count(now);
+  }
+
+
+
+  bool
+  ActiveSet::keep_last_if_any()
+  {
+    const unsigned int n = count(last);
+    if (n == 0 || n == size())
+      return false;
+    now = last;
+    return true;
+  }
+
+
+
+  unsigned int
+  ActiveSet::count_changes()
+  {
+    LA::Vector difference = now;
+    difference -= last;
+    for (const auto i : difference.locally_owned_elements())
+      changes(i) += std::abs(difference(i));
+    changes.compress(VectorOperation::insert);
+    return count(difference);
+  }
+
+
+
+  unsigned int
+  ActiveSet::keep_deepest(const LA::Vector &gap)
+  {
+    const MPI_Comm      comm = gap.get_mpi_communicator();
+    std::vector<double> deepest(contact.pair.empty() ?
+                                  0 :
+                                  1 + *std::max_element(contact.pair.begin(), contact.pair.end()),
+                                0.);
+    deepest.resize(Utilities::MPI::max(deepest.size(), comm), 0.);
+    auto pair = contact.pair.begin();
+    for (const auto i : gap.locally_owned_elements())
+      {
+        deepest[*pair] = std::min(deepest[*pair], gap(i));
+        ++pair;
+      }
+    Utilities::MPI::min(deepest, comm, deepest);
+    const double rounding = coordinate_rounding();
+    pair                  = contact.pair.begin();
+    for (const auto i : gap.locally_owned_elements())
+      {
+        if (last(i) == 0 && gap(i) > deepest[*pair] / 2 && deepest[*pair] < -rounding)
+          now(i) = 0;
+        ++pair;
+      }
+    now.compress(VectorOperation::insert);
+    return count(now);
+  }
+
+
+
+  // Surfaces that touch overlap by that, of which nothing follows.
+  double
+  ActiveSet::coordinate_rounding() const
+  {
+    double farthest = 0;
+    for (const LA::Vector &x : contact.position)
+      farthest = std::max(farthest, x.linfty_norm());
+    return 1e-10 * farthest;
+  }
+
+
+
+  unsigned int
+  ActiveSet::drop_touching(const LA::Vector &gap)
+  {
+    double deepest = 0;
+    for (const auto i : gap.locally_owned_elements())
+      deepest = std::max(deepest, -gap(i));
+    deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
+    if (deepest > coordinate_rounding())
+      return keep_deepest(gap);
+    now = 0.;
+    return 0;
+  }
+
+
+
+  void
+  ActiveSet::keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p)
+  {
+    const auto violation = [&](const auto i) {
+      return now(i) == last(i) ? 0. :
+                                                   std::abs(p(i) - contact.epsilon(i) * gap(i));
+    };
+    double worst = 0;
+    for (const auto i : gap.locally_owned_elements())
+      worst = std::max(worst, violation(i));
+    worst = Utilities::MPI::max(worst, gap.get_mpi_communicator());
+    for (const auto i : gap.locally_owned_elements())
+      if (const double v = violation(i); v > 0 && v < worst)
+        now(i) = last(i);
+    now.compress(VectorOperation::insert);
+  }
+
+
+
+  bool
+  ActiveSet::seen_before()
+  {
+    // A sum of well-mixed numbers, one an active point: independent of order and ranks.
+    uint64_t hash = 0;
+    for (const auto i : now.locally_owned_elements())
+      if (now(i) > 0)
+        {
+          uint64_t z = (i + 1) * 0x9e3779b97f4a7c15ULL;
+          z          = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+          hash += z ^ (z >> 27);
+        }
+    hash                  = Utilities::MPI::sum(hash, now.get_mpi_communicator());
+    LA::Vector difference = now;
+    difference -= last;
+    // To stay where we are is no cycle.
+    return !history.insert(hash).second && difference.l1_norm() > 0;
+  }
+
+
+
+  std::string
+  ActiveSet::chattering_points() const
+  {
+    if (contact.empty())
+      return "";
+    std::ostringstream text;
+    unsigned int       n = 0;
+    for (const auto i : changes.locally_owned_elements())
+      if (changes(i) >= 3)
+        {
+          if (n++ < 3)
+            {
+              text << " (";
+              for (unsigned int d = 0; d < contact.position.size(); ++d)
+                text << (d > 0 ? ", " : "") << contact.position[d](i);
+              text << ")";
+            }
+        }
+    const MPI_Comm comm = changes.get_mpi_communicator();
+    std::string    places;
+    for (const std::string &part : Utilities::MPI::all_gather(comm, text.str()))
+      places += part;
+    n = Utilities::MPI::sum(n, comm);
+    if (n == 0)
+      return "";
+    return "; the active set keeps changing at " + std::to_string(n) +
+           " contact points, among them" + places +
+           ". Refine there, lower the penalty, or take another method";
+  }
+} // namespace Signorini

@@ -1,0 +1,181 @@
+#include <signorini/solve/free_motions.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    LA::Vector
+    product(const LA::Vector &a, const LA::Vector &b)
+    {
+      LA::Vector result = a;
+      result.scale(b);
+      return result;
+    }
+
+    void
+    orthonormalise(std::vector<FreeMotion> &motions, const LA::Vector &springs)
+    {
+      for (unsigned int i = 0; i < motions.size(); ++i)
+        {
+          LA::Vector &z = motions[i].motion;
+          for (unsigned int j = 0; j < i; ++j)
+            z.add(-(product(springs, motions[j].motion) * z), motions[j].motion);
+          z /= std::sqrt(product(springs, z) * z);
+        }
+    }
+
+    /// Sum over points of spring (B z_a) (B z_b).
+    FullMatrix<double>
+    stiffness_against(const std::vector<LA::Vector> &approach, const LA::Vector &spring)
+    {
+      FullMatrix<double> matrix(approach.size());
+      for (unsigned int a = 0; a < approach.size(); ++a)
+        for (unsigned int b = 0; b <= a; ++b)
+          matrix(a, b) = matrix(b, a) = product(spring, approach[a]) * approach[b];
+      return matrix;
+    }
+  } // namespace
+
+
+
+  FreeMotions::FreeMotions(std::vector<FreeMotion> all,
+                           const LA::Vector       &springs,
+                           const GapOperator      &contact)
+    : motions(std::move(all))
+    , springs(springs)
+    , contact(&contact)
+  {
+    orthonormalise(motions, springs);
+    LA::Vector every_point = contact.zero();
+    every_point            = 1.;
+    for (const FreeMotion &one : motions)
+      {
+        approach.push_back(contact.zero());
+        if (!contact.empty())
+          contact.B_free.vmult(approach.back(), one.motion);
+      }
+    LA::Vector spring = every_point;
+    spring.scale(contact.weight);
+    spring.scale(contact.stiffness);
+    const FullMatrix<double> all_points = stiffness_against(approach, spring);
+    for (unsigned int a = 0; a < motions.size(); ++a)
+      strongest = std::max(strongest, all_points(a, a));
+    set_active(every_point);
+    hopeless = loose();
+  }
+
+
+
+  void
+  FreeMotions::set_active(const LA::Vector &active)
+  {
+    // Of discretised round bodies, contact stops rotations by roundings of the normals only.
+    constexpr double negligible = 1e-8;
+    loose_motions.clear();
+    const unsigned int n = motions.size();
+    if (n == 0)
+      return;
+    LA::Vector spring = active;
+    spring.scale(contact->weight);
+    spring.scale(contact->stiffness);
+    const FullMatrix<double> stiffness = stiffness_against(approach, spring);
+    const double             bound     = 2 * stiffness.linfty_norm() + negligible * strongest + 1;
+    LAPACKFullMatrix<double> matrix(n);
+    matrix = stiffness;
+    FullMatrix<double> vectors(n, n);
+    Vector<double>     eigenvalues(n);
+    matrix.compute_eigenvalues_symmetric(-bound, bound, 1e-14 * bound, eigenvalues, vectors);
+    for (unsigned int i = 0; i < n; ++i)
+      if (eigenvalues[i] <= negligible * strongest)
+        {
+          Loose        one;
+          unsigned int largest = 0;
+          one.motion.reinit(springs);
+          for (unsigned int j = 0; j < n; ++j)
+            {
+              one.motion.add(vectors(j, i), motions[j].motion);
+              if (std::abs(vectors(j, i)) > std::abs(vectors(largest, i)))
+                largest = j;
+            }
+          one.name         = motions[largest].name;
+          one.spring_force = product(springs, one.motion);
+          loose_motions.push_back(one);
+        }
+  }
+
+
+
+  void
+  FreeMotions::subtract_springs(LA::Vector &dst, const LA::Vector &src) const
+  {
+    if (!empty())
+      dst.add(-1, product(springs, src));
+  }
+
+
+
+  void
+  FreeMotions::add_loose(LA::Vector &dst, const LA::Vector &src) const
+  {
+    for (const Loose &one : loose_motions)
+      dst.add(one.spring_force * src, one.spring_force);
+  }
+
+
+
+  std::vector<std::string>
+  FreeMotions::loose() const
+  {
+    std::vector<std::string> names;
+    for (const Loose &one : loose_motions)
+      names.push_back(one.name);
+    return names;
+  }
+
+
+
+  std::vector<std::string>
+  FreeMotions::driven(const LA::Vector &r, const double scale) const
+  {
+    std::vector<std::string> names;
+    for (const Loose &one : loose_motions)
+      if (std::abs(one.motion * r) > scale * one.motion.linfty_norm())
+        names.push_back(one.name);
+    return names;
+  }
+
+
+
+  bool
+  FreeMotions::close(LA::Vector &u, const LA::Vector &r) const
+  {
+    LA::Vector motion;
+    motion.reinit(u);
+    for (const Loose &one : loose_motions)
+      motion.add(one.motion * r, one.motion);
+    LA::Vector speed = contact->zero();
+    if (!contact->empty())
+      contact->B_free.vmult(speed, motion);
+    const LA::Vector gap    = contact->gap(u);
+    const double     crawls = 1e-10 * speed.linfty_norm();
+    double           first  = std::numeric_limits<double>::infinity();
+    for (const auto i : gap.locally_owned_elements())
+      if (speed(i) < -crawls)
+        first = std::min(first, std::max(0., gap(i)) / -speed(i));
+    first = Utilities::MPI::min(first, speed.get_mpi_communicator());
+    if (std::isinf(first))
+      return false;
+    if (first > 0)
+      u.add(first + 1, motion);
+    return true;
+  }
+} // namespace Signorini
