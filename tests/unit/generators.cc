@@ -520,14 +520,15 @@ TEST_CASE("file: an octant of a ball with an exact sphere")
 TEST_CASE("file: one of two parts")
 {
   mesh_search_path() = {stored_mesh("")};
-  const auto both    = generator<2>("file", {{"File", "two-blocks.msh"}})->generate();
+  const auto both =
+    generator<2>("file", {{"File", "two-blocks.msh"}, {"Coinciding nodes", "keep"}})->generate();
   const auto upper =
     generator<2>("file", {{"File", "two-blocks.msh"}, {"Part", "upper"}})->generate();
   CHECK(both.cells.size() == 7 * 3 + 5 * 2);
   CHECK(upper.cells.size() == 5 * 2);
   CHECK(upper.vertices.size() == 6 * 3);
-  CHECK(upper.boundaries.size() == 9);
-  CHECK(upper.boundaries.back() == "unnamed");
+  CHECK(both.boundaries.size() == 8);
+  CHECK(upper.boundaries.size() == 4);
 
   Triangulation<2> triangulation;
   create(triangulation, upper);
@@ -590,13 +591,13 @@ TEST_CASE("file: what is wrong with it is said, with its name")
        "absent.msh' cannot be opened");
   says(attempt("solid"), "not a mesh file");
   says(attempt("$MeshFormat\n4.1 1 8\n$EndMeshFormat\n"), "binary");
-  says(attempt("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"), "no physical names");
+  says(attempt("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"), "no elements");
   says(attempt(two_squares(), {{"Part", "three"}}), "Part = three");
   says(attempt(two_squares(), {{"Part", "three"}}), "it has one, two");
   says(attempt(two_squares("", "2 2 2 2 2 3 4")), "Recombine");
   says(attempt(two_squares("", "3 2 2 2 2 3 5 4")), "folded");
   says(attempt(two_squares("", "3 2 2 2 2 3 4 9")), "unknown node 9");
-  says(attempt(two_squares("", "10 2 2 2 2 3 4 5 1 1 1 1 1")), "second order");
+  says(attempt(two_squares("", "10 2 2 2 2 3 4 5 1 1 1 1 1")), "mid-side nodes fold");
   says(attempt(two_squares("3 1 \"body\"\n", "5 2 1 1 1 2 3 4 5 6 1 2")), "three dimensions");
   says(attempt(two_squares(), {{"Curved boundaries", "arc circle 0 0"}}), "no boundary 'arc'");
   says(attempt(two_squares(), {{"Curved boundaries", "middle sphere 0 0"}}), "NAME circle");
