@@ -19,7 +19,8 @@ namespace Signorini
                                     {"sphere", make_sphere<dim>},
                                     {"cylinder", make_cylinder<dim>},
                                     {"paraboloid", make_paraboloid<dim>},
-                                    {"gap function", make_gap_function<dim>}};
+                                    {"gap function", make_gap_function<dim>},
+                                    {"STL", make_stl<dim>}};
   } // namespace
 
 

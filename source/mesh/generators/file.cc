@@ -46,22 +46,6 @@ namespace Signorini
     {
       return std::find(names.begin(), names.end(), name) != names.end();
     }
-
-
-
-    std::string
-    found(const std::string &file)
-    {
-      if (std::filesystem::exists(file) || std::filesystem::path(file).is_absolute())
-        return file;
-      for (const std::string &folder : mesh_search_path())
-        {
-          const auto candidate = std::filesystem::path(folder) / file;
-          if (std::filesystem::exists(candidate))
-            return candidate.string();
-        }
-      return file;
-    }
   } // namespace
 
 
@@ -71,6 +55,22 @@ namespace Signorini
   {
     static std::vector<std::string> path;
     return path;
+  }
+
+
+
+  std::string
+  found_beside_scene(const std::string &file)
+  {
+    if (std::filesystem::exists(file) || std::filesystem::path(file).is_absolute())
+      return file;
+    for (const std::string &folder : mesh_search_path())
+      {
+        const auto candidate = std::filesystem::path(folder) / file;
+        if (std::filesystem::exists(candidate))
+          return candidate.string();
+      }
+    return file;
   }
 
 
@@ -128,7 +128,7 @@ namespace Signorini
     if (file.empty())
       section.fail("File", "a mesh from a file needs its name");
     const auto        surfaces = read_curved_boundaries<dim>(curved_text, section);
-    const std::string path     = found(file);
+    const std::string path     = found_beside_scene(file);
     std::string       key      = "File";
     try
       {

@@ -60,8 +60,7 @@ namespace Signorini
 
       std::vector<const MeshFile::Element *> elements;
       for (unsigned int e = 0; e < wanted.size(); ++e)
-        if (dimension_of(file.elements[e].shape) > dim || // which check_shape() refuses
-            (wanted[e] && dimension_of(file.elements[e].shape) == dim))
+        if (wanted[e] && dimension_of(file.elements[e].shape) >= dim)
           {
             check_shape<dim>(file.elements[e]);
             elements.push_back(&file.elements[e]);

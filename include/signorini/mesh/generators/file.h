@@ -11,6 +11,10 @@ namespace Signorini
   std::vector<std::string> &
   mesh_search_path();
 
+  /// Where a file is: as named, or in one of those folders; the name itself if it is not there.
+  std::string
+  found_beside_scene(const std::string &file);
+
   /// A mesh file, or one part of it. Boundaries: the names that the file gives to faces of the
   /// part, and `unnamed`, or `unnamed1` and so on, for faces without.
   template <int dim>
