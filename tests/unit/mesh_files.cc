@@ -167,6 +167,20 @@ TEST_CASE("coinciding nodes are refused, merged or kept")
 
 
 
+TEST_CASE("notes: nodes that no element uses, and where unnamed boundaries are")
+{
+  const TemporaryFile file(squares + "*NODE\n20, 5, 5\n21, 6, 5\n" + cells, ".inp");
+  FileSelection       selection;
+  selection.feature_angle = 30;
+  const FilePart<2> part(read_mesh_file(file.path), selection);
+  REQUIRE(part.notes.size() == 5);
+  says(part.notes[0], "2 nodes that no element uses are left out, the first is at (5 5 0)");
+  says(part.notes[2], "boundary unnamed2: 2 faces about (1 0)");
+  CHECK(part.vertices.size() == 6);
+}
+
+
+
 TEST_CASE("faces without a name are divided by the feature angle")
 {
   const Keys ball{{"File", stored_mesh("ball-second-order.msh")}};

@@ -2,8 +2,11 @@
 #include <signorini/mesh/generators/file.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 
 namespace Signorini
 {
@@ -37,6 +40,17 @@ namespace Signorini
         if (std::find(names.begin(), names.end(), name) == names.end())
           throw SceneError("has nothing that is called '" + name + "'; it has " +
                            (names.empty() ? "no names" : join(names)));
+    }
+
+
+
+    /// All ranks read the file, one speaks.
+    void
+    tell(const std::string &body, const std::string &path, const std::vector<std::string> &notes)
+    {
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        for (const std::string &note : notes)
+          std::cout << body << ", mesh file '" << path << "': " << note << std::endl;
     }
 
 
@@ -144,6 +158,7 @@ namespace Signorini
 
         key = "File";
         const FilePart<dim> part(all, selection);
+        tell(section.path(), path, part.notes);
 
         key = "Curved boundaries";
         for (const auto &surface : surfaces)

@@ -9,6 +9,7 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -150,7 +151,8 @@ namespace Signorini
     name_faces(std::vector<CellData<dim - 1>> &faces,
                const std::vector<Point<dim>>  &vertices,
                const FaceNames                &names,
-               const double                    feature_angle)
+               const double                    feature_angle,
+               std::vector<std::string>       &notes)
     {
       std::map<unsigned int, std::vector<unsigned int>> named;
       for (unsigned int f = 0; f < faces.size(); ++f)
@@ -183,8 +185,28 @@ namespace Signorini
           for (const unsigned int f : patches[i].faces)
             members.push_back(unnamed[f]);
           add("unnamed" + std::to_string(i + 1), members);
+          notes.push_back("boundary " + boundaries.back() + ": " + std::to_string(members.size()) +
+                          " faces about " + text_of(patches[i].center));
         }
       return boundaries;
+    }
+
+
+
+    /// Nodes that no element of the file uses: forgotten ones, and those of references and arcs.
+    std::vector<std::string>
+    note_of_unused_nodes(const MeshFile &file)
+    {
+      std::vector<bool> used(file.nodes.size());
+      for (const auto &element : file.elements)
+        for (const unsigned int node : element.nodes)
+          used[node] = true;
+      const auto n = std::count(used.begin(), used.end(), false);
+      if (n == 0)
+        return {};
+      const auto first = std::find(used.begin(), used.end(), false) - used.begin();
+      return {std::to_string(n) + " nodes that no element uses are left out, the first is at " +
+              text_of(file.nodes[first])};
     }
 
 
@@ -206,6 +228,7 @@ namespace Signorini
   FilePart<dim>::FilePart(const MeshFile &file, const FileSelection &selection)
     : vertices(vertices_of<dim>(file))
     , elements(elements_of<dim>(file, selection.part))
+    , notes(note_of_unused_nodes(file))
   {
     cells = cells_of<dim>(elements);
     if constexpr (dim == 2)
@@ -234,7 +257,7 @@ namespace Signorini
         return faces.boundary_quads;
     }();
     list       = boundary_faces(cells, vertices);
-    boundaries = name_faces(list, vertices, names, selection.feature_angle);
+    boundaries = name_faces(list, vertices, names, selection.feature_angle, notes);
 
     GridTools::delete_unused_vertices(vertices, cells, faces);
     GridTools::consistently_order_cells(cells);

@@ -27,6 +27,9 @@ namespace Signorini
     std::vector<std::string> boundaries; ///< those that have faces, the unnamed ones last
     /// The element of each cell.
     std::vector<const MeshFile::Element *> elements;
+    /// What the user may want to know: nodes that are left out, and where the unnamed boundaries
+    /// are that the feature angle made.
+    std::vector<std::string> notes;
 
     /// Throws SceneError, without the file's name, if the cells cannot be used. Refers to the file.
     FilePart(const MeshFile &file, const FileSelection &selection);
