@@ -301,18 +301,16 @@ TEST_CASE("VTU: text, base64, and compressed by zlib in blocks of 32 bytes")
     "0 0 0 1 0 0 2 0 0 0 1 0 1 1 0 2 1 0", "0 1 4 3 1 2 5 4 5 2", "4 8 10", "9 9 3", "1 2 7"};
   const TemporaryFile text(vtu("", "ascii", words), ".vtu");
   CHECK(faces_of(mesh_of<2>(text)) == expected);
-  const TemporaryFile plain(
-    vtu("header_type=\"UInt32\"",
-        "binary",
-        {"kAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAPA/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAABA"
-         "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA8D8AAAAAAAAAAAAAAAAAAPA/AAAAAAAA8D8AAAAA"
-         "AAAAAAAAAAAAAABAAAAAAAAA8D8AAAAAAAAAAA==",
-         "UAAAAAAAAAAAAAAAAQAAAAAAAAAEAAAAAAAAAAMAAAAAAAAAAQAAAAAAAAACAAAAAAAAAAUAAAAAAAAA"
-         "BAAAAAAAAAAFAAAAAAAAAAIAAAAAAAAA",
-         "GAAAAAQAAAAAAAAACAAAAAAAAAAKAAAAAAAAAA==",
-         "AwAAAAkJAw==",
-         "DAAAAAEAAAACAAAABwAAAA=="}),
-    ".vtu");
+  const std::vector<std::string> plain_arrays{
+    "kAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAPA/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAABA"
+    "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA8D8AAAAAAAAAAAAAAAAAAPA/AAAAAAAA8D8AAAAA"
+    "AAAAAAAAAAAAAABAAAAAAAAA8D8AAAAAAAAAAA==",
+    "UAAAAAAAAAAAAAAAAQAAAAAAAAAEAAAAAAAAAAMAAAAAAAAAAQAAAAAAAAACAAAAAAAAAAUAAAAAAAAA"
+    "BAAAAAAAAAAFAAAAAAAAAAIAAAAAAAAA",
+    "GAAAAAQAAAAAAAAACAAAAAAAAAAKAAAAAAAAAA==",
+    "AwAAAAkJAw==",
+    "DAAAAAEAAAACAAAABwAAAA=="};
+  const TemporaryFile plain(vtu("header_type=\"UInt32\"", "binary", plain_arrays), ".vtu");
   CHECK(faces_of(mesh_of<2>(plain)) == expected);
   check_volume(mesh_of<2>(plain), 2);
   const TemporaryFile packed(
@@ -334,6 +332,24 @@ TEST_CASE("VTU: text, base64, and compressed by zlib in blocks of 32 bytes")
     const TemporaryFile file(text, ".vtu");
     return message_of([&] { mesh_of<2>(file); });
   };
+  // Raw data behind the arrays, as they are within them.
+  std::string              all;
+  std::vector<std::string> nothing(5);
+  std::string              raw = vtu("header_type=\"UInt32\"", "appended", nothing);
+  for (const std::string &array : plain_arrays)
+    {
+      const auto bytes = Utilities::decode_base64(array);
+      const auto at    = raw.find("\"appended\">");
+      raw.replace(at, 11, "\"appended\" offset=\"" + std::to_string(all.size()) + "\">");
+      all.append(bytes.begin(), bytes.end());
+    }
+  raw.replace(raw.find("</VTKFile>"),
+              10,
+              "<AppendedData encoding=\"raw\">\n  _" + all + "</AppendedData></VTKFile>");
+  const TemporaryFile behind(raw, ".vtu");
+  CHECK(faces_of(mesh_of<2>(behind)) == expected);
+  check_volume(mesh_of<2>(behind), 2);
+
   says(attempt("solid"), "no XML file");
   says(attempt("<VTKFile type=\"PolyData\"/>"), "no unstructured grid");
   says(attempt(vtu("", "appended", words)), "appended");

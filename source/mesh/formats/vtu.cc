@@ -1,21 +1,20 @@
 #include <signorini/mesh/formats/vtk_cells.h>
 #include <signorini/mesh/formats/vtu.h>
+#include <signorini/mesh/formats/vtu_data.h>
 #include <signorini/parameters/raw.h>
-
-#include <deal.II/base/utilities.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace Signorini
 {
-  using namespace dealii;
-
   namespace
   {
     using Tree = boost::property_tree::ptree;
@@ -28,20 +27,34 @@ namespace Signorini
 
 
 
+    /// The child, or an empty tree.
+    const Tree &
+    child(const Tree &tree, const std::string &name)
+    {
+      static const Tree empty;
+      const auto        found = tree.find(name);
+      return found == tree.not_found() ? empty : found->second;
+    }
+
+
+
     class Reader
     {
     public:
       explicit Reader(const std::string &file_name)
         : file_name(file_name)
       {
+        std::ifstream in(file_name, std::ios::binary);
+        std::string   text(std::istreambuf_iterator<char>(in), {});
+        cut_raw_data(text);
+        std::istringstream xml(text);
         try
           {
-            boost::property_tree::read_xml(file_name, document);
+            boost::property_tree::read_xml(xml, document);
           }
         catch (const boost::property_tree::xml_parser_error &error)
           {
-            fail("is no XML file, or has its data appended in raw form: " + error.message() +
-                 " in line " + std::to_string(error.line()) + "; save it as text");
+            fail("is no XML file: " + error.message() + " in line " + std::to_string(error.line()));
           }
       }
 
@@ -53,12 +66,20 @@ namespace Signorini
           fail("is no unstructured grid of VTK: <VTKFile type=\"UnstructuredGrid\">");
         if (attribute(*root, "byte_order") == "BigEndian")
           fail("is big-endian; save it as text");
-        wide_header     = attribute(*root, "header_type") == "UInt64";
-        compressor      = attribute(*root, "compressor");
-        const Tree grid = root->get_child("UnstructuredGrid", {});
-        if (grid.count("Piece") != 1)
-          fail("has " + std::to_string(grid.count("Piece")) + " pieces; save it in one");
-        read_piece(grid.get_child("Piece"));
+        try
+          {
+            data =
+              VtuData(attribute(*root, "header_type") == "UInt64", attribute(*root, "compressor"));
+            const Tree &grid = child(*root, "UnstructuredGrid");
+            if (grid.count("Piece") != 1)
+              throw SceneError("has " + std::to_string(grid.count("Piece")) +
+                               " pieces; save it in one");
+            read_piece(child(grid, "Piece"));
+          }
+        catch (const SceneError &error)
+          {
+            fail(error.what());
+          }
         return std::move(file);
       }
 
@@ -72,17 +93,17 @@ namespace Signorini
       void
       read_piece(const Tree &piece)
       {
-        for (const auto &[tag, array] : piece.get_child("Points", {}))
+        for (const auto &[tag, array] : child(piece, "Points"))
           if (tag == "DataArray")
             {
               const std::vector<double> xs = numbers<double>(array);
               for (std::size_t i = 0; i + 2 < xs.size(); i += 3)
                 file.nodes.emplace_back(xs[i], xs[i + 1], xs[i + 2]);
             }
-        read_cells(piece.get_child("Cells", {}));
+        read_cells(child(piece, "Cells"));
         if (file.elements.empty())
-          fail("has no cells");
-        for (const auto &[tag, array] : piece.get_child("CellData", {}))
+          throw SceneError("has no cells");
+        for (const auto &[tag, array] : child(piece, "CellData"))
           if (tag == "DataArray" && is_integer(attribute(array, "type")) &&
               array.get<unsigned int>("<xmlattr>.NumberOfComponents", 1) == 1)
             {
@@ -108,14 +129,7 @@ namespace Signorini
               else if (name == "offsets")
                 offsets.insert(offsets.end(), values.begin(), values.end());
             }
-        try
-          {
-            add_vtk_cells(file, types, offsets, points);
-          }
-        catch (const SceneError &error)
-          {
-            fail(error.what());
-          }
+        add_vtk_cells(file, types, offsets, points);
       }
 
       static bool
@@ -137,11 +151,7 @@ namespace Signorini
               result.push_back(value);
             return result;
           }
-        if (format != "binary")
-          fail("has data that are " + format +
-               "; save it as text, or in binary form within the "
-               "arrays");
-        const std::string bytes = decoded(trim_all(array.data()));
+        const std::string bytes = bytes_of(array, format);
         if (type == "Float64")
           return bytes_as<T, double>(bytes);
         if (type == "Float32")
@@ -162,7 +172,7 @@ namespace Signorini
           return bytes_as<T, std::int8_t>(bytes);
         if (type == "UInt8")
           return bytes_as<T, std::uint8_t>(bytes);
-        fail("has numbers of the unknown type '" + type + "'");
+        throw SceneError("has numbers of the unknown type '" + type + "'");
       }
 
       template <typename T, typename Stored>
@@ -179,88 +189,35 @@ namespace Signorini
         return result;
       }
 
-      static std::string
-      trim_all(const std::string &text)
-      {
-        std::string result;
-        for (const char c : text)
-          if (!std::isspace(static_cast<unsigned char>(c)))
-            result += c;
-        return result;
-      }
-
-      std::size_t
-      header_size() const
-      {
-        return wide_header ? 8 : 4;
-      }
-
-      /// The i-th number of a header.
-      std::size_t
-      header(const std::string &bytes, const std::size_t i) const
-      {
-        if (bytes.size() < (i + 1) * header_size())
-          fail("has a binary array that ends too early");
-        const std::string one = bytes.substr(i * header_size(), header_size());
-        return wide_header ? bytes_as<std::size_t, std::uint64_t>(one)[0] :
-                             bytes_as<std::size_t, std::uint32_t>(one)[0];
-      }
-
-      static std::string
-      from_base64(const std::string &text)
-      {
-        const std::vector<unsigned char> bytes = Utilities::decode_base64(text);
-        return {bytes.begin(), bytes.end()};
-      }
-
-      /// The header is the number of bytes, or if compressed: number of blocks, size of a block,
-      /// size of the last block if it is smaller, compressed size of each block. A compressed
-      /// header is encoded on its own.
       std::string
-      decoded(const std::string &text) const
+      bytes_of(const Tree &array, const std::string &format) const
       {
-        if (compressor.empty())
-          {
-            const std::string bytes = from_base64(text);
-            return bytes.substr(header_size(), header(bytes, 0));
-          }
-        if (compressor != "vtkZLibDataCompressor")
-          fail("is compressed by " + compressor + "; save it with zlib, or as text");
-        const std::size_t n_blocks = header(from_base64(text.substr(0, 4 * header_size())), 0);
-        const std::size_t n_header = 4 * (((3 + n_blocks) * header_size() + 2) / 3);
-        const std::string head     = from_base64(text.substr(0, n_header));
-        const std::string data     = from_base64(text.substr(std::min(n_header, text.size())));
-        std::string       result;
-        for (std::size_t block = 0, at = 0; block < n_blocks; ++block)
-          {
-            const bool        is_last = block + 1 == n_blocks && header(head, 2) > 0;
-            const std::size_t packed  = header(head, 3 + block);
-            if (at + packed > data.size())
-              fail("has a binary array that ends too early");
-            result += inflated(data.substr(at, packed), header(head, is_last ? 2 : 1));
-            at += packed;
-          }
-        return result;
+        if (format == "binary")
+          return data.from_base64(array.data());
+        if (format != "appended" || raw.empty())
+          throw SceneError("has arrays that are " + format + " in base64; save it as text");
+        return data.from_raw(raw, array.get<std::size_t>("<xmlattr>.offset", 0));
       }
 
-      std::string
-      inflated(const std::string &packed, const std::size_t size) const
+      /// Raw data behind the arrays, from the first underscore on, are no XML.
+      void
+      cut_raw_data(std::string &text)
       {
-        std::string bytes(size, '\0');
-        uLongf      n = size;
-        if (uncompress(reinterpret_cast<Bytef *>(&bytes[0]),
-                       &n,
-                       reinterpret_cast<const Bytef *>(packed.data()),
-                       packed.size()) != Z_OK)
-          fail("has a compressed array that cannot be unpacked");
-        return bytes.substr(0, n);
+        const auto begin = text.find("<AppendedData");
+        const auto end   = text.find('>', begin);
+        if (begin == std::string::npos || end == std::string::npos ||
+            text.substr(begin, end - begin).find("raw") == std::string::npos)
+          return;
+        raw = text.substr(std::min(text.find('_', end), text.size() - 1) + 1);
+        text.erase(begin);
+        text += "</VTKFile>";
       }
 
       const std::string file_name;
       Tree              document;
       MeshFile          file;
-      bool              wide_header = false;
-      std::string       compressor;
+      VtuData           data;
+      std::string       raw; ///< what stands behind the arrays
     };
   } // namespace
 
