@@ -112,24 +112,76 @@ namespace Signorini
 
 
 
-    /// Coordinates of the center and the mean distance from it, in steps well above rounding.
+    /// Length or area, and center of gravity, so that those of a plane patch do not depend on the
+    /// mesh.
+    template <int dim>
+    struct Piece
+    {
+      double     size;
+      Point<dim> center;
+    };
+
+
+
+    template <int dim>
+    std::vector<Piece<dim>>
+    pieces_of(const CellData<dim - 1> &face, const std::vector<Point<dim>> &vertices)
+    {
+      const std::vector<unsigned int> &v = face.vertices;
+      if constexpr (dim == 2)
+        return {{vertices[v[0]].distance(vertices[v[1]]), center_of(v, vertices)}};
+      else
+        {
+          const auto triangle =
+            [&](const unsigned int i, const unsigned int j, const unsigned int k) {
+              const Tensor<1, dim> a = vertices[j] - vertices[i], b = vertices[k] - vertices[i];
+              return Piece<dim>{cross_product_3d(a, b).norm() / 2, center_of({i, j, k}, vertices)};
+            };
+          return {triangle(v[0], v[1], v[2]), triangle(v[3], v[2], v[1])};
+        }
+    }
+
+
+
+    /// Set the center of a patch.
+    /// @return its coordinates and the mean distance from it, in steps well above rounding
     template <int dim>
     std::array<long, dim + 1>
-    place_of(const SmoothPatch<dim>               &patch,
-             const std::vector<CellData<dim - 1>> &faces,
-             const std::vector<Point<dim>>        &vertices)
+    place(SmoothPatch<dim>                     &patch,
+          const std::vector<CellData<dim - 1>> &faces,
+          const std::vector<Point<dim>>        &vertices,
+          const double                          step)
     {
-      double size = 0, spread = 0;
-      for (const auto &face : faces)
-        size = std::max(size, vertices[face.vertices[0]].distance(vertices[faces[0].vertices[0]]));
+      double sum = 0, spread = 0;
       for (const unsigned int f : patch.faces)
-        spread +=
-          patch.center.distance(center_of(faces[f].vertices, vertices)) / patch.faces.size();
-      std::array<long, dim + 1> place;
+        for (const auto &piece : pieces_of<dim>(faces[f], vertices))
+          {
+            sum += piece.size;
+            patch.center += piece.size * piece.center;
+          }
+      patch.center /= sum;
+      for (const unsigned int f : patch.faces)
+        for (const auto &piece : pieces_of<dim>(faces[f], vertices))
+          spread += piece.size / sum * patch.center.distance(piece.center);
+
+      std::array<long, dim + 1> result;
       for (unsigned int d = 0; d < dim; ++d)
-        place[d] = std::lround((patch.center[d] - vertices[0][d]) / (1e-6 * size));
-      place[dim] = std::lround(spread / (1e-6 * size));
-      return place;
+        result[d] = std::lround((patch.center[d] - vertices[0][d]) / step);
+      result[dim] = std::lround(spread / step);
+      return result;
+    }
+
+
+
+    template <int dim>
+    double
+    size_of(const std::vector<CellData<dim - 1>> &faces, const std::vector<Point<dim>> &vertices)
+    {
+      double size = 0;
+      for (const auto &face : faces)
+        for (const unsigned int node : face.vertices)
+          size = std::max(size, vertices[node].distance(vertices[faces[0].vertices[0]]));
+      return size;
     }
   } // namespace
 
@@ -146,12 +198,12 @@ namespace Signorini
     for (unsigned int f = 0; f < faces.size(); ++f)
       by_root[sets.root(f)].faces.push_back(f);
 
+    const double step = 1e-6 * size_of<dim>(faces, vertices);
     std::multimap<std::array<long, dim + 1>, SmoothPatch<dim>> by_place;
     for (auto &[root, patch] : by_root)
       {
-        for (const unsigned int f : patch.faces)
-          patch.center += center_of(faces[f].vertices, vertices) / double(patch.faces.size());
-        by_place.insert({place_of(patch, faces, vertices), patch});
+        const auto at = place(patch, faces, vertices, step);
+        by_place.insert({at, patch});
       }
     std::vector<SmoothPatch<dim>> patches;
     for (const auto &[place, patch] : by_place)

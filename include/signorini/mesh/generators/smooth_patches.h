@@ -12,7 +12,7 @@ namespace Signorini
   struct SmoothPatch
   {
     std::vector<unsigned int> faces;  ///< indices into the list of faces
-    dealii::Point<dim>        center; ///< mean of the faces' centers
+    dealii::Point<dim>        center; ///< of gravity
   };
 
   /// Divide faces (with vertices in deal.II's order) where they meet at an angle of more than
