@@ -94,6 +94,18 @@ TEST_CASE("Abaqus: a surface without labels is the rim, one of nodes needs all o
 
 
 
+TEST_CASE("Abaqus: springs, masses and shells beside the cells do no harm")
+{
+  const TemporaryFile file(squares + cells +
+                             "*ELEMENT, TYPE=SPRING1, ELSET=ground\n20, 3\n"
+                             "*ELEMENT, TYPE=SPRINGA\n21, 1, 6\n*ELEMENT, TYPE=MASS\n22, 5\n"
+                             "*ELEMENT, TYPE=T2D2, ELSET=skin\n23, 3, 6\n",
+                           ".inp");
+  CHECK(faces_of(mesh_of<2>(file)) == Count{{"skin", 1}, {"unnamed", 5}});
+}
+
+
+
 TEST_CASE("Abaqus: an included file")
 {
   const TemporaryFile nodes(squares, ".nodes");
@@ -127,6 +139,14 @@ TEST_CASE("Abaqus: what cannot be read is named with its line")
   says(attempt(squares + "*ELEMENT, TYPE=XYZ4\n1, 1, 2, 5, 4\n"),
        "not known here: XYZ4, the first is number 1");
   says(attempt("*INCLUDE, INPUT=absent.inp\n"), "absent.inp' cannot be opened");
+}
+
+
+
+TEST_CASE("a cell that is there twice is refused")
+{
+  const TemporaryFile file(squares + cells + "*ELEMENT, TYPE=CPS4\n12, 1, 2, 5, 4\n", ".inp");
+  says(message_of([&] { mesh_of<2>(file); }), "is a cell there twice?");
 }
 
 

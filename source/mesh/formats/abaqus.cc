@@ -1,13 +1,12 @@
 #include <signorini/mesh/formats/abaqus.h>
 #include <signorini/mesh/formats/abaqus_elements.h>
-#include <signorini/mesh/formats/keyword_file.h>
+#include <signorini/mesh/formats/abaqus_sets.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <set>
-#include <unordered_map>
 
 namespace Signorini
 {
@@ -49,9 +48,9 @@ namespace Signorini
             else if (keyword == "ELEMENT")
               read_elements();
             else if (keyword == "NSET")
-              read_set("NSET", node_sets, node_index);
+              read_set("NSET", nodes);
             else if (keyword == "ELSET")
-              read_set("ELSET", element_sets, element_index);
+              read_set("ELSET", elements);
             else if (keyword == "SURFACE")
               read_surface();
           }
@@ -62,27 +61,6 @@ namespace Signorini
       }
 
     private:
-      using Index = std::unordered_map<std::size_t, unsigned int>;
-
-      struct Set
-      {
-        std::string               name;
-        std::vector<unsigned int> members;
-      };
-
-      /// By the name in upper case.
-      using Sets = std::map<std::string, Set>;
-
-      std::size_t
-      integer(const std::string &word) const
-      {
-        char             *end    = nullptr;
-        const std::size_t number = std::strtoul(word.c_str(), &end, 10);
-        if (word.empty() || *end != '\0' || word[0] == '-')
-          in.fail("'" + word + "' should be the number of a node or element");
-        return number;
-      }
-
       double
       number(std::string word) const
       {
@@ -96,28 +74,23 @@ namespace Signorini
         return value;
       }
 
-      static Set &
-      set_of(Sets &sets, const std::string &name)
-      {
-        return sets.insert({upper_case(name), {name, {}}}).first->second;
-      }
-
       void
       read_nodes()
       {
         if (in.has("SYSTEM") && upper_case(in.value("SYSTEM")) != "R")
           in.fail("*NODE, SYSTEM=" + in.value("SYSTEM") +
                   " is not read here; write Cartesian coordinates");
-        Set *const set = in.has("NSET") ? &set_of(node_sets, in.value("NSET")) : nullptr;
+        AbaqusSet *const set = in.has("NSET") ? &nodes.get(in.value("NSET")) : nullptr;
         for (Words words; in.next_line(words);)
           {
-            const auto [entry, is_new] = node_index.insert({integer(words[0]), file.nodes.size()});
-            if (is_new)
+            const std::size_t n = number_from(in, words[0]);
+            if (nodes.insert(n, file.nodes.size()))
               file.nodes.emplace_back();
+            const unsigned int node = nodes.index(n);
             for (unsigned int d = 0; d < 3; ++d)
-              file.nodes[entry->second][d] = d + 1 < words.size() ? number(words[d + 1]) : 0.;
+              file.nodes[node][d] = d + 1 < words.size() ? number(words[d + 1]) : 0.;
             if (set)
-              set->members.push_back(entry->second);
+              set->members.push_back(node);
           }
       }
 
@@ -127,14 +100,14 @@ namespace Signorini
         const std::string type_name = upper_case(in.value("TYPE"));
         if (type_name.empty())
           in.fail("*ELEMENT needs TYPE=...");
-        const AbaqusType type = abaqus_type(type_name);
-        Set *const       set = in.has("ELSET") ? &set_of(element_sets, in.value("ELSET")) : nullptr;
+        const AbaqusType         type = abaqus_type(type_name);
+        AbaqusSet *const         set = in.has("ELSET") ? &elements.get(in.value("ELSET")) : nullptr;
         std::vector<std::size_t> numbers;
         for (Words words; in.next_line(words);)
           {
             for (const std::string &word : words)
               if (!word.empty())
-                numbers.push_back(integer(word));
+                numbers.push_back(number_from(in, word));
             const bool complete = type.n_nodes > 0 ? numbers.size() > type.n_nodes : !in.goes_on();
             if (complete)
               {
@@ -151,91 +124,55 @@ namespace Signorini
       add_element(const AbaqusType               &type,
                   const std::string              &type_name,
                   const std::vector<std::size_t> &numbers,
-                  Set                            *set)
+                  AbaqusSet                      *set)
       {
         if (numbers.empty() || (type.n_nodes > 0 && numbers.size() != type.n_nodes + 1))
           in.fail("an element of type " + type_name + " does not have its " +
                   std::to_string(type.n_nodes) + " nodes");
-        MeshFile::Nodes nodes;
+        MeshFile::Nodes members;
         for (unsigned int i = 1; i < numbers.size(); ++i)
           {
-            const auto found = node_index.find(numbers[i]);
+            const unsigned int node = nodes.index(numbers[i]);
             // Springs to the ground and the like may have a node 0 or none.
-            if (found == node_index.end() && type.n_nodes > 0)
+            if (node == AbaqusSets::none && type.n_nodes > 0)
               in.fail("element " + std::to_string(numbers[0]) + " has the unknown node " +
                       std::to_string(numbers[i]));
-            if (found != node_index.end())
-              nodes.push_back(found->second);
+            if (node != AbaqusSets::none)
+              members.push_back(node);
           }
-        if (!element_index.insert({numbers[0], file.elements.size()}).second)
+        if (!elements.insert(numbers[0], file.elements.size()))
           in.fail("element " + std::to_string(numbers[0]) + " is there twice");
         if (set)
           set->members.push_back(file.elements.size());
-        const bool lacks_nodes = nodes.size() < n_corners(type.shape);
-        file.elements.push_back({lacks_nodes ? MeshFile::Shape::unknown : type.shape,
+        const bool lacks_nodes = members.size() < n_corners(type.shape);
+        file.elements.push_back({lacks_nodes ? MeshFile::Shape::point : type.shape,
                                  type_name,
                                  numbers[0],
-                                 reordered(type, nodes)});
+                                 reordered(type, members)});
       }
 
-      /// Numbers, other sets of the kind, or with GENERATE: first, last, step.
       void
-      read_set(const std::string &parameter, Sets &sets, const Index &index)
+      read_set(const std::string &parameter, AbaqusSets &sets)
       {
         if (in.value(parameter).empty())
           in.fail("*" + parameter + " needs " + parameter + "=name");
         std::vector<unsigned int> members;
         if (parameter == "NSET" && in.has("ELSET"))
           members = nodes_of(in.value("ELSET"));
-        for (Words words; in.next_line(words);)
-          if (in.has("GENERATE"))
-            generate(words, index, members);
-          else
-            for (const std::string &word : words)
-              append(word, sets, index, members);
-        Set &set = set_of(sets, in.value(parameter));
+        sets.append_lines(in, members);
+        AbaqusSet &set = sets.get(in.value(parameter));
         set.members.insert(set.members.end(), members.begin(), members.end());
-      }
-
-      void
-      generate(const Words &words, const Index &index, std::vector<unsigned int> &members) const
-      {
-        const std::size_t first = integer(words.at(0)),
-                          last  = words.size() > 1 ? integer(words[1]) : first,
-                          step  = words.size() > 2 ? integer(words[2]) : 1;
-        for (std::size_t i = first; i <= last; i += std::max<std::size_t>(step, 1))
-          if (index.count(i))
-            members.push_back(index.at(i));
-      }
-
-      void
-      append(const std::string         &word,
-             const Sets                &sets,
-             const Index               &index,
-             std::vector<unsigned int> &members) const
-      {
-        const auto set = sets.find(upper_case(word));
-        if (set != sets.end())
-          members.insert(members.end(), set->second.members.begin(), set->second.members.end());
-        else if (!word.empty())
-          {
-            const bool is_number = word.find_first_not_of("0123456789") == std::string::npos;
-            const auto found     = is_number ? index.find(integer(word)) : index.end();
-            if (found == index.end())
-              in.fail("'" + word + "' is no node, element or set that stands above");
-            members.push_back(found->second);
-          }
       }
 
       std::vector<unsigned int>
       nodes_of(const std::string &element_set) const
       {
-        std::vector<unsigned int> elements;
-        append(element_set, element_sets, element_index, elements);
-        std::set<unsigned int> nodes;
-        for (const unsigned int e : elements)
-          nodes.insert(file.elements[e].nodes.begin(), file.elements[e].nodes.end());
-        return {nodes.begin(), nodes.end()};
+        std::vector<unsigned int> members;
+        elements.append(in, element_set, members);
+        std::set<unsigned int> result;
+        for (const unsigned int e : members)
+          result.insert(file.elements[e].nodes.begin(), file.elements[e].nodes.end());
+        return {result.begin(), result.end()};
       }
 
       /// Other kinds than the two are not made of the mesh: analytical rigid surfaces.
@@ -250,19 +187,19 @@ namespace Signorini
           in.fail("*SURFACE needs NAME=name");
         for (Words words; in.next_line(words);)
           if (type == "NODE")
-            append(words[0], node_sets, node_index, surface.nodes);
+            nodes.append(in, words[0], surface.nodes);
           else
             add_faces(words[0], words.size() > 1 ? upper_case(words[1]) : "", surface.faces);
         surfaces.push_back(surface);
       }
 
       void
-      add_faces(const std::string            &elements,
+      add_faces(const std::string            &of,
                 const std::string            &label,
                 std::vector<MeshFile::Nodes> &faces) const
       {
         std::vector<unsigned int> members;
-        append(elements, element_sets, element_index, members);
+        elements.append(in, of, members);
         for (const unsigned int e : members)
           for (const MeshFile::Nodes &face : abaqus_faces(file.elements[e], label))
             faces.push_back(face);
@@ -277,19 +214,18 @@ namespace Signorini
             group.faces.insert(group.faces.end(), surface.faces.begin(), surface.faces.end());
             group.nodes.insert(group.nodes.end(), surface.nodes.begin(), surface.nodes.end());
           }
-        for (const auto &[name, set] : element_sets)
+        for (const auto &[name, set] : elements.all())
           file.group(set.name).elements = set.members;
-        for (const auto &[name, set] : node_sets)
+        for (const auto &[name, set] : nodes.all())
           {
-            MeshFile::Nodes &nodes = file.group(set.name).nodes;
-            nodes.insert(nodes.end(), set.members.begin(), set.members.end());
+            MeshFile::Nodes &members = file.group(set.name).nodes;
+            members.insert(members.end(), set.members.begin(), set.members.end());
           }
       }
 
       KeywordFile                  in;
       MeshFile                     file;
-      Index                        node_index, element_index;
-      Sets                         node_sets, element_sets;
+      AbaqusSets                   nodes, elements;
       std::vector<MeshFile::Group> surfaces;
     };
   } // namespace

@@ -8,18 +8,16 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
+    /// The corners of a cell, as the volumes of the edges there are.
     struct Corners
     {
-      unsigned int n_positive = 0;
-      /// The last corner where the cell is folded, as the other corners see it.
-      unsigned int last_positive = 0, last_other = 0;
+      std::vector<unsigned int> positive, negative, flat;
     };
 
 
 
     template <int dim>
-    Corners<dim>
+    Corners
     corners_of(const CellData<dim> &cell, const std::vector<Point<dim>> &vertices)
     {
       Point<dim>     corners[GeometryInfo<dim>::vertices_per_cell];
@@ -28,28 +26,31 @@ namespace Signorini
         corners[v] = vertices[cell.vertices[v]];
       GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
 
-      // Rounding makes nothing of a volume, relative to the edges at the corner.
-      Corners<dim> result;
+      Corners result;
       for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
         {
           double edges = 1;
           for (unsigned int d = 0; d < dim; ++d)
             edges *= corners[v].distance(corners[v ^ (1u << d)]);
-          if (std::abs(volumes[v]) <= 1e-10 * edges)
-            {
-              result.n_positive = numbers::invalid_unsigned_int; // degenerate
-              result.last_other = v;
-              return result;
-            }
-          if (volumes[v] > 0)
-            {
-              ++result.n_positive;
-              result.last_positive = v;
-            }
-          else
-            result.last_other = v;
+          const double rounding = 1e-10 * edges;
+          (std::abs(volumes[v]) <= rounding ? result.flat :
+           volumes[v] > 0                   ? result.positive :
+                                              result.negative)
+            .push_back(v);
         }
       return result;
+    }
+
+
+
+    /// The corner to be named: a flat one, or one of those that differ from the most.
+    unsigned int
+    worst(const Corners &corners)
+    {
+      if (!corners.flat.empty())
+        return corners.flat[0];
+      return corners.positive.size() < corners.negative.size() ? corners.positive[0] :
+                                                                 corners.negative[0];
     }
 
 
@@ -79,16 +80,12 @@ namespace Signorini
     std::string            first;
     for (unsigned int c = 0; c < cells.size(); ++c)
       {
-        const Corners<dim> corners = corners_of(cells[c], vertices);
-        if (corners.n_positive == 0)
+        const Corners corners = corners_of(cells[c], vertices);
+        if (corners.negative.size() == all)
           turn(cells[c]);
-        else if (corners.n_positive != all && ++n_folded == 1)
-          {
-            const bool         mostly_turned = corners.n_positive < all / 2;
-            const unsigned int v = mostly_turned ? corners.last_positive : corners.last_other;
-            first = "element " + std::to_string(elements[c]->number) + " at its corner " +
-                    text_of(vertices[cells[c].vertices[v]]);
-          }
+        else if (corners.positive.size() != all && ++n_folded == 1)
+          first = "element " + std::to_string(elements[c]->number) + " at its corner " +
+                  text_of(vertices[cells[c].vertices[worst(corners)]]);
       }
     if (n_folded > 0)
       throw SceneError("has " + std::to_string(n_folded) +
