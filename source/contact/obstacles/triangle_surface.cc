@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -173,18 +174,24 @@ namespace Signorini
     namespace bgi = boost::geometry::index;
     Foot   best;
     double smallest = std::numeric_limits<double>::max();
-    // The tree lists boxes by their distance, and finds them one by one.
-    for (auto entry = tree.qbegin(bgi::nearest(x, tree.size())); entry != tree.qend(); ++entry)
+    // The boxes next to x, more and more, until the others are farther away than the foot.
+    for (std::size_t n = 8, seen = 0; seen < tree.size(); n *= 4)
       {
-        if (distance(x, entry->first) > smallest)
-          break;
-        const Foot   candidate = foot(x, entry->second);
-        const double gap       = x.distance(candidate.point);
-        if (gap < smallest)
+        double             farthest = 0;
+        std::vector<Entry> entries;
+        tree.query(bgi::nearest(x, n), std::back_inserter(entries));
+        for (const Entry &entry : entries)
           {
-            smallest = gap;
-            best     = candidate;
+            farthest            = std::max(farthest, distance(x, entry.first));
+            const Foot   other  = foot(x, entry.second);
+            const double so_far = x.distance(other.point);
+            if (so_far < smallest)
+              {
+                smallest = so_far;
+                best     = other;
+              }
           }
+        seen = farthest > smallest ? tree.size() : entries.size();
       }
     const Vector arm  = x - best.point;
     const double sign = arm * best.normal < 0 ? -1 : 1;
