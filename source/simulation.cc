@@ -144,6 +144,7 @@ namespace Signorini
     set_up();
     build_contact();
     report_set_up();
+    make_free_motions();
     out << "The scene is complete; nothing was solved." << std::endl;
   }
 
@@ -306,6 +307,21 @@ namespace Signorini
 
 
   template <int dim>
+  FreeMotions
+  Simulation<dim>::make_free_motions() const
+  {
+    if (!elasticity->has_free_motions())
+      return {};
+    FreeMotions motions(elasticity->free_motions(), elasticity->stabilising_springs(), *contact);
+    if (!motions.never_held().empty() && scene.newton.undetermined == "refuse")
+      throw SceneError("Supports/Names: no support holds " + join(motions.never_held()) +
+                       ", and no contact can; " + NewtonSettings::how_to_hold());
+    return motions;
+  }
+
+
+
+  template <int dim>
   void
   Simulation<dim>::solve_with_candidates(const double t, const double tolerance)
   {
@@ -319,10 +335,6 @@ namespace Signorini
             elasticity->assemble();
             assembled = true;
           }
-        FreeMotions free_motions;
-        if (elasticity->has_free_motions())
-          free_motions =
-            FreeMotions(elasticity->free_motions(), elasticity->stabilising_springs(), *contact);
         NewtonSettings settings = scene.newton;
         settings.tolerance      = tolerance;
         newton                  = std::make_unique<Newton>(settings,
@@ -334,7 +346,7 @@ namespace Signorini
                                           elasticity->rigid_body_modes(),
                                           dim,
                                           timer,
-                                          free_motions);
+                                          make_free_motions());
       }
     LA::Vector f;
     {

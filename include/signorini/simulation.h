@@ -57,6 +57,9 @@ namespace Signorini
     widen_reach();
     void
     set_interference(double t);
+    /// Throws SceneError for motions that nothing can stop.
+    FreeMotions
+    make_free_motions() const;
     /// As a field, to be carried over to other candidates or another mesh.
     LA::Vector
     nodal_pressure() const;

@@ -162,9 +162,9 @@ namespace Signorini
              const ContactPair<dim>           &pattern,
              const double                      distance)
   {
-    const std::vector<Face<dim>>  faces  = all_faces(mesh);
-    const auto                   &names  = mesh.boundaries();
-    const std::vector<Fineness>   fine   = fineness(faces, names.size());
+    const std::vector<Face<dim>>  faces = all_faces(mesh);
+    const auto                   &names = mesh.boundaries();
+    const std::vector<Fineness>   fine  = fineness(faces, names.size());
     std::vector<ContactPair<dim>> result;
     const auto                    add = [&](const std::string &slave, const std::string &master) {
       ContactPair<dim> pair = pattern;

@@ -21,7 +21,8 @@ namespace Signorini
                                     {"paraboloid", make_paraboloid<dim>},
                                     {"punch", make_punch<dim>},
                                     {"cone", make_cone<dim>},
-                                    {"gap function", make_gap_function<dim>}};
+                                    {"gap function", make_gap_function<dim>},
+                                    {"STL", make_stl<dim>}};
   } // namespace
 
 

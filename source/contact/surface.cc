@@ -415,8 +415,8 @@ namespace Signorini
       surface.points = contact_points(elasticity, pair, method, slave, integration, paired);
       check_gaps(pair, surface.points, comm);
       const unsigned int n_paired = Utilities::MPI::sum(paired.size(), comm);
-      surface.largest_angle = largest_angle(slave, paired, comm);
-      surface.reach         = std::max(surface.reach, 2 * deepest_overlap(surface.points, comm));
+      surface.largest_angle       = largest_angle(slave, paired, comm);
+      surface.reach = std::max(surface.reach, 2 * deepest_overlap(surface.points, comm));
       if (surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
       surface.is_apart = n_paired > 0 && Utilities::MPI::sum(surface.points.size(), comm) == 0;

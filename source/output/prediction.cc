@@ -66,11 +66,11 @@ namespace Signorini
     const unsigned int degree  = elasticity.degree();
     const double       n_ranks = Utilities::MPI::n_mpi_processes(comm);
     // Refinement of the given share of the cells, as often as it is to come.
-    const auto  &refinement = scene.refinement;
-    const double growth     = refinement.strategy == "global" ?
-                                std::pow(2, dim) :
-                                1 + refinement.refine_fraction * (std::pow(2, dim) - 1);
-    double       cells      = elasticity.mesh().triangulation().n_global_active_cells();
+    const auto  &refinement    = scene.refinement;
+    const double growth        = refinement.strategy == "global" ?
+                                   std::pow(2, dim) :
+                                   1 + refinement.refine_fraction * (std::pow(2, dim) - 1);
+    double       cells         = elasticity.mesh().triangulation().n_global_active_cells();
     const double dofs_per_cell = elasticity.dof_handler().n_dofs() / cells;
     const auto   costs         = calibration(dim, degree);
 
@@ -84,12 +84,12 @@ namespace Signorini
           cells = std::min(growth * cells, std::max(cells, 1. * refinement.maximum_cells));
         if (cycle == refinement.cycles)
           iterations += following_iterations * (scene.load_steps.ends().size() - 1);
-        result.seconds += result.seconds_per_cell * cells / n_ranks *
-                          (costs.set_up + costs.iteration * iterations);
+        result.seconds +=
+          result.seconds_per_cell * cells / n_ranks * (costs.set_up + costs.iteration * iterations);
         iterations = following_iterations;
       }
     const double entries_per_dof = dim * std::pow(degree == 1 ? 3 : 4, dim);
-    result.memory_mb             = base_memory_mb + cells * dofs_per_cell / n_ranks * entries_per_dof *
+    result.memory_mb = base_memory_mb + cells * dofs_per_cell / n_ranks * entries_per_dof *
                                           costs.bytes_per_entry / 1e6;
     return result;
   }

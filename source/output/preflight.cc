@@ -39,14 +39,14 @@ namespace Signorini
       Json result = Json::object();
       for (unsigned int b = 0; b < cells.size(); ++b)
         {
-          const auto &[low, high]          = mesh.extent(b).get_boundary_points();
-          result[scene.bodies[b].name] = {{"from", list(low)},
-                                          {"to", list(high)},
-                                          {"cells", cells[b]},
-                                          {"youngs_modulus",
-                                           scene.bodies[b].material.youngs_modulus},
-                                          {"poissons_ratio",
-                                           scene.bodies[b].material.poissons_ratio}};
+          const BoundingBox<dim> box   = mesh.extent(b);
+          const auto &[low, high]      = box.get_boundary_points();
+          result[scene.bodies[b].name] = {
+            {"from", list(low)},
+            {"to", list(high)},
+            {"cells", cells[b]},
+            {"youngs_modulus", scene.bodies[b].material.youngs_modulus},
+            {"poissons_ratio", scene.bodies[b].material.poissons_ratio}};
         }
       return result;
     }
@@ -72,7 +72,7 @@ namespace Signorini
     {
       constexpr unsigned int n_bins = 10;
       std::array<double, 2>  range{{std::numeric_limits<double>::max(),
-                                   std::numeric_limits<double>::max()}}; // least, minus largest
+                                    std::numeric_limits<double>::max()}}; // least, minus largest
       std::vector<double>    shares(3, 0.);
       for (const ContactPoint<dim> &point : surface.points)
         {
@@ -109,7 +109,7 @@ namespace Signorini
     {
       const MPI_Comm comm     = elasticity.mesh().communicator();
       const auto     vertices = [&](const std::string &boundary) {
-        const BoundaryFaces<dim>       faces(elasticity, boundary);
+        const BoundaryFaces<dim>        faces(elasticity, boundary);
         std::set<std::array<long, dim>> own;
         for (const auto &[cell, face] : faces.faces)
           for (const unsigned int v : cell->face(face)->vertex_indices())
@@ -121,15 +121,13 @@ namespace Signorini
             }
         return own;
       };
-      const auto     slave = vertices(pair.slave);
+      const auto                     slave = vertices(pair.slave);
       decltype(vertices(pair.slave)) master;
-      for (const auto &some : Utilities::MPI::all_gather(
-             comm,
-             [&] {
-               const auto                         own = vertices(pair.master);
-               std::vector<std::array<long, dim>> as_list(own.begin(), own.end());
-               return as_list;
-             }()))
+      for (const auto &some : Utilities::MPI::all_gather(comm, [&] {
+             const auto                         own = vertices(pair.master);
+             std::vector<std::array<long, dim>> as_list(own.begin(), own.end());
+             return as_list;
+           }()))
         master.insert(some.begin(), some.end());
       unsigned int n_same = 0;
       for (const auto &key : slave)
@@ -161,32 +159,36 @@ namespace Signorini
               result[pair.name] = one;
               continue;
             }
-          one["candidates"]    = Utilities::MPI::sum(surfaces[i].points.size(), comm);
-          one["covered_share"] = covered_share(surfaces[i], comm);
-          one["reach"]         = surfaces[i].reach;
-          one["gap"]           = gaps(surfaces[i], rounding, comm);
-          one["largest_angle"] = surfaces[i].largest_angle;
+          one["candidates"]       = Utilities::MPI::sum(surfaces[i].points.size(), comm);
+          one["covered_share"]    = covered_share(surfaces[i], comm);
+          one["reach"]            = surfaces[i].reach;
+          one["gap"]              = gaps(surfaces[i], rounding, comm);
+          one["largest_angle"]    = surfaces[i].largest_angle;
           const std::string where = "pair " + pair.name + ": ";
           if (const double overlap = -one["gap"]["least"].get<double>(); overlap > slave_size)
-            warnings.push_back(where + "the surfaces overlap at the start by more than a face of the slave; "
-                                       "refine the slave, or ramp it: Interference = t");
+            warnings.push_back(
+              where + "the surfaces overlap at the start by more than a face of the slave; "
+                      "refine the slave, or ramp it: Interference = t");
           if (one["largest_angle"] > 60)
-            warnings.push_back(where + "normals are up to " +
-                               std::to_string(one["largest_angle"].template get<int>()) +
-                               " degrees from opposite; contact there is badly resolved: refine, or split the surface");
+            warnings.push_back(
+              where + "normals are up to " +
+              std::to_string(one["largest_angle"].template get<int>()) +
+              " degrees from opposite; contact there is badly resolved: refine, or split the surface");
           if (!scene.obstacle_of(pair))
             {
               const auto [n_master, master_size] = faces_of(elasticity, pair.master);
               one["master_faces"]                = n_master;
               one["master_face_size"]            = master_size;
-              one["matching"]                    = matches(elasticity, pair, std::min(slave_size, master_size));
+              one["matching"] = matches(elasticity, pair, std::min(slave_size, master_size));
               if (slave_size > 1.5 * master_size)
-                warnings.push_back(where + "the slave is coarser than the master, whose nodes may go "
-                                           "through it unseen; exchange Slave and Master, or refine " +
+                warnings.push_back(where +
+                                   "the slave is coarser than the master, whose nodes may go "
+                                   "through it unseen; exchange Slave and Master, or refine " +
                                    pair.slave);
               else if (master_size > 8 * slave_size)
-                warnings.push_back(where + "the master is more than 8 times coarser than the slave, whose "
-                                           "resolution is lost on it; refine " +
+                warnings.push_back(where +
+                                   "the master is more than 8 times coarser than the slave, whose "
+                                   "resolution is lost on it; refine " +
                                    pair.master);
             }
           result[pair.name] = one;
@@ -203,12 +205,14 @@ namespace Signorini
       Json result = Json::array();
       for (unsigned int i = 0; i < surfaces.size(); ++i)
         if (surfaces[i].is_apart)
-          result.push_back("pair " + scene.pairs[i].name +
-                           ": its surfaces are farther apart than bodies are expected to move (checked after each solution)");
+          result.push_back(
+            "pair " + scene.pairs[i].name +
+            ": its surfaces are farther apart than bodies are expected to move (checked after each solution)");
       if (contact.empty())
         result.push_back("contact: nothing can touch, the scene is one linear problem a load step");
       else
-        result.push_back("friction: no scene asks for it yet, so nothing tangential is stored or solved");
+        result.push_back(
+          "friction: no scene asks for it yet, so nothing tangential is stored or solved");
       for (const Obstacle<dim> &obstacle : scene.obstacles)
         {
           unsigned int n_free = 0;
@@ -227,9 +231,10 @@ namespace Signorini
     {
       for (const Body<dim> &body : scene.bodies)
         if (body.material.poissons_ratio > 0.49 && scene.degree == 1)
-          warnings.push_back("body " + body.name +
-                             ": nearly incompressible, where degree 1 is too stiff; set Mesh/Degree = 2 and "
-                             "Solver/Preconditioner = direct");
+          warnings.push_back(
+            "body " + body.name +
+            ": nearly incompressible, where degree 1 is too stiff; set Mesh/Degree = 2 and "
+            "Solver/Preconditioner = direct");
     }
   } // namespace
 
@@ -310,14 +315,14 @@ namespace Signorini
     for (const auto &[name, pair] : report["pairs"].items())
       print_pair(name, pair, out);
     for (const auto &motion : report["held_by_contact_alone"])
-      out << "  held by contact alone: " << motion.get<std::string>() << "\n";
+      out << "  stopped by contact alone: " << motion.get<std::string>() << "\n";
     for (const auto &what : report["left_out"])
       out << "  left out: " << what.get<std::string>() << "\n";
     for (const auto &warning : report["warnings"])
       out << "  WARNING: " << warning.get<std::string>() << "\n";
-    out << "  expected: about " << std::setprecision(2) << report["predicted"]["seconds"].get<double>()
-        << " s and " << std::setprecision(3) << report["predicted"]["memory_mb"].get<double>()
-        << " MB a rank\n"
+    out << "  expected: about " << std::setprecision(2)
+        << report["predicted"]["seconds"].get<double>() << " s and " << std::setprecision(3)
+        << report["predicted"]["memory_mb"].get<double>() << " MB a rank\n"
         << std::flush;
   }
 

@@ -171,12 +171,12 @@ namespace Signorini
           for (unsigned int d = 0; d < dim; ++d)
             {
               u.push_back(motion[first + d]);
-              f.push_back(-force[first + d]);
+              f.push_back(0. - force[first + d]);
             }
           for (unsigned int d = 0; d < Body::n_rotations; ++d)
             {
               w.push_back(motion[first + dim + d] / e.lever());
-              m.push_back(-force[first + dim + d] * e.lever());
+              m.push_back(0. - force[first + dim + d] * e.lever());
             }
           result[e.rigid_bodies()[b].name] = {{"displacement", u},
                                               {"rotation", w},

@@ -17,9 +17,10 @@ namespace Signorini
       for (std::size_t at = formula.find("table", from); at != std::string::npos;
            at             = formula.find("table", at + 1))
         {
-          const bool is_word = at == 0 || !(std::isalnum(formula[at - 1]) || formula[at - 1] == '_');
-          const auto bracket = formula.find_first_not_of(' ', at + 5);
-          if (is_word && bracket != std::string::npos && formula[bracket] == '(')
+                      const bool is_word =
+                        at == 0 || !(std::isalnum(formula[at - 1]) || formula[at - 1] == '_');
+                      const auto bracket = formula.find_first_not_of(' ', at + 5);
+                      if (is_word && bracket != std::string::npos && formula[bracket] == '(')
             return at;
         }
       return std::string::npos;
@@ -57,17 +58,20 @@ namespace Signorini
     }
 
     std::string
-    piecewise_linear(const std::string &x, const std::vector<double> &xs, const std::vector<double> &ys)
+    piecewise_linear(const std::string         &x,
+                     const std::vector<double> &xs,
+                     const std::vector<double> &ys)
     {
       std::string result = to_formula(ys.back());
       for (std::size_t i = xs.size() - 1; i-- > 0;)
         {
           const double slope = (ys[i + 1] - ys[i]) / (xs[i + 1] - xs[i]);
           result = "if((" + x + ") < " + to_formula(xs[i + 1]) + ", " + to_formula(ys[i]) + " + " +
-                   to_formula(slope) + "*((" + x + ") - " + to_formula(xs[i]) + "), " + result + ")";
+                   to_formula(slope) + "*((" + x + ") - " + to_formula(xs[i]) + "), " + result +
+                   ")";
         }
-      return "if((" + x + ") < " + to_formula(xs.front()) + ", " + to_formula(ys.front()) + ", " + result +
-             ")";
+      return "if((" + x + ") < " + to_formula(xs.front()) + ", " + to_formula(ys.front()) + ", " +
+             result + ")";
     }
   } // namespace
 

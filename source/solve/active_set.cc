@@ -142,8 +142,7 @@ namespace Signorini
   ActiveSet::keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p)
   {
     const auto violation = [&](const auto i) {
-      return now(i) == last(i) ? 0. :
-                                                   std::abs(p(i) - contact.epsilon(i) * gap(i));
+      return now(i) == last(i) ? 0. : std::abs(p(i) - contact.epsilon(i) * gap(i));
     };
     double worst = 0;
     for (const auto i : gap.locally_owned_elements())

@@ -39,6 +39,15 @@ namespace Signorini
 
 
 
+  std::string
+  NewtonSettings::how_to_hold()
+  {
+    return "prescribe a displacement that does, or set Newton/Undetermined motions = allow, which "
+           "takes the smallest motion";
+  }
+
+
+
   namespace
   {
     constexpr double fine_reduction = 1e-6; // by linear solves, once an active set comes up again
@@ -59,10 +68,6 @@ namespace Signorini
           << std::setw(12) << step.krylov_iterations;
       out << row.str() << std::endl;
     }
-
-    const std::string how_to_hold =
-      "prescribe a displacement that does, or set Newton/Undetermined motions = allow, which takes the "
-      "smallest motion";
   } // namespace
 
 
@@ -86,12 +91,7 @@ namespace Signorini
     , linear_solver(linear_settings, system, modes, dim, timer)
     , active_set(contact)
     , augmented(contact.zero())
-  {
-    const auto never_held = system.free_motions().never_held();
-    if (!never_held.empty() && settings.undetermined == "refuse")
-      throw SceneError("Supports/Names: no support holds " + join(never_held) +
-                       ", and no contact can; " + how_to_hold);
-  }
+  {}
 
 
 
@@ -207,7 +207,7 @@ namespace Signorini
                 report.converged = false;
                 report.reason    = "nothing determines " + join(report.undetermined) +
                                 ": no force drives it, but neither supports nor contact hold it; " +
-                                how_to_hold;
+                                NewtonSettings::how_to_hold();
               }
             return report;
           }
@@ -349,9 +349,9 @@ namespace Signorini
       {
         const unsigned int all      = active_set.size();
         const bool         may_fall = n == 0 && !system.free_motions().empty();
-        const unsigned int kept     = may_fall ? active_set.drop_touching(gap) :
-                                                 active_set.keep_deepest(gap);
-        step.withholds              = kept < all;
+        const unsigned int kept =
+          may_fall ? active_set.drop_touching(gap) : active_set.keep_deepest(gap);
+        step.withholds = kept < all;
       }
     if (!cautious && active_set.seen_before())
       {
@@ -404,7 +404,7 @@ namespace Signorini
     const bool compliant = method.has_multipliers() && method.predictor() == Predictor::none;
     const bool augments  = method.predictor() == Predictor::last_pressure;
     for (const auto i : defect.locally_owned_elements())
-      if (active_set(i) > 0)
+      if (active_set.values()(i) > 0)
         defect(i) = contact.weight(i) * (augments ? contact.epsilon(i) : contact.stiffness(i)) *
                     (gap(i) + (compliant ? p(i) / contact.epsilon(i) : 0.));
     defect.compress(VectorOperation::insert);

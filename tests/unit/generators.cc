@@ -1,76 +1,17 @@
-#include <signorini/mesh/generators/file.h>
 #include <signorini/mesh/transformed_manifold.h>
-#include <signorini/parameters/section.h>
-
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q.h>
-#include <deal.II/grid/tria.h>
-
-#include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <set>
+
+#include "mesh_helpers.h"
 
 using namespace dealii;
 using namespace Signorini;
+using namespace MeshTests;
 
 namespace
 {
   const double pi = numbers::PI;
-
-  using Keys = std::vector<std::pair<std::string, std::string>>;
-
-  template <int dim>
-  std::unique_ptr<MeshGenerator<dim>>
-  generator(const std::string &name, const Keys &keys)
-  {
-    RawSection raw;
-    for (const auto &[key, value] : keys)
-      raw.set_value(key, value, "test");
-    Section section(raw);
-    auto    result = MeshGenerator<dim>::create(name);
-    result->declare(section);
-    section.close();
-    return result;
-  }
-
-
-
-  template <int dim>
-  void
-  create(Triangulation<dim> &triangulation, const CoarseMesh<dim> &mesh)
-  {
-    triangulation.create_triangulation(mesh.vertices, mesh.cells, mesh.faces);
-    for (const auto &[id, manifold] : mesh.manifolds)
-      triangulation.set_manifold(id, *manifold);
-  }
-
-
-
-  template <int dim>
-  double
-  volume(const Triangulation<dim> &triangulation)
-  {
-    const MappingQ<dim>   mapping(2);
-    const FE_Nothing<dim> fe;
-    FEValues<dim>         values(mapping, fe, QGauss<dim>(4), update_JxW_values);
-    double                sum = 0;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      {
-        values.reinit(cell);
-        for (const unsigned int q : values.quadrature_point_indices())
-          sum += values.JxW(q);
-      }
-    return sum;
-  }
-
-
 
   /// Smallest Jacobian over the product of the edge lengths, at the vertices of straight cells.
   template <int dim>
@@ -171,59 +112,6 @@ namespace
 
 
 
-  /// A file that vanishes.
-  struct TemporaryFile
-  {
-    TemporaryFile(const std::string &text)
-      : path((std::filesystem::temp_directory_path() /
-              ("signorini-" + std::to_string(getpid()) + ".msh"))
-               .string())
-    {
-      std::ofstream(path) << text;
-    }
-
-    ~TemporaryFile()
-    {
-      std::filesystem::remove(path);
-    }
-
-    const std::string path;
-  };
-
-
-
-  std::string
-  message_of(const std::function<void()> &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const SceneError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
-
-
-
-  bool
-  says(const std::string &message, const std::string &words)
-  {
-    CAPTURE(message);
-    const bool found = message.find(words) != std::string::npos;
-    CHECK(found);
-    return found;
-  }
-
-
-
-  std::string
-  stored_mesh(const std::string &name)
-  {
-    return (std::filesystem::path(__FILE__).parent_path() / ".." / ".." / "meshes" / name).string();
-  }
 } // namespace
 
 
@@ -520,14 +408,15 @@ TEST_CASE("file: an octant of a ball with an exact sphere")
 TEST_CASE("file: one of two parts")
 {
   mesh_search_path() = {stored_mesh("")};
-  const auto both    = generator<2>("file", {{"File", "two-blocks.msh"}})->generate();
+  const auto both =
+    generator<2>("file", {{"File", "two-blocks.msh"}, {"Coinciding nodes", "keep"}})->generate();
   const auto upper =
     generator<2>("file", {{"File", "two-blocks.msh"}, {"Part", "upper"}})->generate();
   CHECK(both.cells.size() == 7 * 3 + 5 * 2);
   CHECK(upper.cells.size() == 5 * 2);
   CHECK(upper.vertices.size() == 6 * 3);
-  CHECK(upper.boundaries.size() == 9);
-  CHECK(upper.boundaries.back() == "unnamed");
+  CHECK(both.boundaries.size() == 8);
+  CHECK(upper.boundaries.size() == 4);
 
   Triangulation<2> triangulation;
   create(triangulation, upper);
@@ -590,13 +479,13 @@ TEST_CASE("file: what is wrong with it is said, with its name")
        "absent.msh' cannot be opened");
   says(attempt("solid"), "not a mesh file");
   says(attempt("$MeshFormat\n4.1 1 8\n$EndMeshFormat\n"), "binary");
-  says(attempt("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"), "no physical names");
+  says(attempt("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"), "no elements");
   says(attempt(two_squares(), {{"Part", "three"}}), "Part = three");
   says(attempt(two_squares(), {{"Part", "three"}}), "it has one, two");
   says(attempt(two_squares("", "2 2 2 2 2 3 4")), "Recombine");
   says(attempt(two_squares("", "3 2 2 2 2 3 5 4")), "folded");
   says(attempt(two_squares("", "3 2 2 2 2 3 4 9")), "unknown node 9");
-  says(attempt(two_squares("", "10 2 2 2 2 3 4 5 1 1 1 1 1")), "second order");
+  says(attempt(two_squares("", "10 2 2 2 2 3 4 5 1 1 1 1 1")), "mid-side nodes fold");
   says(attempt(two_squares("3 1 \"body\"\n", "5 2 1 1 1 2 3 4 5 6 1 2")), "three dimensions");
   says(attempt(two_squares(), {{"Curved boundaries", "arc circle 0 0"}}), "no boundary 'arc'");
   says(attempt(two_squares(), {{"Curved boundaries", "middle sphere 0 0"}}), "NAME circle");

@@ -28,12 +28,12 @@ namespace Signorini
     LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
     double           theta = 0; ///< see above
     bool       tied = false;    ///< B refers to components that supports tie to others, see B_free
-    LA::Vector weight;    ///< area of each point; sums up to the slave area that has a partner
-    LA::Vector       rest_gap;    ///< from the geometry
-    LA::Vector       initial_gap; ///< g_0: the same with the share of overlaps that counts now
-    std::vector<double> interference; ///< that share of each pair; empty: all
-    LA::Vector stiffness; ///< E/h [force/length^3]
-    LA::Vector epsilon;   ///< of the contact law, ContactMethod::penalty(), likewise
+    LA::Vector weight;      ///< area of each point; sums up to the slave area that has a partner
+    LA::Vector rest_gap;    ///< from the geometry
+    LA::Vector initial_gap; ///< g_0: the same with the share of overlaps that counts now
+    std::vector<double>     interference; ///< that share of each pair; empty: all
+    LA::Vector              stiffness;    ///< E/h [force/length^3]
+    LA::Vector              epsilon;  ///< of the contact law, ContactMethod::penalty(), likewise
     std::vector<LA::Vector> position; ///< dim vectors
     std::vector<LA::Vector>
       normal; ///< dim vectors: mean normal, not of unit length on curved faces

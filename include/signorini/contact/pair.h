@@ -13,10 +13,10 @@ namespace Signorini
   template <int dim>
   struct ContactPair
   {
-    std::string name, slave, master;
-    std::string slave_place, master_place;         ///< in the scene file
-    std::string initial_gap     = "from geometry"; ///< or "closed", or a formula of the coordinates
-    Expression<dim> interference{"1"}; ///< share of initial overlaps that counts at time t
+    std::string     name, slave, master;
+    std::string     slave_place, master_place;     ///< in the scene file
+    std::string     initial_gap = "from geometry"; ///< or "closed", or a formula of the coordinates
+    Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
 
     void

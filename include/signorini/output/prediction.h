@@ -5,8 +5,8 @@
 namespace Signorini
 {
   /// What a run will take, by a small model: so many times the seconds of assembly, which are
-  /// measured on a few cells, and so many bytes an entry of the stiffness matrix. Within a factor of
-  /// two for the seconds and 30 % for the memory of usual scenes; scripts/calibrate compares.
+  /// measured on a few cells, and so many bytes an entry of the stiffness matrix. Within a factor
+  /// of two for the seconds and 30 % for the memory of usual scenes; scripts/calibrate compares.
   struct Prediction
   {
     double seconds_per_cell = 0; ///< of assembly, measured here and now

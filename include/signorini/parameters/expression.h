@@ -18,9 +18,8 @@ namespace dealii
 namespace Signorini
 {
   /// A scalar function of the coordinates x, y (z in 3D) and the time t, given by a formula of
-  /// muParser; the constant `pi` is known, and table(x, x1, y1, x2, y2, ...), see expand_tables(). A
-  /// formula that cannot be read throws SceneError on
-  /// construction.
+  /// muParser; the constant `pi` is known, and table(x, x1, y1, x2, y2, ...), see expand_tables().
+  /// A formula that cannot be read throws SceneError on construction.
   template <int dim>
   class Expression
   {

@@ -82,16 +82,16 @@ namespace Signorini
     std::vector<Load<dim>>        loads;
     std::vector<ContactPair<dim>> pairs;
     bool auto_pairs = false; ///< to be found: the one pair says what they have in common
-    MeshSettings<dim>             mesh;
-    unsigned int                  degree = 1;
-    ContactSettings               contact;
-    RefinementSettings            refinement;
-    LoadSteps                     load_steps;
-    NewtonSettings                newton;
-    LinearSolverSettings          solver;
-    OutputSettings<dim>           output;
-    KnownSolution<dim>            known;
-    std::vector<ExpectedResult>   expected;
+    MeshSettings<dim>           mesh;
+    unsigned int                degree = 1;
+    ContactSettings             contact;
+    RefinementSettings          refinement;
+    LoadSteps                   load_steps;
+    NewtonSettings              newton;
+    LinearSolverSettings        solver;
+    OutputSettings<dim>         output;
+    KnownSolution<dim>          known;
+    std::vector<ExpectedResult> expected;
 
     void
     declare(Section &section);

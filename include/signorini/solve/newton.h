@@ -21,6 +21,10 @@ namespace Signorini
     double       stabilisation = 0.25;
     std::string  undetermined  = "refuse";
 
+    /// What to do about motions that nothing determines, for messages.
+    static std::string
+    how_to_hold();
+
     void
     declare(Section &section);
   };
@@ -155,7 +159,7 @@ namespace Signorini
     LinearSolver                             linear_solver;
 
     ActiveSet  active_set;
-    LA::Vector augmented; ///< pressure of the last solution, for methods that augment
+    LA::Vector augmented;          ///< pressure of the last solution, for methods that augment
     bool       is_cold     = true; ///< without a pressure to start from
     bool       cautious    = false;
     double     reduction   = 1e-2; ///< by linear solves while the active set changes

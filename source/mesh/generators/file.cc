@@ -1,9 +1,12 @@
+#include <signorini/mesh/generators/curved_cells.h>
 #include <signorini/mesh/generators/file.h>
-#include <signorini/mesh/generators/gmsh_part.h>
 #include <signorini/parameters/section.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 
 namespace Signorini
 {
@@ -11,16 +14,43 @@ namespace Signorini
 
   namespace
   {
-    const char *const unnamed = "unnamed";
+    template <int dim>
+    std::vector<CurvedBoundary<dim>>
+    read_curved_boundaries(const std::string &text, const Section &section)
+    {
+      try
+        {
+          return curved_boundaries_from<dim>(text);
+        }
+      catch (const SceneError &error)
+        {
+          section.fail("Curved boundaries", error.what());
+        }
+    }
 
-    std::vector<std::string>
-    names_of(const std::map<int, std::string> &group)
+
+
+    void
+    check_groups(const MeshFile &file, const std::vector<std::string> &wanted)
     {
       std::vector<std::string> names;
-      for (const auto &[tag, name] : group)
+      for (const auto &group : file.groups)
+        names.push_back(group.name);
+      for (const std::string &name : wanted)
         if (std::find(names.begin(), names.end(), name) == names.end())
-          names.push_back(name);
-      return names;
+          throw SceneError("has nothing that is called '" + name + "'; it has " +
+                           (names.empty() ? "no names" : join(names)));
+    }
+
+
+
+    /// All ranks read the file, one speaks.
+    void
+    tell(const std::string &body, const std::string &path, const std::vector<std::string> &notes)
+    {
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        for (const std::string &note : notes)
+          std::cout << body << ", mesh file '" << path << "': " << note << std::endl;
     }
 
 
@@ -29,22 +59,6 @@ namespace Signorini
     is_in(const std::string &name, const std::vector<std::string> &names)
     {
       return std::find(names.begin(), names.end(), name) != names.end();
-    }
-
-
-
-    std::string
-    found(const std::string &file)
-    {
-      if (std::filesystem::exists(file) || std::filesystem::path(file).is_absolute())
-        return file;
-      for (const std::string &folder : mesh_search_path())
-        {
-          const auto candidate = std::filesystem::path(folder) / file;
-          if (std::filesystem::exists(candidate))
-            return candidate.string();
-        }
-      return file;
     }
   } // namespace
 
@@ -59,17 +73,56 @@ namespace Signorini
 
 
 
+  std::string
+  found_beside_scene(const std::string &file)
+  {
+    if (std::filesystem::exists(file) || std::filesystem::path(file).is_absolute())
+      return file;
+    for (const std::string &folder : mesh_search_path())
+      {
+        const auto candidate = std::filesystem::path(folder) / file;
+        if (std::filesystem::exists(candidate))
+          return candidate.string();
+      }
+    return file;
+  }
+
+
+
   template <int dim>
   void
   FileMesh<dim>::declare(Section &section)
   {
     section.add("File",
                 file,
-                "mesh file of Gmsh (4.1 or 2.2, text) with physical names, beside the scene");
+                "mesh file, beside the scene; its extension says the format: " + mesh_formats());
     section.add("Part",
-                part,
-                dim == 2 ? "physical surface that is the body; empty: all cells" :
-                           "physical volume that is the body; empty: all cells");
+                selection.part,
+                std::string("physical ") + (dim == 2 ? "surface" : "volume") +
+                  " (Gmsh), element set (Abaqus) or ARRAY VALUE of cell data (VTK) that is the "
+                  "body, with nodes of its own; empty: all cells");
+    section.add("Boundaries",
+                selection.boundaries,
+                "names in the file that are boundaries, separated by commas; of several that "
+                "contain a face the first wins; empty: all, and none may overlap");
+    section.add("Feature angle",
+                selection.feature_angle,
+                "faces without a name are divided where they meet at more than this angle into "
+                "unnamed1, unnamed2, ... by the x, then y, then z of their centers; 0: one "
+                "boundary unnamed [degrees]",
+                Range{0, 180});
+    section.add_choice("Coinciding nodes",
+                       selection.coinciding_nodes,
+                       {"refuse", "merge", "keep"},
+                       "what is done with nodes at one place, where cells are not connected");
+    section.add("Node distance",
+                selection.node_distance,
+                "up to which nodes coincide; 0: 1e-3 of the shortest edge [length]",
+                non_negative);
+    section.add("Mid-side nodes",
+                mid_side_nodes,
+                "yes: cells of second order are as curved as their nodes say; no: straight "
+                "between the corners");
     section.add("Curved boundaries",
                 curved_text,
                 dim == 2 ?
@@ -77,77 +130,62 @@ namespace Signorini
                   "boundaries on spheres (center) or cylinders (point and direction of the axis), "
                   "separated by ;   NAME sphere cx cy cz   NAME cylinder px py pz ax ay az");
     if (section.reading())
-      check(section);
+      read(section);
   }
 
 
 
   template <int dim>
   void
-  FileMesh<dim>::check(const Section &section)
+  FileMesh<dim>::read(const Section &section)
   {
-    std::string key = "File";
+    if (file.empty())
+      section.fail("File", "a mesh from a file needs its name");
+    const auto        surfaces = read_curved_boundaries<dim>(curved_text, section);
+    const std::string path     = found_beside_scene(file);
+    std::string       key      = "File";
     try
       {
-        if (file.empty())
-          throw SceneError("a mesh from a file needs its name");
-        path                                  = found(file);
-        const GmshFile::Groups         groups = read_gmsh_groups(path);
-        const std::vector<std::string> parts  = names_of(groups[dim]);
+        const MeshFile all = read_mesh_file(path);
 
-        key = "Part";
-        if (!part.empty() && !is_in(part, parts))
-          throw SceneError("mesh file '" + path + "' has no such part; it has " +
-                           (parts.empty() ? "none" : join(parts)));
+        key                                  = "Part";
+        const std::vector<std::string> parts = part_names(all, dim);
+        if (!selection.part.empty() && !is_in(selection.part, parts))
+          throw SceneError("has no such part; it has " + (parts.empty() ? "none" : join(parts)));
 
-        key               = "Curved boundaries";
-        curved_boundaries = curved_boundaries_from<dim>(curved_text);
-        for (const auto &boundary : curved_boundaries)
-          if (!is_in(boundary.name, boundaries()))
-            throw SceneError("mesh file '" + path + "' has no boundary '" + boundary.name +
-                             "'; it has " + join(boundaries()));
+        key = "Boundaries";
+        check_groups(all, selection.boundaries);
+
+        key = "File";
+        const FilePart<dim> part(all, selection);
+        tell(section.path(), path, part.notes);
+
+        key = "Curved boundaries";
+        for (const auto &surface : surfaces)
+          if (!is_in(surface.name, part.boundaries))
+            throw SceneError("has no boundary '" + surface.name + "'; it has " +
+                             join(part.boundaries));
+        Triangulation<dim> triangulation;
+        triangulation.create_triangulation(part.vertices, part.cells, part.faces);
+        for (unsigned int i = 0; i < surfaces.size(); ++i)
+          {
+            const auto &all_names = part.boundaries;
+            const auto  at        = std::find(all_names.begin(), all_names.end(), surfaces[i].name);
+            surfaces[i].apply(triangulation, at - all_names.begin(), i);
+          }
+
+        key = "File";
+        const unsigned int n_curved =
+          mid_side_nodes ? curve_cells(triangulation, all, part.elements, surfaces.size()) : 0;
+        is_curved = n_curved + surfaces.size() > 0;
+        mesh      = CoarseMesh<dim>::from_triangulation(triangulation, part.boundaries);
       }
     catch (const SceneError &error)
       {
-        section.fail(key, error.what());
-      }
-  }
-
-
-
-  template <int dim>
-  std::vector<std::string>
-  FileMesh<dim>::boundaries() const
-  {
-    std::vector<std::string> names = names_of(read_gmsh_groups(path)[dim - 1]);
-    if (!is_in(unnamed, names))
-      names.push_back(unnamed);
-    return names;
-  }
-
-
-
-  template <int dim>
-  CoarseMesh<dim>
-  FileMesh<dim>::generate() const
-  {
-    const std::vector<std::string> names = boundaries();
-    const auto                     id_of = [&](const std::string &name) -> types::boundary_id {
-      return std::find(names.begin(), names.end(), name) - names.begin();
-    };
-    const GmshFile contents = read_gmsh(path);
-    try
-      {
-        const GmshPart<dim> mesh(contents, part, names, id_of(unnamed));
-        Triangulation<dim>  triangulation;
-        triangulation.create_triangulation(mesh.vertices, mesh.cells, mesh.faces);
-        for (unsigned int i = 0; i < curved_boundaries.size(); ++i)
-          curved_boundaries[i].apply(triangulation, id_of(curved_boundaries[i].name), i);
-        return CoarseMesh<dim>::from_triangulation(triangulation, names);
-      }
-    catch (const SceneError &error)
-      {
-        throw SceneError("mesh file '" + path + "' " + error.what());
+        // The readers name the file that they read, which may be an included one.
+        const std::string what = error.what(), named = "mesh file '";
+        const bool        is_it = what.compare(0, named.size(), named) == 0;
+        section.fail(key, is_it ? what : named + path + "' " + what);
       }
   }
 

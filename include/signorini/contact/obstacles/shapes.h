@@ -41,4 +41,9 @@ namespace Signorini
   template <int dim>
   std::unique_ptr<ObstacleShape<dim>>
   make_gap_function();
+
+  /// Surface of triangles in an STL file; the gap is the signed distance. 3D only.
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_stl();
 } // namespace Signorini

@@ -2,6 +2,7 @@
 
 #include <signorini/mesh/generator.h>
 #include <signorini/mesh/generators/curved_boundary.h>
+#include <signorini/mesh/generators/file_part.h>
 
 namespace Signorini
 {
@@ -10,35 +11,47 @@ namespace Signorini
   std::vector<std::string> &
   mesh_search_path();
 
-  /// A mesh file of Gmsh with physical names, or one part of it. Boundaries: the physical names of
-  /// lines (2D) or surfaces (3D), and `unnamed` for faces without.
+  /// Where a file is: as named, or in one of those folders; the name itself if it is not there.
+  std::string
+  found_beside_scene(const std::string &file);
+
+  /// A mesh file, or one part of it. Boundaries: the names that the file gives to faces of the
+  /// part, and `unnamed`, or `unnamed1` and so on, for faces without.
   template <int dim>
   class FileMesh : public MeshGenerator<dim>
   {
   public:
-    /// While reading, the file must be there, and the names in the section in it.
+    /// While reading, reads the file too: the mesh must be good, and the names in the section in
+    /// it.
     void
     declare(Section &section) override;
 
     std::vector<std::string>
-    boundaries() const override;
+    boundaries() const override
+    {
+      return mesh.boundaries;
+    }
 
     CoarseMesh<dim>
-    generate() const override;
+    generate() const override
+    {
+      return mesh;
+    }
 
     bool
     curved() const override
     {
-      return !curved_boundaries.empty();
+      return is_curved;
     }
 
   private:
     void
-    check(const Section &section);
+                  read(const Section &section);
+    std::string   file, curved_text;
+    FileSelection selection;
+    bool          mid_side_nodes = true;
 
-    std::string file, part, curved_text;
-
-    std::string                      path; ///< where the file was found
-    std::vector<CurvedBoundary<dim>> curved_boundaries;
+    CoarseMesh<dim> mesh;
+    bool            is_curved = false;
   };
 } // namespace Signorini

@@ -1,8 +1,11 @@
-#include <signorini/mesh/gmsh.h>
+#include <signorini/mesh/formats/gmsh.h>
 #include <signorini/parameters/raw.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <unordered_map>
 
@@ -12,14 +15,35 @@ namespace Signorini
 
   namespace
   {
-    /// Dimension of an element type of Gmsh, straight or of second order; 4 if unknown.
-    unsigned int
-    dimension_of(const unsigned int type)
+    using Shape = MeshFile::Shape;
+
+    struct Type
     {
-      static const std::array<unsigned int, 20> dimensions{
-        {4, 1, 2, 2, 3, 3, 3, 3, 1, 2, 2, 3, 3, 3, 3, 0, 2, 3, 3, 3}};
-      return type < dimensions.size() ? dimensions[type] : 4;
+      Shape        shape;
+      unsigned int n_nodes; ///< 0: any
+    };
+
+    /// An element type as Gmsh numbers it.
+    Type
+    type_of(const unsigned int type)
+    {
+      static const std::array<Type, 20> types{
+        {{Shape::unknown, 0},       {Shape::line, 2},          {Shape::triangle, 3},
+         {Shape::quadrilateral, 4}, {Shape::tetrahedron, 4},   {Shape::hexahedron, 8},
+         {Shape::wedge, 6},         {Shape::pyramid, 5},       {Shape::line, 3},
+         {Shape::triangle, 6},      {Shape::quadrilateral, 9}, {Shape::tetrahedron, 10},
+         {Shape::hexahedron, 27},   {Shape::wedge, 18},        {Shape::pyramid, 14},
+         {Shape::point, 1},         {Shape::quadrilateral, 8}, {Shape::hexahedron, 20},
+         {Shape::wedge, 15},        {Shape::pyramid, 13}}};
+      return types[type < types.size() ? type : 0];
     }
+
+
+
+    /// Where the nodes of a hexahedron of second order stand in Gmsh.
+    constexpr std::array<unsigned int, 27> order_of_hexahedron{
+      {0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
+       19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26}};
 
 
 
@@ -45,26 +69,16 @@ namespace Signorini
         leave_section("MeshFormat");
       }
 
-      void
-      read_groups()
-      {
-        for (std::string section = next_section(); !section.empty(); section = next_section())
-          if (section == "PhysicalNames")
-            return read_names();
-          else
-            leave_section(section);
-        fail("has no physical names; name the parts and the boundaries in Gmsh, for example "
-             "Physical Surface(\"top\") = {6};");
-      }
-
-      void
-      read_the_rest()
+      MeshFile
+      read()
       {
         for (std::string section = next_section(); !section.empty(); section = next_section())
           {
             if (section == "PartitionedEntities")
               fail("is partitioned; save it undivided, the program divides it itself");
-            if (section == "Entities")
+            if (section == "PhysicalNames")
+              read_names();
+            else if (section == "Entities")
               read_entities();
             else if (section == "Nodes")
               is_new ? read_new_nodes() : read_old_nodes();
@@ -74,15 +88,23 @@ namespace Signorini
           }
         if (file.elements.empty())
           fail("has no elements");
+        for (unsigned int dimension = 0; dimension < 4; ++dimension)
+          for (const auto &[tag, name] : names[dimension])
+            append(file.group(name).elements, members[dimension][tag]);
+        return std::move(file);
       }
-
-      GmshFile file;
 
     private:
       [[noreturn]] void
       fail(const std::string &what) const
       {
         throw SceneError("mesh file '" + file_name + "' " + what);
+      }
+
+      static void
+      append(std::vector<unsigned int> &to, const std::vector<unsigned int> &from)
+      {
+        to.insert(to.end(), from.begin(), from.end());
       }
 
       /// What stands behind the next `$`; empty at the end of the file.
@@ -119,9 +141,8 @@ namespace Signorini
             const auto from = rest.find('"'), to = rest.rfind('"');
             if (dimension > 3 || from == to)
               fail("has a line in $PhysicalNames that is not: dimension tag \"name\"");
-            file.groups[dimension][tag] = trim(rest.substr(from + 1, to - from - 1));
+            names[dimension][tag] = trim(rest.substr(from + 1, to - from - 1));
           }
-        leave_section("PhysicalNames");
       }
 
       void
@@ -143,12 +164,8 @@ namespace Signorini
         in >> tag;
         skip_numbers(dimension == 0 ? 3 : 6); // a point, or a bounding box
         in >> n;
-        if (n > 1)
-          fail("has entity " + std::to_string(tag) + " of dimension " + std::to_string(dimension) +
-               " in several physical groups; leave it in one");
-        for (std::size_t i = 0; i < n; ++i)
-          in >> group;
-        entities[dimension][tag] = std::abs(group); // the sign is a direction
+        for (std::size_t i = 0; i < n && in >> group; ++i)
+          entities[dimension][tag].push_back(std::abs(group)); // the sign is a direction
         if (dimension == 0)
           return;
         in >> n;
@@ -206,9 +223,12 @@ namespace Signorini
 
       /// The nodes are what is left of the line.
       void
-      read_element(const unsigned int type, const int group)
+      read_element(const std::size_t       number,
+                   const unsigned int      type,
+                   const std::vector<int> &groups)
       {
-        GmshFile::Element element{dimension_of(type), type, group, {}};
+        const auto [shape, n] = type_of(type);
+        MeshFile::Element element{shape, "type " + std::to_string(type), number, {}};
         std::string       line;
         std::getline(in, line);
         std::istringstream words(line);
@@ -219,10 +239,19 @@ namespace Signorini
               fail("has an element with the unknown node " + std::to_string(tag));
             element.nodes.push_back(entry->second);
           }
-        const unsigned int n = type == 1 ? 2 : type == 3 ? 4 : type == 5 ? 8 : element.nodes.size();
-        if (element.nodes.size() != n)
-          fail("has an element of type " + std::to_string(type) + " without its " +
-               std::to_string(n) + " nodes");
+        if (n > 0 && element.nodes.size() != n)
+          fail("has element " + std::to_string(number) + " of type " + std::to_string(type) +
+               " without its " + std::to_string(n) + " nodes");
+        if (shape == Shape::hexahedron)
+          {
+            const MeshFile::Nodes nodes = element.nodes;
+            for (unsigned int i = 0; i < n; ++i)
+              element.nodes[i] = nodes[order_of_hexahedron[i]];
+          }
+        const unsigned int dimension = dimension_of(shape);
+        if (dimension < 4)
+          for (const int group : groups)
+            members[dimension][group].push_back(file.elements.size());
         file.elements.push_back(element);
       }
 
@@ -239,7 +268,7 @@ namespace Signorini
             in >> tag >> type >> n_tags;
             for (unsigned int j = 0; j < n_tags; ++j)
               in >> (j == 0 ? group : ignored);
-            read_element(type, std::abs(group));
+            read_element(tag, type, {std::abs(group)});
           }
       }
 
@@ -256,36 +285,29 @@ namespace Signorini
             std::size_t  n      = 0, tag;
             in >> dimension >> entity >> type >> n;
             for (std::size_t i = 0; i < n && in >> tag; ++i)
-              read_element(type, dimension < 4 ? entities[dimension][entity] : 0);
+              read_element(tag, type, entities[std::min(dimension, 3u)][entity]);
           }
       }
 
       const std::string                             file_name;
       std::ifstream                                 in;
+      MeshFile                                      file;
       bool                                          is_new = true; ///< format 4.1
-      std::array<std::map<int, int>, 4>             entities;      ///< their physical tags
       std::unordered_map<std::size_t, unsigned int> index_of;      ///< index of a node by its tag
+
+      // By dimension and then by tag: physical names, physical tags of entities, and elements of
+      // physical tags.
+      std::array<std::map<int, std::string>, 4>               names;
+      std::array<std::map<int, std::vector<int>>, 4>          entities;
+      std::array<std::map<int, std::vector<unsigned int>>, 4> members;
     };
   } // namespace
 
 
 
-  GmshFile
+  MeshFile
   read_gmsh(const std::string &file_name)
   {
-    Reader reader(file_name);
-    reader.read_groups();
-    reader.read_the_rest();
-    return std::move(reader.file);
-  }
-
-
-
-  GmshFile::Groups
-  read_gmsh_groups(const std::string &file_name)
-  {
-    Reader reader(file_name);
-    reader.read_groups();
-    return std::move(reader.file.groups);
+    return Reader(file_name).read();
   }
 } // namespace Signorini

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <signorini/contact/obstacle.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <array>
+
+namespace Signorini
+{
+  /// Triangles in space whose vertices go around anticlockwise, seen from outside.
+  struct Triangles
+  {
+    std::vector<dealii::Point<3>>            vertices;
+    std::vector<std::array<unsigned int, 3>> corners; ///< indices into `vertices`
+  };
+
+  /// Signed distance from a surface of triangles. The sign is that of the angle-weighted
+  /// pseudo-normal at the closest point (Baerentzen and Aanaes 2005), which is right at edges and
+  /// vertices too. The surface may have a rim, where the triangle there gives the sign.
+  class TriangleSurface
+  {
+  public:
+    /// Throws SceneError with the place if more than two triangles meet in an edge, or two that
+    /// face to different sides, or if there are no triangles. Triangles without area are left out.
+    explicit TriangleSurface(const Triangles &triangles);
+
+    ObstaclePlace<3>
+    closest(const dealii::Point<3> &x) const;
+
+    dealii::BoundingBox<3>
+    extent() const
+    {
+      return box;
+    }
+
+  private:
+    using Vector = dealii::Tensor<1, 3>;
+    using Entry  = std::pair<dealii::BoundingBox<3>, unsigned int>;
+
+    /// A point of a triangle, and what of the triangle it lies on.
+    struct Foot
+    {
+      dealii::Point<3> point;
+      Vector           normal; ///< pseudo-normal there
+      bool             inside; ///< neither on an edge nor on a vertex
+    };
+
+    void
+    add_vertex_normals();
+    void
+    add_edge_normals();
+    Foot
+    foot(const dealii::Point<3> &x, unsigned int triangle) const;
+
+    std::vector<dealii::Point<3>>            vertices;
+    std::vector<std::array<unsigned int, 3>> corners;
+    std::vector<Vector>                      face_normals, vertex_normals;
+    std::vector<std::array<Vector, 3>>       edge_normals; ///< of the edges from corner i to i+1
+    dealii::BoundingBox<3>                   box;
+    dealii::RTree<Entry>                     tree;
+  };
+} // namespace Signorini

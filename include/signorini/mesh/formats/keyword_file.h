@@ -1,0 +1,81 @@
+#pragma once
+
+#include <fstream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// A file of keywords with data lines, as Abaqus and CalculiX read them:
+  ///
+  ///     ** comment
+  ///     *KEYWORD, PARAMETER=value, PARAMETER
+  ///     data, data, data
+  ///
+  /// Keywords and parameters may be in any case. A keyword line that ends with a comma goes on in
+  /// the next line. *INCLUDE, INPUT=file is followed, beside the file that says so.
+  class KeywordFile
+  {
+  public:
+    explicit KeywordFile(const std::string &file_name);
+
+    /// Go on to the next keyword; false at the end of the file.
+    bool
+    next_keyword();
+
+    /// Without the star, in upper case, with single blanks.
+    const std::string &
+    keyword() const
+    {
+      return my_keyword;
+    }
+
+    bool
+    has(const std::string &parameter) const;
+
+    /// The value without quotes, as it is written; empty if there is none.
+    std::string
+    value(const std::string &parameter) const;
+
+    /// The next data line of this keyword, split at the commas; false if there are no more.
+    bool
+    next_line(std::vector<std::string> &words);
+
+    /// Did the last data line end with a comma?
+    bool
+    goes_on() const
+    {
+      return my_goes_on;
+    }
+
+    /// Throws SceneError("mesh file 'FILE', line LINE: what").
+    [[noreturn]] void
+    fail(const std::string &what) const;
+
+  private:
+    struct Source
+    {
+      std::string                    name;
+      std::unique_ptr<std::ifstream> in;
+      unsigned int                   line;
+    };
+
+    void
+    open(const std::string &file_name);
+    bool
+    next_text(std::string &line);
+    void
+    parse_keyword(std::string line);
+
+    std::vector<Source>                sources; ///< the last one is being read
+    std::string                        name, my_keyword, pending;
+    unsigned int                       line_number = 0;
+    std::map<std::string, std::string> parameters;
+    bool                               my_goes_on = false;
+  };
+
+  std::string
+  upper_case(std::string text);
+} // namespace Signorini

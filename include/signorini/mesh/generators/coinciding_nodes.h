@@ -1,0 +1,32 @@
+#pragma once
+
+#include <deal.II/grid/tria_description.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// Nodes of cells that are closer to each other than a distance.
+  template <int dim>
+  class CoincidingNodes
+  {
+  public:
+    /// `distance` 0 stands for 1e-3 of the shortest edge of the cells.
+    CoincidingNodes(const std::vector<dealii::CellData<dim>> &cells,
+                    const std::vector<dealii::Point<dim>>    &vertices,
+                    double                                    distance);
+
+    /// For each vertex the one that shall stand for it: the first of those that coincide.
+    std::vector<unsigned int>
+    representatives() const;
+
+    /// Throws SceneError with their number and the place of the first, if there are any.
+    void
+    refuse() const;
+
+  private:
+    const std::vector<dealii::Point<dim>>             &vertices;
+    std::vector<std::pair<unsigned int, unsigned int>> pairs; ///< the lower number first, in order
+  };
+} // namespace Signorini

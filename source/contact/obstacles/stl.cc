@@ -1,0 +1,89 @@
+#include <signorini/contact/obstacles/shapes.h>
+#include <signorini/contact/obstacles/stl_file.h>
+#include <signorini/mesh/generators/file.h>
+#include <signorini/parameters/section.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Stl : public ObstacleShape<dim>
+    {
+    public:
+      void
+      declare(Section &section) override
+      {
+        section.add("File", file, "STL file, text or binary, beside the scene; 3D only");
+        section.add("Scale", scale, "factor of the file's coordinates", positive);
+        section.add("Offset", offset, "added to them after that [length]");
+        if (section.reading())
+          read(section);
+      }
+
+      ObstaclePlace<dim>
+      closest(const Point<dim> &x) const override
+      {
+        if constexpr (dim == 3)
+          return surface->closest(x);
+        (void)x;
+        AssertThrow(false, ExcNotImplemented());
+      }
+
+    private:
+      static std::shared_ptr<const TriangleSurface>
+      surface_of(const Triangles &triangles, const std::string &path)
+      {
+        try
+          {
+            return std::make_shared<TriangleSurface>(triangles);
+          }
+        catch (const SceneError &error)
+          {
+            throw SceneError("STL file '" + path + "' " + error.what());
+          }
+      }
+
+      void
+      read(const Section &section)
+      {
+        if (dim == 2)
+          section.fail("Shape", "a surface of triangles needs Dimension = 3");
+        if (file.empty())
+          section.fail("File", "an obstacle from a file needs its name");
+        try
+          {
+            const std::string path      = found_beside_scene(file);
+            Triangles         triangles = read_stl(path);
+            for (auto &vertex : triangles.vertices)
+              for (unsigned int d = 0; d < dim; ++d)
+                vertex[d] = scale * vertex[d] + offset[d];
+            surface = surface_of(triangles, path);
+          }
+        catch (const SceneError &error)
+          {
+            section.fail("File", error.what());
+          }
+      }
+
+      std::string                            file;
+      double                                 scale = 1;
+      Point<dim>                             offset;
+      std::shared_ptr<const TriangleSurface> surface;
+    };
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_stl()
+  {
+    return std::make_unique<Stl<dim>>();
+  }
+
+  template std::unique_ptr<ObstacleShape<2>>
+  make_stl();
+  template std::unique_ptr<ObstacleShape<3>>
+  make_stl();
+} // namespace Signorini

@@ -1,0 +1,181 @@
+#include <signorini/mesh/formats/keyword_file.h>
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace Signorini
+{
+  namespace
+  {
+    constexpr unsigned int deepest_include = 20; // a file that includes itself ends here
+
+    bool
+    starts_with(const std::string &text, const std::string &start)
+    {
+      return text.compare(0, start.size(), start) == 0;
+    }
+
+
+
+    std::string
+    without_quotes(const std::string &text)
+    {
+      const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+      return quoted ? text.substr(1, text.size() - 2) : text;
+    }
+
+
+
+    /// NODE   PRINT and NODE PRINT are the same keyword.
+    std::string
+    with_single_blanks(const std::string &text)
+    {
+      std::string result;
+      for (const std::string &word : split(text, ' '))
+        if (!word.empty())
+          result += (result.empty() ? "" : " ") + word;
+      return result;
+    }
+  } // namespace
+
+
+
+  std::string
+  upper_case(std::string text)
+  {
+    std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) {
+      return std::toupper(c);
+    });
+    return text;
+  }
+
+
+
+  KeywordFile::KeywordFile(const std::string &file_name)
+    : name(file_name)
+  {
+    open(file_name);
+  }
+
+
+
+  void
+  KeywordFile::open(const std::string &file_name)
+  {
+    if (sources.size() > deepest_include)
+      fail("files include each other more than " + std::to_string(deepest_include) +
+           " deep; does '" + file_name + "' include itself?");
+    auto in = std::make_unique<std::ifstream>(file_name);
+    if (!*in)
+      fail("the file '" + file_name + "' cannot be opened");
+    sources.push_back({file_name, std::move(in), 0});
+  }
+
+
+
+  bool
+  KeywordFile::next_text(std::string &line)
+  {
+    while (!sources.empty())
+      {
+        Source &source = sources.back();
+        if (!std::getline(*source.in, line))
+          {
+            sources.pop_back();
+            continue;
+          }
+        name        = source.name;
+        line_number = ++source.line;
+        line        = trim(line);
+        if (!line.empty() && !starts_with(line, "**"))
+          return true;
+      }
+    return false;
+  }
+
+
+
+  bool
+  KeywordFile::next_keyword()
+  {
+    std::string line = std::move(pending);
+    pending.clear();
+    while (line.empty() || line[0] != '*')
+      if (!next_text(line))
+        return false;
+    parse_keyword(line);
+    if (my_keyword != "INCLUDE")
+      return true;
+    const std::string file = value("INPUT");
+    if (file.empty())
+      fail("*INCLUDE needs INPUT=file");
+    open((std::filesystem::path(name).parent_path() / file).string());
+    return next_keyword();
+  }
+
+
+
+  void
+  KeywordFile::parse_keyword(std::string line)
+  {
+    for (std::string more; line.back() == ',' && next_text(more);)
+      line += more;
+    const std::vector<std::string> words = split(line.substr(1), ',');
+    my_keyword = words.empty() ? "" : upper_case(with_single_blanks(words[0]));
+    parameters.clear();
+    for (unsigned int i = 1; i < words.size(); ++i)
+      {
+        const auto equal = words[i].find('=');
+        parameters[upper_case(trim(words[i].substr(0, equal)))] =
+          equal == std::string::npos ? "" : without_quotes(trim(words[i].substr(equal + 1)));
+      }
+  }
+
+
+
+  bool
+  KeywordFile::has(const std::string &parameter) const
+  {
+    return parameters.count(parameter) > 0;
+  }
+
+
+
+  std::string
+  KeywordFile::value(const std::string &parameter) const
+  {
+    const auto found = parameters.find(parameter);
+    return found == parameters.end() ? "" : found->second;
+  }
+
+
+
+  bool
+  KeywordFile::next_line(std::vector<std::string> &words)
+  {
+    words.clear();
+    for (std::string line; words.empty();)
+      {
+        if (!pending.empty() || !next_text(line))
+          return false;
+        if (line[0] == '*')
+          {
+            pending = line;
+            return false;
+          }
+        my_goes_on = line.back() == ',';
+        words      = split(my_goes_on ? line.substr(0, line.size() - 1) : line, ',');
+      }
+    return true;
+  }
+
+
+
+  void
+  KeywordFile::fail(const std::string &what) const
+  {
+    throw SceneError("mesh file '" + name + "', line " + std::to_string(line_number) + ": " + what);
+  }
+} // namespace Signorini
