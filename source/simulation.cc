@@ -427,7 +427,7 @@ namespace Signorini
             else
               {
                 longest = (next - t) / 2;
-                if (longest < 0.999 * smallest)
+                if (longest < 0.999 * smallest || report.is_loose)
                   return;
                 out << "  not solved (" << report.reason << "): half the load step" << std::endl;
               }
@@ -503,7 +503,8 @@ namespace Signorini
                 {"pairs", pair_results(now)}};
 
     if (!report.undetermined.empty())
-      one["undetermined_motions"] = report.undetermined;
+      one["held_motions"] = {{"names", report.undetermined},
+                             {"largest_force", report.holding_force}};
     std::vector<bool> rigid;
     for (const ContactPair<dim> &pair : scene.pairs)
       rigid.push_back(scene.obstacle_of(pair) != nullptr);
@@ -570,6 +571,8 @@ namespace Signorini
       }
     results["contact_faces"]      = Utilities::MPI::sum(faces, comm);
     results["contact_candidates"] = Utilities::MPI::sum(candidates, comm);
+
+    results["contact_bytes"] = Utilities::MPI::sum(contact ? contact->memory() : 0, comm);
 
     results["seconds"]["total"] = Utilities::MPI::max(clock.wall_time(), comm);
     for (const auto &[name, time] : timer.get_summary_data(TimerOutput::total_wall_time))

@@ -423,6 +423,19 @@ namespace Signorini
 
 
 
+  std::size_t
+  GapOperator::memory() const
+  {
+    std::size_t bytes = 0;
+    for (const LA::SparseMatrix *matrix : {&B, &B_free, &S, &S_free})
+      if (matrix->m() > 0)
+        bytes += matrix->trilinos_matrix().NumMyNonzeros() * (sizeof(double) + sizeof(int));
+    const std::size_t n_vectors = 5 + position.size() + normal.size() + moment.size();
+    return bytes + weight.locally_owned_size() * n_vectors * sizeof(double);
+  }
+
+
+
   void
   GapOperator::scatter(const LA::Vector &points, LA::Vector &nodal) const
   {

@@ -54,13 +54,11 @@ namespace Signorini
       out << "  obstacle " << name << ":  moved by " << numbers(obstacle["displacement"])
           << ", rotated by " << numbers(obstacle["rotation"]) << ", force "
           << numbers(obstacle["force"]) << ", moment " << numbers(obstacle["moment"]) << "\n";
-    if (step.contains("undetermined_motions"))
-      {
-        out << "  not determined, the smallest was taken:";
-        for (const auto &name : step["undetermined_motions"])
-          out << " " << name.get<std::string>() << ";";
-        out << "\n";
-      }
+    if (step.contains("held_motions"))
+      for (const auto &name : step["held_motions"]["names"])
+        out << "  nothing determines " << name.get<std::string>()
+            << ": held, by a force of at most "
+            << step["held_motions"]["largest_force"].get<double>() << "\n";
     out << "  sum of all forces / largest: " << step["force_balance"].get<double>()
         << ", of moments / (largest force times size): " << step["moment_balance"].get<double>()
         << "\n";

@@ -59,16 +59,11 @@ namespace Signorini
     every_point            = 1.;
     for (const FreeMotion &one : motions)
       {
+        amplitude.push_back(one.motion.linfty_norm());
         approach.push_back(contact.zero());
         if (!contact.empty())
           contact.B_free.vmult(approach.back(), one.motion);
       }
-    LA::Vector spring = every_point;
-    spring.scale(contact.weight);
-    spring.scale(contact.stiffness);
-    const FullMatrix<double> all_points = stiffness_against(approach, spring);
-    for (unsigned int a = 0; a < motions.size(); ++a)
-      strongest = std::max(strongest, all_points(a, a));
     set_active(every_point);
     hopeless = loose();
   }
@@ -78,8 +73,10 @@ namespace Signorini
   void
   FreeMotions::set_active(const LA::Vector &active)
   {
-    // Of discretised round bodies, contact stops rotations by roundings of the normals only.
-    constexpr double negligible = 1e-8;
+    // Contact stops a motion if it is not along the surface everywhere: of discretised round bodies
+    // that turn, normals are a little off. The square of the angle, or of the width of the contact
+    // zone over the size of the body.
+    constexpr double negligible = 1e-6;
     loose_motions.clear();
     const unsigned int n = motions.size();
     if (n == 0)
@@ -87,29 +84,47 @@ namespace Signorini
     LA::Vector spring = active;
     spring.scale(contact->weight);
     spring.scale(contact->stiffness);
-    const FullMatrix<double> stiffness = stiffness_against(approach, spring);
-    const double             bound     = 2 * stiffness.linfty_norm() + negligible * strongest + 1;
+    const double             all       = spring.l1_norm();
+    FullMatrix<double>       stiffness = stiffness_against(approach, spring);
     LAPACKFullMatrix<double> matrix(n);
-    matrix = stiffness;
+    if (all > 0)
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int b = 0; b < n; ++b)
+          stiffness(a, b) /= all * amplitude[a] * amplitude[b];
+    matrix                   = stiffness;
+    const double       bound = 2 * stiffness.linfty_norm() + 1;
     FullMatrix<double> vectors(n, n);
     Vector<double>     eigenvalues(n);
     matrix.compute_eigenvalues_symmetric(-bound, bound, 1e-14 * bound, eigenvalues, vectors);
     for (unsigned int i = 0; i < n; ++i)
-      if (eigenvalues[i] <= negligible * strongest)
+      if (eigenvalues[i] <= negligible)
         {
-          Loose        one;
           unsigned int largest = 0;
+          FreeMotion   one;
           one.motion.reinit(springs);
           for (unsigned int j = 0; j < n; ++j)
             {
-              one.motion.add(vectors(j, i), motions[j].motion);
+              one.motion.add(vectors(j, i) / amplitude[j], motions[j].motion);
               if (std::abs(vectors(j, i)) > std::abs(vectors(largest, i)))
                 largest = j;
             }
-          one.name         = motions[largest].name;
-          one.spring_force = product(springs, one.motion);
-          loose_motions.push_back(one);
+          one.name = motions[largest].name;
+          loose_motions.push_back({one, {}});
         }
+    orthonormalise_loose();
+  }
+
+
+
+  void
+  FreeMotions::orthonormalise_loose()
+  {
+    std::vector<FreeMotion> all;
+    for (const Loose &one : loose_motions)
+      all.push_back(one.free);
+    orthonormalise(all, springs);
+    for (unsigned int i = 0; i < all.size(); ++i)
+      loose_motions[i] = {all[i], product(springs, all[i].motion)};
   }
 
 
@@ -137,7 +152,7 @@ namespace Signorini
   {
     std::vector<std::string> names;
     for (const Loose &one : loose_motions)
-      names.push_back(one.name);
+      names.push_back(one.free.name);
     return names;
   }
 
@@ -148,9 +163,27 @@ namespace Signorini
   {
     std::vector<std::string> names;
     for (const Loose &one : loose_motions)
-      if (std::abs(one.motion * r) > scale * one.motion.linfty_norm())
-        names.push_back(one.name);
+      if (std::abs(one.free.motion * r) > scale * one.free.motion.linfty_norm())
+        names.push_back(one.free.name);
     return names;
+  }
+
+
+
+  double
+  FreeMotions::hold(LA::Vector &r, const double limit) const
+  {
+    double largest = 0;
+    for (const Loose &one : loose_motions)
+      {
+        const double share = one.free.motion * r,
+                     force = std::abs(share) / one.free.motion.linfty_norm();
+        if (force > limit)
+          continue;
+        r.add(-share, one.spring_force);
+        largest = std::max(largest, force);
+      }
+    return largest;
   }
 
 
@@ -161,7 +194,7 @@ namespace Signorini
     LA::Vector motion;
     motion.reinit(u);
     for (const Loose &one : loose_motions)
-      motion.add(one.motion * r, one.motion);
+      motion.add(one.free.motion * r, one.free.motion);
     LA::Vector speed = contact->zero();
     if (!contact->empty())
       contact->B_free.vmult(speed, motion);

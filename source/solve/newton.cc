@@ -33,8 +33,9 @@ namespace Signorini
     section.add_choice(
       "Undetermined motions",
       undetermined,
-      {"refuse", "allow"},
-      "of bodies that neither supports nor contact hold; allow: where no force drives them, the smallest is taken");
+      {"refuse", "hold"},
+      "of bodies that neither supports nor contact hold, as the rotation of a pin: refuse them, or hold them "
+      "where that takes less than 1 % of the contact force");
   }
 
 
@@ -42,8 +43,8 @@ namespace Signorini
   std::string
   NewtonSettings::how_to_hold()
   {
-    return "prescribe a displacement that does, or set Newton/Undetermined motions = allow, which "
-           "takes the smallest motion";
+    return "prescribe a displacement that does, or set Newton/Undetermined motions = hold, which "
+           "holds it and reports the force that this takes";
   }
 
 
@@ -168,7 +169,9 @@ namespace Signorini
         stress                     = contact.stress(u);
         update_active_set(gap, stress, p, n, step);
 
-        const LA::Vector r = residual(f, u, p, stress);
+        LA::Vector r = residual(f, u, p, stress);
+        if (settings.undetermined == "hold" && step.changes == 0)
+          report.holding_force = system.free_motions().hold(r, 0.01 * (contact.weight * p));
         rhs.block(0)       = r;
         const double scale = force_scale > 0 ? force_scale : 1.;
         step.residual      = r.l2_norm() / scale;
@@ -205,6 +208,7 @@ namespace Signorini
                 settings.undetermined == "refuse")
               {
                 report.converged = false;
+                report.is_loose  = true;
                 report.reason    = "nothing determines " + join(report.undetermined) +
                                 ": no force drives it, but neither supports nor contact hold it; " +
                                 NewtonSettings::how_to_hold();
@@ -224,8 +228,11 @@ namespace Signorini
           p += x.block(1);
         const auto driven = system.free_motions().driven(r, 1e-8 * scale);
         if (!driven.empty() && !system.free_motions().close(u, r))
-          report.reason = "nothing stops " + join(driven) +
-                          ": no support, and no contact within reach in that direction";
+          {
+            report.is_loose = true;
+            report.reason   = "nothing stops " + join(driven) +
+                            ": no support, and no contact within reach in that direction";
+          }
         if (contact.tied)
           constraints.distribute(u);
         record(step);

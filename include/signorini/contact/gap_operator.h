@@ -85,6 +85,10 @@ namespace Signorini
       return weight.size() == 0;
     }
 
+    /// Bytes of its matrices and vectors on this rank.
+    std::size_t
+    memory() const;
+
     bool
     has_stress() const
     {

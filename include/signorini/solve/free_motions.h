@@ -59,6 +59,11 @@ namespace Signorini
     std::vector<std::string>
     driven(const LA::Vector &r, double scale) const;
 
+    /// Take the part along loose motions out of the forces r, as a support would, where that force
+    /// is below the limit. Returns the largest such force.
+    double
+    hold(LA::Vector &r, double limit) const;
+
     /// Move u along the loose motions, as r drives them, up to the first contact and a little
     /// further. Returns false if nothing stands in the way.
     bool
@@ -67,15 +72,18 @@ namespace Signorini
   private:
     struct Loose
     {
-      std::string name;
-      LA::Vector  motion, spring_force; ///< z, S z
+      FreeMotion free;         ///< z
+      LA::Vector spring_force; ///< S z
     };
+
+    void
+    orthonormalise_loose();
 
     std::vector<FreeMotion> motions; ///< orthonormal with respect to S
     LA::Vector              springs;
     const GapOperator      *contact = nullptr;
-    std::vector<LA::Vector> approach; ///< B z of each motion
-    double                  strongest = 0;
+    std::vector<LA::Vector> approach;  ///< B z of each motion
+    std::vector<double>     amplitude; ///< largest component of each motion
     std::vector<Loose>      loose_motions;
 
     std::vector<std::string> hopeless;

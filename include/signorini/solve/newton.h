@@ -43,9 +43,10 @@ namespace Signorini
     bool                    converged = false;
     std::string             reason; ///< why not
     std::vector<NewtonStep> steps;
-    /// Motions that neither supports nor contact determine; no force drives them, and the solution
-    /// has the smallest.
+    /// Motions that neither supports nor contact determine: they are held, by at most that force.
     std::vector<std::string> undetermined;
+    double                   holding_force = 0;
+    bool                     is_loose      = false; ///< that is why it did not converge
   };
 
   /// Semismooth Newton method for K u = f + B^T W p with the contact law between p and the gap:
