@@ -18,6 +18,7 @@ namespace Signorini
     {
       double set_up;          ///< seconds of all that is done once a mesh, in those of assembly
       double iteration;       ///< of one iteration of the linear solver, likewise
+      double iterations;      ///< of all Newton steps of a cold start together
       double bytes_per_entry; ///< of the stiffness matrix
     };
 
@@ -25,15 +26,15 @@ namespace Signorini
     calibration(const unsigned int dim, const unsigned int degree)
     {
       if (dim == 2)
-        return degree == 1 ? Calibration{20, 0.6, 150} : Calibration{8, 0.4, 80};
-      return degree == 1 ? Calibration{5, 0.12, 65} : Calibration{2, 0.06, 50};
+        return degree == 1 ? Calibration{20, 0.4, 70, 88} : Calibration{14, 0.45, 130, 46};
+      return degree == 1 ? Calibration{11, 0.17, 35, 52} : Calibration{6, 0.12, 60, 31};
     }
 
     // Of the libraries, and of starting them.
-    constexpr double base_memory_mb = 85, base_seconds = 0.05;
+    constexpr double base_memory_mb = 160, base_seconds = 0.05;
 
-    // Of all Newton steps of one load step together, and of one that starts from the last.
-    constexpr double first_iterations = 50, following_iterations = 30;
+    // Of a load step or a refined mesh that starts from a solution, beside a cold start.
+    constexpr double warm_share = 0.6;
 
     template <int dim>
     double
@@ -77,16 +78,16 @@ namespace Signorini
     Prediction result;
     result.seconds_per_cell = Utilities::MPI::max(seconds_per_cell(elasticity), comm);
     result.seconds          = base_seconds;
-    double iterations       = first_iterations;
+    double iterations       = costs.iterations;
     for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
       {
         if (cycle > 0)
           cells = std::min(growth * cells, std::max(cells, 1. * refinement.maximum_cells));
         if (cycle == refinement.cycles)
-          iterations += following_iterations * (scene.load_steps.ends().size() - 1);
+          iterations += warm_share * costs.iterations * (scene.load_steps.ends().size() - 1);
         result.seconds +=
           result.seconds_per_cell * cells / n_ranks * (costs.set_up + costs.iteration * iterations);
-        iterations = following_iterations;
+        iterations = warm_share * costs.iterations;
       }
     const double entries_per_dof = dim * std::pow(degree == 1 ? 3 : 4, dim);
     result.memory_mb = base_memory_mb + cells * dofs_per_cell / n_ranks * entries_per_dof *
