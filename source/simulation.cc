@@ -181,11 +181,24 @@ namespace Signorini
       moduli.push_back(body.material.youngs_modulus);
     const ContactPair<dim> pattern = scene.pairs.front();
     const double           distance =
-      pattern.search_distance > 0 ? pattern.search_distance : mesh->size() / 10;
+      pattern.search_distance > 0 ? pattern.search_distance : std::max(mesh->size() / 10, guess());
     scene.pairs      = find_pairs(*mesh, scene.obstacles, moduli, pattern, distance);
     scene.auto_pairs = false;
+    if (scene.pairs.empty())
+      out << "  WARNING: no surfaces see each other within " << distance
+          << "; name the Contact pairs, or set Contact pairs/auto/Search distance" << std::endl;
     // Contact surfaces are refined, and weigh more where the mesh is distributed.
     mesh = make_mesh(scene, comm);
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::guess() const
+  {
+    // Surfaces may come closer from both sides; sound guesses save a second solution.
+    return 3 * expected_motion(scene, mesh->extent());
   }
 
 
@@ -194,9 +207,8 @@ namespace Signorini
   void
   Simulation<dim>::set_reach()
   {
-    // Surfaces may come closer from both sides; sound guesses save a second solution.
-    const double guess = 3 * expected_motion(scene, mesh->extent());
-    reach.assign(scene.pairs.size(), elasticity->has_free_motions() ? mesh->size() / 10 : guess);
+    const bool may_fall = elasticity->has_free_motions();
+    reach.assign(scene.pairs.size(), may_fall ? std::max(guess(), mesh->size() / 10) : guess());
   }
 
 
@@ -244,9 +256,8 @@ namespace Signorini
     contact = make_gap_operator(*elasticity, surfaces, method);
     for (unsigned int i = 0; i < surfaces.size(); ++i)
       {
-        const ContactPair<dim> &pair   = scene.pairs[i];
-        const auto              paired = Utilities::MPI::sum(surfaces[i].points.size(), comm);
-        if (paired == 0 && !surfaces[i].is_apart)
+        const ContactPair<dim> &pair = scene.pairs[i];
+        if (surfaces[i].sees_nothing && pair.search_distance > 0)
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
             "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
@@ -267,8 +278,32 @@ namespace Signorini
   {
     do
       solve_with_candidates(t, tolerance);
-    while (report.converged && widen_reach());
+    while (report.converged ? widen_reach() : report.is_loose && reach_farther());
     return report.converged;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::reach_farther()
+  {
+    const double farthest = mesh->size() + guess();
+    bool         any      = false;
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      if (scene.pairs[i].search_distance == 0 && reach[i] < farthest)
+        {
+          reach[i] = 2 * std::max(reach[i], mesh->size() / 10);
+          any      = true;
+        }
+    if (any)
+      {
+        out << "  bodies may fall farther than contact was looked for: searching again"
+            << std::endl;
+        pressure = nodal_pressure();
+        build_contact();
+      }
+    return any;
   }
 
 
@@ -308,11 +343,16 @@ namespace Signorini
 
   template <int dim>
   FreeMotions
-  Simulation<dim>::make_free_motions() const
+  Simulation<dim>::make_free_motions()
   {
     if (!elasticity->has_free_motions())
       return {};
-    FreeMotions motions(elasticity->free_motions(), elasticity->stabilising_springs(), *contact);
+    const auto make = [&] {
+      return FreeMotions(elasticity->free_motions(), elasticity->stabilising_springs(), *contact);
+    };
+    FreeMotions motions = make();
+    while (!motions.never_held().empty() && reach_farther())
+      motions = make();
     if (!motions.never_held().empty() && scene.newton.undetermined == "refuse")
       throw SceneError("Supports/Names: no support holds " + join(motions.never_held()) +
                        ", and no contact can; " + NewtonSettings::how_to_hold());
@@ -335,9 +375,10 @@ namespace Signorini
             elasticity->assemble();
             assembled = true;
           }
-        NewtonSettings settings = scene.newton;
-        settings.tolerance      = tolerance;
-        newton                  = std::make_unique<Newton>(settings,
+        FreeMotions    free_motions = make_free_motions(); // may search farther
+        NewtonSettings settings     = scene.newton;
+        settings.tolerance          = tolerance;
+        newton                      = std::make_unique<Newton>(settings,
                                           scene.solver,
                                           scene.contact.chosen(),
                                           elasticity->stiffness(),
@@ -346,7 +387,7 @@ namespace Signorini
                                           elasticity->rigid_body_modes(),
                                           dim,
                                           timer,
-                                          make_free_motions());
+                                          std::move(free_motions));
       }
     LA::Vector f;
     {
@@ -421,7 +462,7 @@ namespace Signorini
             if (attempt(next))
               {
                 record_step(++number, next);
-                longest = 2 * (next - t);
+                longest = std::max(longest, 2 * (next - t));
                 t       = next;
               }
             else
@@ -441,7 +482,7 @@ namespace Signorini
   bool
   Simulation<dim>::attempt(const double t)
   {
-    const LA::Vector u = displacement, p = pressure;
+    const LA::Vector u = displacement, p = pressure, nodal = nodal_pressure();
     const LA::Vector active = newton ? newton->active() : contact->zero();
     try
       {
@@ -453,12 +494,13 @@ namespace Signorini
         report.converged = false;
         report.reason    = failure.what();
       }
-    displacement = u;
-    if (p.size() == pressure.size() && active.size() == newton->active().size())
-      {
-        pressure = p;
-        newton->set_active(active);
-      }
+    displacement         = u;
+    const bool same_size = p.size() == pressure.size();
+    pressure             = same_size ? p : contact->zero();
+    if (!same_size)
+      contact->gather(nodal, pressure);
+    if (newton)
+      newton->set_active(same_size ? active : contact->zero());
     return false;
   }
 

@@ -41,6 +41,9 @@ namespace Signorini
     set_up();
     void
     find_contact_pairs();
+    /// How far surfaces may come closer.
+    double
+    guess() const;
     void
     set_reach();
     void
@@ -55,11 +58,14 @@ namespace Signorini
     /// these are candidates now.
     bool
     widen_reach();
+    /// Look farther for what may stop loose bodies. Returns false if that is far enough.
+    bool
+    reach_farther();
     void
     set_interference(double t);
     /// Throws SceneError for motions that nothing can stop.
     FreeMotions
-    make_free_motions() const;
+    make_free_motions();
     /// As a field, to be carried over to other candidates or another mesh.
     LA::Vector
     nodal_pressure() const;

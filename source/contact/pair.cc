@@ -27,10 +27,10 @@ namespace Signorini
       return;
     slave_place  = section.place_of("Slave");
     master_place = section.place_of("Master");
-    if (slave.empty() && name != "auto")
-      section.fail("Slave", "is needed");
-    if (master.empty() && name != "auto")
-      section.fail("Master", "is needed");
+    if (depends_on_place(interference))
+      section.fail(
+        "Interference",
+        "depends on the place, but is one share for the whole pair; write it in t alone");
     if (initial_gap != "from geometry" && initial_gap != "closed")
       try
         {

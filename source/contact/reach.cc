@@ -73,11 +73,12 @@ namespace Signorini
       for (unsigned int b = 0; b < elasticity.rigid_bodies().size(); ++b)
         if (elasticity.rigid_bodies()[b].name == obstacle.name)
           {
-            // Rotations move nothing by more than two levers' arm.
+            const double arm =
+              elasticity.rigid_bodies()[b].arm(elasticity.mesh().extent()) / elasticity.lever();
             double     sum   = 0;
             const auto first = motion.begin() + b * RigidBody<dim>::n_dofs;
             for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
-              sum += (i < dim ? 1 : 2) * std::abs(first[i]);
+              sum += (i < dim ? 1 : arm) * std::abs(first[i]);
             return sum;
           }
       return 0;

@@ -419,7 +419,8 @@ namespace Signorini
       surface.reach = std::max(surface.reach, 2 * deepest_overlap(surface.points, comm));
       if (surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
-      surface.is_apart = n_paired > 0 && Utilities::MPI::sum(surface.points.size(), comm) == 0;
+      surface.sees_nothing    = n_paired == 0;
+      surface.is_apart        = Utilities::MPI::sum(surface.points.size(), comm) == 0;
       const auto n_prescribed = set_pressure_functions(
         elasticity, method, integration.basis, slave, paired, surface.points);
       const bool some_prescribed = Utilities::MPI::max(n_prescribed, comm) > 0,

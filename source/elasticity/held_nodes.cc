@@ -86,8 +86,8 @@ namespace Signorini
           }
       }
 
-      /// Calls visit(node, cell's number of it, position in the list of the face) for the nodes of
-      /// faces with one of these ids, cell by cell and face by face.
+      /// Calls visit(node, normal of the face there) for the nodes of the faces of a boundary, face
+      /// by face.
       template <typename Visit>
       void
       on_boundary(const types::boundary_id id, const bool with_normals, const Visit &visit)
@@ -359,7 +359,7 @@ namespace Signorini
     contradiction(const HeldNode<dim> &node, const Support<dim> &support, const double t)
     {
       const std::string what =
-        support.place + ": the Displacement of the support '" + support.name + "' contradicts ";
+        support.place + ": what the support '" + support.name + "' prescribes contradicts ";
       if (!node.holds.front().support)
         return what + "the axis of symmetry, on which nothing moves sideways";
       return what + "that of a support before it, at nodes that they share at t = " +

@@ -1,6 +1,9 @@
 #include <signorini/elasticity/rigid_body.h>
 #include <signorini/parameters/section.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -8,19 +11,6 @@ namespace Signorini
   namespace
   {
     const std::array<std::string, 3> axes = {{"x", "y", "z"}};
-
-    template <int dim, int n>
-    bool
-    depends_on_place(const VectorExpression<dim, n> &motion)
-    {
-      Point<dim> elsewhere;
-      for (unsigned int d = 0; d < dim; ++d)
-        elsewhere[d] = 1.37 + d;
-      for (const double t : {0.31, 1., 2.7})
-        if ((motion.value(elsewhere, t) - motion.value(Point<dim>(), t)).norm() > 0)
-          return true;
-      return false;
-    }
 
     /// A force where the motion is prescribed would have no effect.
     template <int dim, int n>
@@ -32,12 +22,11 @@ namespace Signorini
                  const VectorExpression<dim, n> &motion)
     {
       for (unsigned int d = 0; d < n; ++d)
-        for (const double t : {0.31, 1., 2.7})
-          if (force.value(Point<dim>(), t)[d] != 0 && (!motion.given() || motion.prescribed(d)))
-            section.fail(force_key,
-                         "acts in component " + std::to_string(d + 1) + ", in which " + motion_key +
-                           (motion.given() ? " prescribes the motion" : " is not given") +
-                           "; write 'free' for that component of " + motion_key);
+        if (!force.is_zero(d) && (!motion.given() || motion.prescribed(d)))
+          section.fail(force_key,
+                       "acts in component " + std::to_string(d + 1) + ", in which " + motion_key +
+                         (motion.given() ? " prescribes the motion" : " is not given") +
+                         "; write 'free' for that component of " + motion_key);
     }
   } // namespace
 
@@ -129,6 +118,19 @@ namespace Signorini
       for (unsigned int d = 0; d < 3; ++d)
         result[3 + d] = cross_product_3d(r, n)[d];
     return result;
+  }
+
+
+
+  template <int dim>
+  double
+  RigidBody<dim>::arm(const BoundingBox<dim> &box) const
+  {
+    const auto &[low, high] = box.get_boundary_points();
+    Tensor<1, dim> farthest;
+    for (unsigned int d = 0; d < dim; ++d)
+      farthest[d] = std::max(std::abs(low[d] - reference[d]), std::abs(high[d] - reference[d]));
+    return farthest.norm();
   }
 
 

@@ -15,8 +15,6 @@ namespace Signorini
     template <int dim>
     constexpr unsigned int n_modes = dim *(dim + 1) / 2;
 
-    const std::vector<std::string> axes = {"x", "y", "z"};
-
     /// The modes' value in component c at x (relative to the center, in units of the size).
     template <int dim>
     std::array<double, n_modes<dim>>
@@ -43,8 +41,7 @@ namespace Signorini
                          mode.end(),
                          [](const double a, const double b) { return std::abs(a) < std::abs(b); }) -
         mode.begin();
-      return largest < dim ? "translation " + axes[largest] :
-                             "rotation about " + axes[dim == 2 ? 2 : largest - dim];
+      return RigidBody<dim>::name_of(largest);
     }
 
     /// What rotations are taken about and scaled by.

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <ostream>
+#include <set>
 #include <sstream>
 
 namespace Signorini
@@ -102,7 +104,7 @@ namespace Signorini
               {"histogram", histogram}};
     }
 
-    /// True if all vertices of the slave's faces that are candidates are vertices of the master.
+    /// True if nearly all vertices of the slave are vertices of the master.
     template <int dim>
     bool
     matches(const Elasticity<dim> &elasticity, const ContactPair<dim> &pair, const double size)
@@ -153,6 +155,10 @@ namespace Signorini
                                               {"slave_faces", n_slave},
                                               {"slave_face_size", slave_size},
                                               {"master", pair.master}};
+          if (surfaces[i].sees_nothing)
+            warnings.push_back(
+              "pair " + pair.name + ": no face of " + pair.slave + " sees " + pair.master +
+              "; if they are to touch, name other boundaries or set its Search distance");
           if (surfaces[i].is_apart)
             {
               one["candidates"] = 0;
@@ -205,9 +211,11 @@ namespace Signorini
       Json result = Json::array();
       for (unsigned int i = 0; i < surfaces.size(); ++i)
         if (surfaces[i].is_apart)
-          result.push_back(
-            "pair " + scene.pairs[i].name +
-            ": its surfaces are farther apart than bodies are expected to move (checked after each solution)");
+          result.push_back("pair " + scene.pairs[i].name +
+                           (surfaces[i].sees_nothing ?
+                              ": its surfaces do not see each other" :
+                              ": its surfaces are farther apart than bodies should move") +
+                           " (checked after each solution)");
       if (contact.empty())
         result.push_back("contact: nothing can touch, the scene is one linear problem a load step");
       else

@@ -163,20 +163,23 @@ namespace Signorini
       const LA::Vector forces = s.contact.total_force(s.pressure, s.contact.stress(s.displacement));
       const std::vector<double> motion = e.rigid_motion(s.displacement),
                                 force  = e.rigid_motion(forces);
-      Json result                      = Json::object();
+      const bool on_circles            = e.model() == Model::axisymmetric;
+      Json       result                = Json::object();
       for (unsigned int b = 0; b < e.rigid_bodies().size(); ++b)
         {
           Json               u, w, f, m;
           const unsigned int first = b * Body::n_dofs;
+          // Around the axis radial forces are in balance, and so are moments.
+          const bool on_circles = e.model() == Model::axisymmetric;
           for (unsigned int d = 0; d < dim; ++d)
             {
               u.push_back(motion[first + d]);
-              f.push_back(0. - force[first + d]);
+              f.push_back(on_circles && d == 0 ? 0. : 0. - force[first + d]);
             }
           for (unsigned int d = 0; d < Body::n_rotations; ++d)
             {
               w.push_back(motion[first + dim + d] / e.lever());
-              m.push_back(0. - force[first + dim + d] * e.lever());
+              m.push_back(on_circles ? 0. : 0. - force[first + dim + d] * e.lever());
             }
           result[e.rigid_bodies()[b].name] = {{"displacement", u},
                                               {"rotation", w},

@@ -121,6 +121,19 @@ namespace Signorini
 
 
   template <int dim, int n_components>
+  bool
+  VectorExpression<dim, n_components>::is_zero(const unsigned int component) const
+  {
+    if (!components[component])
+      return true;
+    std::istringstream text(components[component]->formula());
+    double             number;
+    return text >> number && text.eof() && number == 0;
+  }
+
+
+
+  template <int dim, int n_components>
   Tensor<1, n_components>
   VectorExpression<dim, n_components>::value(const Point<dim> &p, const double t) const
   {

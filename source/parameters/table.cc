@@ -18,7 +18,8 @@ namespace Signorini
            at             = formula.find("table", at + 1))
         {
                       const bool is_word =
-                        at == 0 || !(std::isalnum(formula[at - 1]) || formula[at - 1] == '_');
+                        at == 0 ||
+                        !(std::isalnum(static_cast<unsigned char>(formula[at - 1])) || formula[at - 1] == '_');
                       const auto bracket = formula.find_first_not_of(' ', at + 5);
                       if (is_word && bracket != std::string::npos && formula[bracket] == '(')
             return at;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -30,7 +31,7 @@ namespace Signorini
     double
     prescribed_motion(const Scene<dim>              &scene,
                       const std::vector<Point<dim>> &points,
-                      const double                   size,
+                      const BoundingBox<dim>        &extent,
                       const double                   t)
     {
       double supports = 0, obstacles = 0;
@@ -40,9 +41,10 @@ namespace Signorini
                                support.displacement.value(x, t).norm(),
                                std::abs(support.normal_displacement.value(x, t))});
       for (const Obstacle<dim> &obstacle : scene.obstacles)
-        obstacles = std::max(obstacles,
-                             obstacle.body.displacement.value({}, t).norm() +
-                               obstacle.body.rotation.value({}, t).norm() * size);
+        obstacles =
+          std::max(obstacles,
+                   obstacle.body.displacement.value({}, t).norm() +
+                     obstacle.body.rotation.value({}, t).norm() * obstacle.body.arm(extent));
       return supports + obstacles;
     }
 
@@ -79,7 +81,7 @@ namespace Signorini
       softest = std::min(softest, body.material.youngs_modulus);
     for (const double t : scene.load_steps.ends())
       motion = std::max(motion,
-                        prescribed_motion(scene, points, size, t) +
+                        prescribed_motion(scene, points, extent, t) +
                           largest_load(scene, points, size, t) * size / softest);
     return motion;
   }

@@ -150,7 +150,14 @@ namespace Signorini
     section.add_named("Contact pairs",
                       pairs,
                       "Surfaces that may touch. Names = auto finds those that see each other.");
-    auto_pairs = pairs.size() == 1 && pairs[0].name == "auto" && pairs[0].slave.empty();
+    auto_pairs = pairs.size() == 1 && pairs[0].name == "auto" && pairs[0].slave.empty() &&
+                 pairs[0].master.empty();
+    if (section.reading() && !auto_pairs)
+      for (const ContactPair<dim> &pair : pairs)
+        if (pair.slave.empty() || pair.master.empty())
+          throw SceneError(
+            "Contact pairs/" + pair.name +
+            ": a pair needs a Slave and a Master; Names = auto stands alone, and finds both");
     section.add_section(
       "Mesh",
       "What is done to the meshes of all bodies before the first solution.",
@@ -228,9 +235,9 @@ namespace Signorini
         return;
       for (const Obstacle<dim> &obstacle : scene.obstacles)
         {
-          const RigidBody<dim> &body     = obstacle.body;
-          const bool            sideways = body.displacement.given() &&
-                                (body.is_free(0) || body.displacement.value({}, 1)[0] != 0);
+          const RigidBody<dim> &body = obstacle.body;
+          const bool            sideways =
+            body.displacement.given() && (body.is_free(0) || !body.displacement.is_zero(0));
           if (sideways || body.rotation.given())
             throw SceneError("Obstacles/" + obstacle.name +
                              ": with Model = axisymmetric an obstacle moves along the axis only; "

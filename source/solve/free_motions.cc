@@ -70,6 +70,32 @@ namespace Signorini
 
 
 
+  LA::Vector
+  FreeMotions::shares_of_pairs(const LA::Vector &active) const
+  {
+    const MPI_Comm     comm = springs.get_mpi_communicator();
+    const auto        &pair = contact->pair;
+    const unsigned int n_pairs =
+      Utilities::MPI::max(pair.empty() ? 0u : 1 + *std::max_element(pair.begin(), pair.end()),
+                          comm);
+    std::vector<double> area(n_pairs, 0.);
+    auto                which = pair.begin();
+    for (const auto i : active.locally_owned_elements())
+      area[*which++] += active(i) * contact->weight(i);
+    Utilities::MPI::sum(area, comm, area);
+    LA::Vector shares = contact->zero();
+    which             = pair.begin();
+    for (const auto i : active.locally_owned_elements())
+      {
+        const double whole = area[*which++];
+        shares(i)          = whole > 0 ? active(i) * contact->weight(i) / whole : 0.;
+      }
+    shares.compress(VectorOperation::insert);
+    return shares;
+  }
+
+
+
   void
   FreeMotions::set_active(const LA::Vector &active)
   {
@@ -81,16 +107,11 @@ namespace Signorini
     const unsigned int n = motions.size();
     if (n == 0)
       return;
-    LA::Vector spring = active;
-    spring.scale(contact->weight);
-    spring.scale(contact->stiffness);
-    const double             all       = spring.l1_norm();
-    FullMatrix<double>       stiffness = stiffness_against(approach, spring);
+    FullMatrix<double>       stiffness = stiffness_against(approach, shares_of_pairs(active));
     LAPACKFullMatrix<double> matrix(n);
-    if (all > 0)
-      for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int b = 0; b < n; ++b)
-          stiffness(a, b) /= all * amplitude[a] * amplitude[b];
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int b = 0; b < n; ++b)
+        stiffness(a, b) /= amplitude[a] * amplitude[b];
     matrix                   = stiffness;
     const double       bound = 2 * stiffness.linfty_norm() + 1;
     FullMatrix<double> vectors(n, n);
@@ -99,16 +120,17 @@ namespace Signorini
     for (unsigned int i = 0; i < n; ++i)
       if (eigenvalues[i] <= negligible)
         {
-          unsigned int largest = 0;
-          FreeMotion   one;
+          double     largest = 0;
+          FreeMotion one;
           one.motion.reinit(springs);
           for (unsigned int j = 0; j < n; ++j)
             {
               one.motion.add(vectors(j, i) / amplitude[j], motions[j].motion);
-              if (std::abs(vectors(j, i)) > std::abs(vectors(largest, i)))
-                largest = j;
+              largest = std::max(largest, std::abs(vectors(j, i)));
             }
-          one.name = motions[largest].name;
+          for (unsigned int j = 0; j < n; ++j)
+            if (std::abs(vectors(j, i)) > largest / 2)
+              one.name += (one.name.empty() ? "" : " with ") + motions[j].name;
           loose_motions.push_back({one, {}});
         }
     orthonormalise_loose();
@@ -171,17 +193,17 @@ namespace Signorini
 
 
   double
-  FreeMotions::hold(LA::Vector &r, const double limit) const
+  FreeMotions::hold(LA::Vector &r, const LA::Vector &contact_force) const
   {
-    double largest = 0;
+    constexpr double little  = 0.01;
+    double           largest = 0;
     for (const Loose &one : loose_motions)
       {
-        const double share = one.free.motion * r,
-                     force = std::abs(share) / one.free.motion.linfty_norm();
-        if (force > limit)
+        const double share = one.free.motion * r;
+        if (std::abs(share) > little * product(one.free.motion, contact_force).l1_norm())
           continue;
         r.add(-share, one.spring_force);
-        largest = std::max(largest, force);
+        largest = std::max(largest, std::abs(share) / one.free.motion.linfty_norm());
       }
     return largest;
   }
@@ -199,7 +221,7 @@ namespace Signorini
     if (!contact->empty())
       contact->B_free.vmult(speed, motion);
     const LA::Vector gap    = contact->gap(u);
-    const double     crawls = 1e-10 * speed.linfty_norm();
+    const double     crawls = 1e-8 * motion.linfty_norm(); // the rounding of normals
     double           first  = std::numeric_limits<double>::infinity();
     for (const auto i : gap.locally_owned_elements())
       if (speed(i) < -crawls)

@@ -92,7 +92,12 @@ namespace Signorini
     , linear_solver(linear_settings, system, modes, dim, timer)
     , active_set(contact)
     , augmented(contact.zero())
-  {}
+  {
+    stiffness_diagonal = system.zero().block(0);
+    for (const auto i : stiffness_diagonal.locally_owned_elements())
+      stiffness_diagonal(i) = K.diag_element(i);
+    stiffness_diagonal.compress(VectorOperation::insert);
+  }
 
 
 
@@ -116,25 +121,31 @@ namespace Signorini
     constraints.set_zero(r);
     force_scale = scale;
     // The forces of a cold start may be far larger, as penalties of bodies that overlap; their
-    // rounding is all that they leave behind. A penalty multiplies the rounding of the gap.
+    // rounding is all that they leave behind.
     largest_force = std::max(largest_force, scale);
     // What that leaves is an answer only if it is little.
-    force_rounding = std::max(1e-15 * largest_force, std::min(penalty_rounding(u), 1e-4 * scale));
+    force_rounding = std::max(1e-15 * largest_force, std::min(rounding(u), 1e-4 * scale));
     return r;
   }
 
 
 
   double
-  Newton::penalty_rounding(const LA::Vector &u) const
+  Newton::rounding(const LA::Vector &u) const
   {
+    // The terms of K u cancel where bodies move far and are strained little, as in bending.
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    LA::Vector       terms   = stiffness_diagonal;
+    terms.scale(u);
+    constraints.set_zero(terms);
+    const double of_bodies = 2 * epsilon * terms.l2_norm();
     if (contact.empty() || method.has_multipliers())
-      return 0;
+      return of_bodies;
     LA::Vector springs = contact.weight;
     springs.scale(contact.epsilon);
     springs.scale(active_set.values());
     const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
-    return std::numeric_limits<double>::epsilon() * length * springs.l2_norm();
+    return of_bodies + epsilon * length * springs.l2_norm();
   }
 
 
@@ -170,8 +181,10 @@ namespace Signorini
         update_active_set(gap, stress, p, n, step);
 
         LA::Vector r = residual(f, u, p, stress);
-        if (settings.undetermined == "hold" && step.changes == 0)
-          report.holding_force = system.free_motions().hold(r, 0.01 * (contact.weight * p));
+        if (!factorised)
+          system.find_loose_motions(active_set.values());
+        if (settings.undetermined == "hold")
+          report.holding_force = system.free_motions().hold(r, contact.force(p, stress));
         rhs.block(0)       = r;
         const double scale = force_scale > 0 ? force_scale : 1.;
         step.residual      = r.l2_norm() / scale;

@@ -49,6 +49,7 @@ namespace Signorini
     double reach         = 0;     ///< faces with larger gaps are no candidates
     bool   is_apart      = false; ///< none is one
     double largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]
+    bool   sees_nothing  = false; ///< no point has a partner within the search distance
   };
 
   /// Share of the slave's area that has a partner. Collective.

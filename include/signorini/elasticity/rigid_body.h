@@ -2,6 +2,8 @@
 
 #include <signorini/parameters/expression.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <string>
 
 namespace Signorini
@@ -52,6 +54,10 @@ namespace Signorini
     normal_displacement(const dealii::Point<dim>     &x,
                         const dealii::Tensor<1, dim> &n,
                         double                        lever) const;
+
+    /// The longest lever arm of a point of the box about the reference point.
+    double
+    arm(const dealii::BoundingBox<dim> &box) const;
 
     /// "translation y"
     static std::string

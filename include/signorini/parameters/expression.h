@@ -24,6 +24,8 @@ namespace Signorini
   class Expression
   {
   public:
+    static constexpr int dimension = dim;
+
     Expression(const std::string &formula = "0");
 
     double
@@ -46,6 +48,8 @@ namespace Signorini
   class VectorExpression
   {
   public:
+    static constexpr int dimension = dim;
+
     /// The empty text leaves all components free.
     VectorExpression(const std::string &text = "");
 
@@ -58,6 +62,10 @@ namespace Signorini
     /// True if no component is prescribed.
     bool
     empty() const;
+
+    /// True if the component is free, or the number zero at all times.
+    bool
+    is_zero(unsigned int component) const;
 
     /// False for the empty text.
     bool
@@ -77,6 +85,21 @@ namespace Signorini
     std::array<std::optional<Expression<dim>>, n_components> components;
     bool                                                     is_given = false;
   };
+
+  /// True if a formula that is to depend on the time alone varies in space. Compares a few values.
+  template <typename AnyExpression>
+  bool
+  depends_on_place(const AnyExpression &expression)
+  {
+    constexpr int      dim = AnyExpression::dimension;
+    dealii::Point<dim> elsewhere;
+    for (unsigned int d = 0; d < dim; ++d)
+      elsewhere[d] = 1.37 + d;
+    for (const double t : {0.31, 1., 2.7})
+      if (expression.value(elsewhere, t) != expression.value(dealii::Point<dim>(), t))
+        return true;
+    return false;
+  }
 
   /// Value of a formula in named constants, e.g. evaluate("2*a", {{"a", 3}}). Throws SceneError.
   double

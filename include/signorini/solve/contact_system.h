@@ -63,6 +63,13 @@ namespace Signorini
       return motions;
     }
 
+    /// Find the loose ones of a set, without the system for it.
+    void
+    find_loose_motions(const LA::Vector &active)
+    {
+      motions.set_active(active);
+    }
+
     /// The same without K.
     void
     contact_terms(LA::BlockVector &dst, const LA::BlockVector &src) const;

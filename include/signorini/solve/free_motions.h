@@ -59,10 +59,10 @@ namespace Signorini
     std::vector<std::string>
     driven(const LA::Vector &r, double scale) const;
 
-    /// Take the part along loose motions out of the forces r, as a support would, where that force
-    /// is below the limit. Returns the largest such force.
+    /// Take the part along loose motions out of the forces r, as a support would, where it is less
+    /// than 1 % of what the contact forces on what moves add up to. Returns the largest such force.
     double
-    hold(LA::Vector &r, double limit) const;
+    hold(LA::Vector &r, const LA::Vector &contact_force) const;
 
     /// Move u along the loose motions, as r drives them, up to the first contact and a little
     /// further. Returns false if nothing stands in the way.
@@ -78,6 +78,10 @@ namespace Signorini
 
     void
     orthonormalise_loose();
+    /// Of active points in the area of their pair: what is stiff does not matter beside what is
+    /// soft.
+    LA::Vector
+    shares_of_pairs(const LA::Vector &active) const;
 
     std::vector<FreeMotion> motions; ///< orthonormal with respect to S
     LA::Vector              springs;

@@ -141,9 +141,10 @@ namespace Signorini
              const LA::Vector &u,
              const LA::Vector &p,
              const LA::Vector &stress);
-    /// Of the contact forces, in the norm of the residual.
+    /// Of the bodies' forces, and of penalties, which multiply that of the gap; in the norm of the
+    /// residual.
     double
-    penalty_rounding(const LA::Vector &u) const;
+    rounding(const LA::Vector &u) const;
     double
     line_search(const LA::Vector &r,
                 const LA::Vector &gap,
@@ -160,6 +161,7 @@ namespace Signorini
     LinearSolver                             linear_solver;
 
     ActiveSet  active_set;
+    LA::Vector stiffness_diagonal;
     LA::Vector augmented;          ///< pressure of the last solution, for methods that augment
     bool       is_cold     = true; ///< without a pressure to start from
     bool       cautious    = false;

@@ -45,9 +45,11 @@ namespace Signorini
         const double         s      = across.norm();
         const double         sine   = std::sin(angle * numbers::PI / 180),
                      cosine         = std::cos(angle * numbers::PI / 180);
+        if (s <= 1e-10 * r.norm() && height <= 0)
+          return {height, n}; // no flank is closer than the others
         if (height * sine > s * cosine)
           return {r.norm(), r / r.norm()}; // the apex is closest
-        return {height * cosine + s * sine, cosine * n + (s > 0 ? sine / s : 0.) * across};
+        return {height * cosine + s * sine, cosine * n + sine / s * across};
       }
 
     private:
