@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Write a binary STL file of a terrain z(x, y) <= 0 over -5 <= x, y <= 5, for the obstacle shape STL.
+"""Write a binary STL file of hills z(x, y) <= 0 over -5 <= x, y <= 5, for the obstacle shape STL.
 
     make-terrain-stl.py FILE
 """

@@ -21,7 +21,7 @@ FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3,
 class Picture:
     """The deformed bodies of a mesh, coloured by a field, to be drawn into axes with one displacement factor or another."""
 
-    def __init__(self, mesh, profiles, field="von_mises"):
+    def __init__(self, mesh, profiles, field="von_mises", from_below=False):
         self.mesh, self.field = mesh, field
         self.values, self.displacement = mesh.field(field), mesh.field("displacement")
         if self.values.ndim > 1:
@@ -35,7 +35,7 @@ class Picture:
             self.turn, self.remark = np.eye(3), ""
             self.faces, owner = mesh.cells, np.arange(len(mesh.cells))
         else:
-            self.turn, cells, self.remark = viewpoint(mesh, self.zone)
+            self.turn, cells, self.remark = viewpoint(mesh, self.zone, from_below)
             self.faces, owner = outer_faces(mesh.points, cells, self.body[cells[:, 0]])
         self.lines = is_cell_edge(self.faces, owner, len(mesh.points))
 
@@ -50,7 +50,7 @@ class Picture:
     def positions(self, factor):
         return (self.mesh.points + factor * self.displacement) @ self.turn.T
 
-    def draw(self, ax, factor, window, mirror=False):
+    def draw(self, ax, factor, window, mirror=False, axes=True):
         """The part in the window, and with `mirror` its image on the other side of x = 0."""
         flat = self.mesh.dimension == 2
         for sign in (1, -1) if mirror else (1,):
@@ -60,7 +60,7 @@ class Picture:
                 corners = self.faces[chosen]
                 paint(ax, x[corners], self.values[corners], self.lines[chosen], window, self.norm, shaded=not flat)
         ax.set(xlim=window[0], ylim=window[1], aspect="equal")
-        if not flat:
+        if not flat and axes:
             triad(ax, self.turn)
 
     def colour_bar(self, figure, axes, **style):
@@ -128,11 +128,12 @@ def visible_scale(displacement, body, zone, size):
     return max(1, power * max(digit for digit in (1, 2, 5) if digit * power <= scale * 1.0001))
 
 
-def viewpoint(mesh, zone):
+def viewpoint(mesh, zone, from_below=False):
     """Rotation into coordinates of the picture, the cells to be drawn, and a remark if these are not all.
 
     The contact normal points up, and the viewer stands where the contact zone is closest to the rim: before the
-    symmetry planes of a quarter model. Where the zone is inside all the same, the quadrant in front of it is cut away.
+    symmetry planes of a quarter model. Where the zone is inside all the same, the quadrant in front of it is cut away, unless it
+    is looked at from below.
     """
     corners = np.stack([mesh.points.min(axis=0), mesh.points.max(axis=0)])
     size = np.ptp(corners, axis=0).max()
@@ -144,13 +145,13 @@ def viewpoint(mesh, zone):
 
     towards = np.zeros(3)
     towards[plane] = side[plane] * [0.62, 0.8]
-    towards[up] = 0.45
+    towards[up] = -0.45 if from_below else 0.45
     towards /= np.linalg.norm(towards)
     right = np.cross(np.eye(3)[up], towards)
     right /= np.linalg.norm(right)
     turn = np.stack([right, np.cross(towards, right), towards])
 
-    hidden = np.ones(len(mesh.cells), bool)
+    hidden = np.full(len(mesh.cells), not from_below)
     for axis in plane:
         rim, nearest = corners[(side[axis] + 1) // 2, axis], (seen[:, axis] * side[axis]).max()
         hidden &= (mesh.points[mesh.cells, axis].mean(axis=1) - middle[axis]) * side[axis] > 0
