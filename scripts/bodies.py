@@ -18,50 +18,78 @@ LINE, FRAME = np.array([0.07, 0.07, 0.1]), "#d1495b"
 FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 
 
+class Picture:
+    """The deformed bodies of a mesh, coloured by a field, to be drawn into axes with one displacement factor or another."""
+
+    def __init__(self, mesh, profiles, field="von_mises", from_below=False):
+        self.mesh, self.field = mesh, field
+        self.values, self.displacement = mesh.field(field), mesh.field("displacement")
+        if self.values.ndim > 1:
+            self.values = np.linalg.norm(self.values, axis=1)
+        self.body = mesh.fields.get("body", np.zeros(len(mesh.points)))
+        self.size = np.ptp(mesh.points, axis=0).max()
+        self.zone = contact_zone(mesh, profiles)
+
+        # What is drawn: quadrilaterals, in coordinates that point right, up and towards the viewer.
+        if mesh.dimension == 2:
+            self.turn, self.remark = np.eye(3), ""
+            self.faces, owner = mesh.cells, np.arange(len(mesh.cells))
+        else:
+            self.turn, cells, self.remark = viewpoint(mesh, self.zone, from_below)
+            self.faces, owner = outer_faces(mesh.points, cells, self.body[cells[:, 0]])
+        self.lines = is_cell_edge(self.faces, owner, len(mesh.points))
+
+        # Single peaks are clipped, but not the contact zone, however small a part of the points it is.
+        samples = [self.values, self.values[self.zone]] if self.zone.any() else [self.values]
+        most = max(np.percentile(sample, 99.5) for sample in samples)
+        self.norm = Normalize(min(0, np.percentile(self.values, 0.5)), most or 1)
+
+    def visible_scale(self):
+        return visible_scale(self.displacement, self.body, self.zone, self.size)
+
+    def positions(self, factor):
+        return (self.mesh.points + factor * self.displacement) @ self.turn.T
+
+    def draw(self, ax, factor, window, mirror=False, axes=True):
+        """The part in the window, and with `mirror` its image on the other side of x = 0."""
+        flat = self.mesh.dimension == 2
+        for sign in (1, -1) if mirror else (1,):
+            x = self.positions(factor) * (sign, 1, 1)
+            for part in np.unique(self.body) if flat else [None]:
+                chosen = slice(None) if part is None else self.body[self.faces[:, 0]] == part
+                corners = self.faces[chosen]
+                paint(ax, x[corners], self.values[corners], self.lines[chosen], window, self.norm, shaded=not flat)
+        ax.set(xlim=window[0], ylim=window[1], aspect="equal")
+        if not flat and axes:
+            triad(ax, self.turn)
+
+    def colour_bar(self, figure, axes, **style):
+        beyond = (self.values.max() > self.norm.vmax) + 2 * (self.values.min() < self.norm.vmin)
+        beyond = ("neither", "max", "min", "both")[beyond]
+        bar = figure.colorbar(ScalarMappable(self.norm, COLOURS), ax=axes, extend=beyond, **style)
+        bar.set_label("von Mises stress" if self.field == "von_mises" else self.field.replace("_", " "))
+        return bar
+
+
 def plot_bodies(mesh, profiles, field, scale, title, file):
-    values, displacement = mesh.field(field), mesh.field("displacement")
-    if values.ndim > 1:
-        values = np.linalg.norm(values, axis=1)
-    body = mesh.fields.get("body", np.zeros(len(mesh.points)))
-    size = np.ptp(mesh.points, axis=0).max()
-    zone = contact_zone(mesh, profiles)
-
-    # What is drawn: quadrilaterals, in coordinates that point right, up and towards the viewer.
-    if mesh.dimension == 2:
-        turn, remark = np.eye(3), ""
-        faces, owner = mesh.cells, np.arange(len(mesh.cells))
-    else:
-        turn, cells, remark = viewpoint(mesh, zone)
-        faces, owner = outer_faces(mesh.points, cells, body[cells[:, 0]])
-    lines = is_cell_edge(faces, owner, len(mesh.points))
-
-    scales = [visible_scale(displacement, body, zone, size) if scale is None else scale]
-    if zone.any() and np.ptp(mesh.points[zone], axis=0).max() < size / 4:
+    picture = Picture(mesh, profiles, field)
+    zone = picture.zone
+    scales = [picture.visible_scale() if scale is None else scale]
+    if zone.any() and np.ptp(mesh.points[zone], axis=0).max() < picture.size / 4:
         # Magnified displacements show gaps and overlaps that are none, which is plain to see from close by.
         scales.append(1 if scale is None else scale)
 
-    # Single peaks are clipped, but not the contact zone, however small a part of the points it is.
-    samples = [values, values[zone]] if zone.any() else [values]
-    norm = Normalize(min(0, np.percentile(values, 0.5)), max(np.percentile(sample, 99.5) for sample in samples) or 1)
-    figure, axes = panels(mesh.points @ turn.T, len(scales))
+    figure, axes = panels(mesh.points @ picture.turn.T, len(scales))
     for ax, factor in zip(axes, scales):
-        x = (mesh.points + factor * displacement) @ turn.T
-        window = whole(x) if ax is axes[0] else close_up(x, zone)
-        for part in np.unique(body) if mesh.dimension == 2 else [None]:
-            chosen = slice(None) if part is None else body[faces[:, 0]] == part
-            paint(ax, x[faces[chosen]], values[faces[chosen]], lines[chosen], window, norm, shaded=mesh.dimension == 3)
+        x = picture.positions(factor)
+        picture.draw(ax, factor, whole(x) if ax is axes[0] else close_up(x, zone))
         name = "" if ax is axes[0] else "contact zone, "
-        ax.set_title(f"{name}displacement × {factor:g}{remark}", fontsize=10)
-        ax.set(xlim=window[0], ylim=window[1], aspect="equal")
-        if mesh.dimension == 3:
-            triad(ax, turn)
+        ax.set_title(f"{name}displacement × {factor:g}{picture.remark}", fontsize=10)
     if len(axes) == 2:
-        frame(axes, close_up((mesh.points + scales[0] * displacement) @ turn.T, zone))
+        frame(axes, close_up(picture.positions(scales[0]), zone))
 
     figure.suptitle(title, fontsize=11)
-    beyond = ("neither", "max", "min", "both")[(values.max() > norm.vmax) + 2 * (values.min() < norm.vmin)]
-    bar = figure.colorbar(ScalarMappable(norm, COLOURS), ax=list(axes), extend=beyond, shrink=0.85, aspect=28, pad=0.02)
-    bar.set_label("von Mises stress" if field == "von_mises" else field.replace("_", " "))
+    picture.colour_bar(figure, list(axes), shrink=0.85, aspect=28, pad=0.02)
     figure.savefig(file, dpi=100, facecolor="white")
 
 
@@ -100,11 +128,12 @@ def visible_scale(displacement, body, zone, size):
     return max(1, power * max(digit for digit in (1, 2, 5) if digit * power <= scale * 1.0001))
 
 
-def viewpoint(mesh, zone):
+def viewpoint(mesh, zone, from_below=False):
     """Rotation into coordinates of the picture, the cells to be drawn, and a remark if these are not all.
 
     The contact normal points up, and the viewer stands where the contact zone is closest to the rim: before the
-    symmetry planes of a quarter model. Where the zone is inside all the same, the quadrant in front of it is cut away.
+    symmetry planes of a quarter model. Where the zone is inside all the same, the quadrant in front of it is cut away, unless it
+    is looked at from below.
     """
     corners = np.stack([mesh.points.min(axis=0), mesh.points.max(axis=0)])
     size = np.ptp(corners, axis=0).max()
@@ -116,13 +145,13 @@ def viewpoint(mesh, zone):
 
     towards = np.zeros(3)
     towards[plane] = side[plane] * [0.62, 0.8]
-    towards[up] = 0.45
+    towards[up] = -0.45 if from_below else 0.45
     towards /= np.linalg.norm(towards)
     right = np.cross(np.eye(3)[up], towards)
     right /= np.linalg.norm(right)
     turn = np.stack([right, np.cross(towards, right), towards])
 
-    hidden = np.ones(len(mesh.cells), bool)
+    hidden = np.full(len(mesh.cells), not from_below)
     for axis in plane:
         rim, nearest = corners[(side[axis] + 1) // 2, axis], (seen[:, axis] * side[axis]).max()
         hidden &= (mesh.points[mesh.cells, axis].mean(axis=1) - middle[axis]) * side[axis] > 0

@@ -6,16 +6,17 @@ import subprocess
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+EXECUTABLE = ROOT / "build" / "release" / "signorini"
 
 
 class Failed(Exception):
     """The program ended without a result; the text is its message."""
 
 
-def run(scene, sets, ranks, folder, mpi_options=()):
+def run(scene, sets, ranks, folder, mpi_options=(), executable=EXECUTABLE):
     """The results file of a run as a dictionary. A missed expectation of the scene (exit code 4) is no failure."""
-    command = ["mpirun", "--oversubscribe", *mpi_options, "-np", str(ranks), ROOT / "build" / "release" / "signorini", scene]
-    for key, value in {**sets, "Output/VTU": "no", "Output/Directory": folder}.items():
+    command = ["mpirun", "--oversubscribe", *mpi_options, "-np", str(ranks), executable, scene]
+    for key, value in {"Output/VTU": "no", **sets, "Output/Directory": folder}.items():
         command += ["--set", f"{key}={value}"]
     environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                    "OMP_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1"}

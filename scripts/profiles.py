@@ -1,0 +1,28 @@
+"""Read what a run left in its output directory, but for the meshes."""
+
+import json
+
+import numpy as np
+
+
+def read_results(directory):
+    file = directory / "results.json"
+    return json.loads(file.read_text()) if file.exists() else {}
+
+
+def read_profiles(directory):
+    """Name -> table with the columns x, y, z, pressure, gap, status, and perhaps reference."""
+    profiles = {}
+    for file in sorted(directory.glob("profiles/*.csv")):
+        table = np.atleast_1d(np.genfromtxt(file, delimiter=",", names=True))
+        if table.size and table.dtype.names and {"pressure", "gap", "status"} <= set(table.dtype.names):
+            profiles[file.stem] = table
+    return profiles
+
+
+def positions(profile):
+    return np.stack([profile[axis] for axis in "xyz"], axis=1)
+
+
+def in_contact(profile):
+    return profile["status"] > 0.5
