@@ -192,6 +192,33 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// Sum of the forces on nodes that move, whatever their direction. The degrees of freedom of a
+    /// node follow each other, dim by dim.
+    double
+    forces_on_what_moves(const LA::Vector &motion, const LA::Vector &force, const unsigned int dim)
+    {
+      const IndexSet owned = motion.locally_owned_elements();
+      double         sum   = 0;
+      for (auto i = owned.begin(); i != owned.end();)
+        {
+          const auto node  = *i / dim;
+          bool       moves = false;
+          double     total = 0;
+          for (; i != owned.end() && *i / dim == node; ++i)
+            {
+              moves |= motion(*i) != 0;
+              total += std::abs(force(*i));
+            }
+          sum += moves ? total : 0.;
+        }
+      return Utilities::MPI::sum(sum, motion.get_mpi_communicator());
+    }
+  } // namespace
+
+
+
   double
   FreeMotions::hold(LA::Vector &r, const LA::Vector &contact_force) const
   {
@@ -199,11 +226,12 @@ namespace Signorini
     double           largest = 0;
     for (const Loose &one : loose_motions)
       {
-        const double share = one.free.motion * r;
-        if (std::abs(share) > little * product(one.free.motion, contact_force).l1_norm())
+        const LA::Vector &z     = one.free.motion;
+        const double      share = z * r, force = std::abs(share) / z.linfty_norm();
+        if (force > little * forces_on_what_moves(z, contact_force, contact->position.size()))
           continue;
         r.add(-share, one.spring_force);
-        largest = std::max(largest, std::abs(share) / one.free.motion.linfty_norm());
+        largest = std::max(largest, force);
       }
     return largest;
   }
