@@ -318,6 +318,11 @@ namespace Signorini
         const ContactPair<dim> &pair = scene.pairs[i];
         const double            approach =
           largest_approach(*elasticity, pair, scene.obstacle_of(pair), displacement);
+        if (approach > 0.1 * mesh->size() && warned.insert(pair.name).second)
+          out << "  WARNING: pair " << pair.name << ": its surfaces have moved by up to "
+              << approach
+              << ", but displacements are small in this theory and contact is that of the initial "
+              << "positions: what slides or turns that far is wrong" << std::endl;
         if (approach <= surfaces[i].reach)
           continue;
         out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach

@@ -8,6 +8,7 @@
 #include <deal.II/base/timer.h>
 
 #include <memory>
+#include <set>
 
 namespace Signorini
 {
@@ -96,6 +97,7 @@ namespace Signorini
     std::unique_ptr<Newton>          newton;
     std::vector<double>              reach; ///< of each pair: gaps of candidates
     bool                             assembled = false;
+    std::set<std::string>            warned; ///< pairs that have moved too far
 
     LA::Vector displacement, pressure;
 

@@ -1,10 +1,12 @@
 #include <signorini/elasticity/elasticity.h>
 
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <cmath>
 #include <map>
+
+#include <Eigen/Eigenvalues>
 
 namespace Signorini
 {
@@ -99,20 +101,20 @@ namespace Signorini
     std::vector<Vector<double>>
     kernel_of(const FullMatrix<double> &gram)
     {
-      constexpr unsigned int   n = n_modes<dim>;
-      LAPACKFullMatrix<double> matrix(n);
-      matrix = gram;
-      FullMatrix<double> vectors(n, n);
-      Vector<double>     eigenvalues(n);
-      const double       scale = 1 + gram.linfty_norm();
-      matrix.compute_eigenvalues_symmetric(-scale, 2 * scale, 1e-14 * scale, eigenvalues, vectors);
-      std::vector<Vector<double>> result;
-      for (unsigned int i = 0; i < eigenvalues.size(); ++i)
-        if (eigenvalues[i] < 1e-8 * scale)
+      constexpr unsigned int n = n_modes<dim>;
+      Eigen::MatrixXd        matrix(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = gram(i, j);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+      const double                                         scale = 1 + gram.linfty_norm();
+      std::vector<Vector<double>>                          result;
+      for (unsigned int i = 0; i < n; ++i)
+        if (solver.eigenvalues()[i] < 1e-8 * scale)
           {
             result.emplace_back(n);
             for (unsigned int j = 0; j < n; ++j)
-              result.back()[j] = vectors(j, i);
+              result.back()[j] = solver.eigenvectors()(j, i);
           }
       return result;
     }

@@ -75,7 +75,7 @@ namespace Signorini
     difference -= last;
     for (const auto i : difference.locally_owned_elements())
       changes(i) += std::abs(difference(i));
-    changes.compress(VectorOperation::insert);
+    changes.compress(VectorOperation::add);
     return count(difference);
   }
 

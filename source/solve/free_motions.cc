@@ -1,11 +1,10 @@
 #include <signorini/solve/free_motions.h>
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Eigenvalues>
 
 namespace Signorini
 {
@@ -34,10 +33,10 @@ namespace Signorini
     }
 
     /// Sum over points of spring (B z_a) (B z_b).
-    FullMatrix<double>
+    Eigen::MatrixXd
     stiffness_against(const std::vector<LA::Vector> &approach, const LA::Vector &spring)
     {
-      FullMatrix<double> matrix(approach.size());
+      Eigen::MatrixXd matrix(approach.size(), approach.size());
       for (unsigned int a = 0; a < approach.size(); ++a)
         for (unsigned int b = 0; b <= a; ++b)
           matrix(a, b) = matrix(b, a) = product(spring, approach[a]) * approach[b];
@@ -107,18 +106,14 @@ namespace Signorini
     const unsigned int n = motions.size();
     if (n == 0)
       return;
-    FullMatrix<double>       stiffness = stiffness_against(approach, shares_of_pairs(active));
-    LAPACKFullMatrix<double> matrix(n);
+    Eigen::MatrixXd stiffness = stiffness_against(approach, shares_of_pairs(active));
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = 0; b < n; ++b)
         stiffness(a, b) /= amplitude[a] * amplitude[b];
-    matrix                   = stiffness;
-    const double       bound = 2 * stiffness.linfty_norm() + 1;
-    FullMatrix<double> vectors(n, n);
-    Vector<double>     eigenvalues(n);
-    matrix.compute_eigenvalues_symmetric(-bound, bound, 1e-14 * bound, eigenvalues, vectors);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
+    const Eigen::MatrixXd                               &vectors = solver.eigenvectors();
     for (unsigned int i = 0; i < n; ++i)
-      if (eigenvalues[i] <= negligible)
+      if (solver.eigenvalues()[i] <= negligible)
         {
           double     largest = 0;
           FreeMotion one;
