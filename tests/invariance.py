@@ -39,7 +39,7 @@ def scaled_formula(text, length, factor):
     if text in ("from geometry", "closed", "", "0"):
         return text
     text = re.sub(r"\b[xyz]\b", lambda name: f"({name[0]}/{length!r})", text)
-    return "; ".join(part if part == "free" else f"({part})*{factor!r}" for part in re.split(r"\s*;\s*", text))
+    return "; ".join(part if part in ("free", "0") else f"({part})*{factor!r}" for part in re.split(r"\s*;\s*", text))
 
 
 def scaled(key, value, length, stress, dim):
