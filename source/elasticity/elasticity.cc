@@ -214,9 +214,9 @@ namespace Signorini
   LA::Vector
   Elasticity<dim>::with_ghosts(const LA::Vector &u) const
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    LA::Vector ghosted(dofs.locally_owned_dofs(), relevant, my_mesh.communicator());
+    LA::Vector ghosted(dofs.locally_owned_dofs(),
+                       locally_relevant.get_view(0, dofs.n_dofs()),
+                       my_mesh.communicator());
     if (u.size() == dofs.n_dofs())
       ghosted = u;
     else
