@@ -49,7 +49,7 @@ namespace Signorini
                                                materials,
                                                scene.supports,
                                                scene.loads,
-                                               scene.degree,
+                                               scene.degrees(),
                                                model_of(scene.model),
                                                rigid_bodies,
                                                scene.newton.stabilisation);
@@ -239,8 +239,7 @@ namespace Signorini
     // The solver refers to what is replaced here.
     newton.reset();
     mesh_clock.restart();
-    const ContactMethod &method      = scene.contact.chosen();
-    const Integration    integration = scene.contact.integration_of_degree(scene.degree);
+    const ContactMethod &method = scene.contact.chosen();
     {
       TimerOutput::Scope scope(timer, "search");
       surfaces.clear();
@@ -249,7 +248,7 @@ namespace Signorini
                                                 scene.pairs[i],
                                                 scene.obstacle_of(scene.pairs[i]),
                                                 method,
-                                                integration,
+                                                scene.integration_of(scene.pairs[i]),
                                                 reach[i]));
     }
     TimerOutput::Scope scope(timer, "contact");
@@ -261,6 +260,10 @@ namespace Signorini
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
             "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
+        if (surfaces[i].is_apart && !pair.separates)
+          throw SceneError(pair.master_place + ": no point of '" + pair.slave +
+                           "' sees the master of this pair, which is never to separate; move them "
+                           "together, or set its Search distance");
       }
     // What a former mesh knew of the pressure.
     LA::Vector start = contact->zero();
@@ -291,7 +294,7 @@ namespace Signorini
     const double farthest = mesh->size() + guess();
     bool         any      = false;
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-      if (scene.pairs[i].search_distance == 0 && reach[i] < farthest)
+      if (scene.pairs[i].search_distance == 0 && scene.pairs[i].separates && reach[i] < farthest)
         {
           reach[i] = 2 * std::max(reach[i], mesh->size() / 10);
           any      = true;
@@ -323,7 +326,7 @@ namespace Signorini
               << approach
               << ", but displacements are small in this theory and contact is that of the initial "
               << "positions: what slides or turns that far is wrong" << std::endl;
-        if (approach <= surfaces[i].reach)
+        if (approach <= surfaces[i].reach || !pair.separates)
           continue;
         out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
             << ", farther than " << surfaces[i].reach;

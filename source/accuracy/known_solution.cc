@@ -5,7 +5,7 @@
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
 
 #include <cmath>
 
@@ -88,20 +88,24 @@ namespace Signorini
     {
       const Elasticity<dim>           &elasticity = s.elasticity;
       const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
-      FEValues<dim>                    values(elasticity.mesh().mapping(),
-                           elasticity.finite_element(),
-                           QGauss<dim>(elasticity.degree() + 3),
-                           update_values | update_gradients | update_quadrature_points |
-                             update_JxW_values);
+      const hp::MappingCollection<dim> mappings(elasticity.mesh().mapping());
+      hp::FEValues<dim>                all_values(mappings,
+                                   elasticity.finite_elements(),
+                                   hp::QCollection<dim>(QGauss<dim>(elasticity.degree() + 3)),
+                                   update_values | update_gradients | update_quadrature_points |
+                                     update_JxW_values);
       const FEValuesExtractors::Vector displacement(0);
-      std::vector<Tensor<1, dim>>      u(values.n_quadrature_points);
-      std::vector<Tensor<2, dim>>      grad_u(u.size());
+      std::vector<Tensor<1, dim>>      u;
+      std::vector<Tensor<2, dim>>      grad_u;
       Squares                          l2, energy;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
             const Material &material = elasticity.material(cell->material_id());
-            values.reinit(cell);
+            all_values.reinit(cell);
+            const FEValues<dim> &values = all_values.get_present_fe_values();
+            u.resize(values.n_quadrature_points);
+            grad_u.resize(u.size());
             values[displacement].get_function_values(ghosted, u);
             values[displacement].get_function_gradients(ghosted, grad_u);
             for (const unsigned int q : values.quadrature_point_indices())

@@ -5,6 +5,7 @@
 #include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/distributed/tria.h>
+#include <deal.II/hp/q_collection.h>
 #include <deal.II/numerics/error_estimator.h>
 
 #include <cmath>
@@ -49,10 +50,13 @@ namespace Signorini
     Vector<float>
     estimate(const Elasticity<dim> &elasticity, const LA::Vector &displacement)
     {
-      Vector<float> error(elasticity.mesh().triangulation().n_active_cells());
+      Vector<float>            error(elasticity.mesh().triangulation().n_active_cells());
+      hp::QCollection<dim - 1> rules;
+      for (const auto &fe : elasticity.finite_elements())
+        rules.push_back(QGauss<dim - 1>(fe.degree + 1));
       KellyErrorEstimator<dim>::estimate(elasticity.mesh().mapping(),
                                          elasticity.dof_handler(),
-                                         QGauss<dim - 1>(elasticity.degree() + 1),
+                                         rules,
                                          {},
                                          elasticity.with_ghosts(displacement),
                                          error);

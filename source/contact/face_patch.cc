@@ -299,25 +299,6 @@ namespace Signorini
 
 
 
-  // QProjector's convention: the parameters follow the normal direction cyclically.
-  template <int dim>
-  Point<dim>
-  unit_point(const unsigned int face, const Point<dim - 1> &xi)
-  {
-    const unsigned int normal_direction = face / 2;
-    Point<dim>         p;
-    p[normal_direction] = face % 2;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      p[(normal_direction + 1 + d) % dim] = xi[d];
-    return p;
-  }
-
-
-
   template class FacePatch<2>;
   template class FacePatch<3>;
-  template Point<2>
-  unit_point<2>(unsigned int, const Point<1> &);
-  template Point<3>
-  unit_point<3>(unsigned int, const Point<2> &);
 } // namespace Signorini

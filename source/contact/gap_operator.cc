@@ -1,9 +1,9 @@
 #include <signorini/contact/contact_rows.h>
 #include <signorini/contact/gap_operator.h>
 #include <signorini/contact/method.h>
+#include <signorini/elasticity/cell_nodes.h>
 #include <signorini/row_view.h>
 
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
@@ -200,25 +200,21 @@ namespace Signorini
       for (const auto i : contact.weight.locally_owned_elements())
         rows_of.emplace(*row++, i);
 
-      const auto                          &fe = elasticity.finite_element();
-      FEValues<dim>                        values(elasticity.mesh().mapping(),
-                           fe,
-                           Quadrature<dim>(fe.get_unit_support_points()),
-                           update_quadrature_points);
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      CellNodes<dim> nodes_of(elasticity.mesh().mapping(), elasticity.finite_elements());
+      std::vector<types::global_dof_index> indices;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            cell->get_dof_indices(indices);
+            read_indices<dim>(cell, indices);
             if (std::none_of(indices.begin(), indices.end(), [&](const auto i) {
                   return rows_of.count(i);
                 }))
               continue;
-            values.reinit(cell);
+            const std::vector<Point<dim>> &nodes = nodes_of(cell);
             for (unsigned int i = 0; i < indices.size(); ++i)
               for (auto [at, last] = rows_of.equal_range(indices[i]); at != last; ++at)
                 for (unsigned int d = 0; d < dim; ++d)
-                  contact.position[d](at->second) = values.quadrature_point(i)[d];
+                  contact.position[d](at->second) = nodes[i][d];
           }
       for (LA::Vector &v : contact.position)
         v.compress(VectorOperation::insert);
@@ -317,6 +313,8 @@ namespace Signorini
     contact.dofs              = elasticity.owned();
     contact.pair              = rows.pair;
     contact.node              = rows.node;
+    for (const unsigned int p : rows.pair)
+      contact.permanent.push_back(!surfaces[p].separates);
     assemble_matrices(contact, rows, surfaces, method, comm);
     assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), comm);
     normalise(contact);

@@ -1,6 +1,7 @@
 #include <signorini/contact/face_patch.h>
 #include <signorini/contact/lagrange.h>
 #include <signorini/contact/normal_stress.h>
+#include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/kernel.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -19,7 +20,6 @@ namespace Signorini
   NormalStress<dim>::NormalStress(const Elasticity<dim> &elasticity)
     : elasticity(elasticity)
     , geometry_degree(elasticity.mesh().geometry_degree())
-    , indices(elasticity.finite_element().n_dofs_per_cell())
   {
     const unsigned int n = geometry_degree + 1;
     for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i)
@@ -39,7 +39,7 @@ namespace Signorini
     if (cell.state() == IteratorState::valid && cell == new_cell)
       return;
     cell = new_cell;
-    cell->get_dof_indices(indices);
+    read_indices<dim>(cell, indices);
     nodes.clear();
     for (const auto &place : lattice)
       {
@@ -105,7 +105,7 @@ namespace Signorini
                                   const Tensor<1, dim> &m) const
   {
     const Material      &material = elasticity.material(cell->material_id());
-    const auto          &fe       = elasticity.finite_element();
+    const auto          &fe       = cell->get_fe();
     const Tensor<2, dim> to_real  = transpose(invert(jacobian(unit_point)));
     const double         lambda   = in_plane_lambda(elasticity.model(), material);
     const double         r        = position(unit_point)[0];
@@ -150,16 +150,16 @@ namespace Signorini
   {
     const unsigned int   n = indices.size();
     StiffnessKernel<dim> kernel(elasticity.mesh().mapping(),
-                                elasticity.finite_element(),
+                                elasticity.finite_elements(),
                                 elasticity.model());
-    FullMatrix<double>   stiffness(n);
+    FullMatrix<double>   stiffness;
     kernel.assemble(cell, elasticity.material(cell->material_id()), stiffness);
     Eigen::MatrixXd K(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         K(i, j) = stiffness(i, j);
 
-    const QGauss<dim - 1> rule(elasticity.degree() + 2);
+    const QGauss<dim - 1> rule(cell->get_fe().degree + 2);
     const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
     Eigen::MatrixXd       stress(rule.size(), n); // times the square roots of the areas
     for (unsigned int q = 0; q < rule.size(); ++q)

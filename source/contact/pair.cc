@@ -14,6 +14,10 @@ namespace Signorini
     section.add("Initial gap",
                 initial_gap,
                 "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z [length]");
+    section.add("Separates",
+                separates,
+                "yes, or no: what sees each other at the start stays in touch, slides freely, and "
+                "may pull: as a flat platen under a given force");
     section.add("Interference",
                 interference,
                 "share of initial overlaps that counts, formula in t: 1: at once; t: ramped");
@@ -31,7 +35,7 @@ namespace Signorini
       section.fail(
         "Interference",
         "depends on the place, but is one share for the whole pair; write it in t alone");
-    if (initial_gap != "from geometry" && initial_gap != "closed")
+    if (initial_gap.text != "from geometry" && initial_gap.text != "closed")
       try
         {
           Expression<dim>{initial_gap};

@@ -1,5 +1,6 @@
 #include <signorini/contact/method.h>
 #include <signorini/contact/pressure_functions.h>
+#include <signorini/elasticity/cell_nodes.h>
 
 #include <algorithm>
 
@@ -24,9 +25,9 @@ namespace Signorini
     /// int N r dr = 0.
     template <int dim>
     bool
-    has_no_area(const Elasticity<dim> &elasticity, const Point<dim> &x)
+    has_no_area(const Elasticity<dim> &elasticity, const unsigned int degree, const Point<dim> &x)
     {
-      return elasticity.model() == Model::axisymmetric && elasticity.degree() == 2 &&
+      return elasticity.model() == Model::axisymmetric && degree == 2 &&
              x[0] < 1e-10 * elasticity.lever();
     }
 
@@ -37,22 +38,21 @@ namespace Signorini
                const unsigned int       face,
                const FacePatch<dim>    &patch)
     {
-      const auto                          &fe = elasticity.finite_element();
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-      cell->get_dof_indices(indices);
+      const FiniteElement<dim>            &fe = cell->get_fe();
+      std::vector<types::global_dof_index> indices;
+      read_indices<dim>(cell, indices);
       std::vector<FaceNode> nodes;
       for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
         {
           const unsigned int first = fe.component_to_system_index(0, i);
           if (!fe.has_support_on_face(first, face))
             continue;
-          FaceNode         node{indices[first], {{0, 0}}, false};
-          Point<dim - 1>   xi;
-          const Point<dim> place = fe.base_element(0).unit_support_point(i);
+          FaceNode   node{indices[first], {{0, 0}}, false};
+          const auto xi = face_parameter<dim>(face, fe.base_element(0).unit_support_point(i));
           for (unsigned int d = 0; d < dim - 1; ++d)
-            node.xi[d] = xi[d] = place[(face / 2 + 1 + d) % dim]; // see unit_point()
+            node.xi[d] = xi[d];
           node.prescribed = is_prescribed(elasticity, node.index, patch.normal(xi)) ||
-                            has_no_area(elasticity, patch.position(xi));
+                            has_no_area(elasticity, fe.degree, patch.position(xi));
           nodes.push_back(node);
         }
       return nodes;

@@ -1,4 +1,5 @@
 #include <signorini/contact/reach.h>
+#include <signorini/elasticity/cell_nodes.h>
 
 #include <algorithm>
 #include <limits>
@@ -41,8 +42,7 @@ namespace Signorini
                          const std::string     &boundary,
                          const LA::Vector      &ghosted)
     {
-      const FESystem<dim>                 &fe = elasticity.finite_element();
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      std::vector<types::global_dof_index> indices;
       const auto                           id      = elasticity.mesh().boundary_id(boundary);
       double                               largest = 0;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
@@ -50,7 +50,8 @@ namespace Signorini
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
               {
-                cell->get_dof_indices(indices);
+                const FiniteElement<dim> &fe = cell->get_fe();
+                read_indices<dim>(cell, indices);
                 for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
                   if (fe.base_element(0).has_support_on_face(i, f))
                     {
@@ -106,7 +107,7 @@ namespace Signorini
            const double              distance)
   {
     const MPI_Comm comm = elasticity.mesh().communicator();
-    if (pair.initial_gap != "from geometry")
+    if (pair.initial_gap.text != "from geometry")
       return false;
     if (obstacle)
       {

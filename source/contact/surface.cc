@@ -95,9 +95,9 @@ namespace Signorini
     double
     initial_gap(const ContactPair<dim> &pair, const Point<dim> &x, const double from_geometry)
     {
-      if (pair.initial_gap == "from geometry")
+      if (pair.initial_gap.text == "from geometry")
         return from_geometry;
-      return pair.initial_gap == "closed" ? 0. : Expression<dim>(pair.initial_gap).value(x);
+      return pair.initial_gap.text == "closed" ? 0. : Expression<dim>(pair.initial_gap).value(x);
     }
 
     /// Number of the obstacle among the bodies with degrees of freedom; one more if it is at rest.
@@ -225,18 +225,18 @@ namespace Signorini
     }
 
     /// Of the circle that a point stands for, or 1. That of a node is the mean over its shape
-    /// function: on the axis, too, it stands for an area.
+    /// function, of degree k: on the axis, too, it stands for an area.
     template <int dim>
     double
     circumference(const Elasticity<dim> &elasticity,
                   const FacePatch<dim>  &patch,
                   const Point<dim - 1>  &xi,
-                  const Integration     &integration)
+                  const Integration     &integration,
+                  const unsigned int     k)
     {
       const Model model = elasticity.model();
       if (model != Model::axisymmetric || integration.rule != "nodes")
         return measure(model, patch.position(xi));
-      const unsigned int    k    = elasticity.degree();
       const unsigned int    node = std::lround(xi[0] * k);
       const QGauss<dim - 1> rule(k + 2);
       double                sum = 0, area = 0;
@@ -282,7 +282,8 @@ namespace Signorini
             }
           result.push_back(contact_point(pair, patch, paired, place, face_stiffness, trace));
           result.back().depth = face_depth;
-          result.back().weight *= circumference(elasticity, patch, paired.xi, integration);
+          result.back().weight *=
+            circumference(elasticity, patch, paired.xi, integration, cell->get_fe().degree);
           if (!with_stress)
             continue;
           if (is_new)
@@ -315,7 +316,7 @@ namespace Signorini
         return !std::isfinite(point.gap);
       });
       if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
-        throw SceneError(pair.slave_place + ": Initial gap = " + pair.initial_gap +
+        throw SceneError(pair.slave_place + ": Initial gap = " + pair.initial_gap.text +
                          " is not a number somewhere on '" + pair.slave + "'; correct the formula");
     }
 
@@ -325,9 +326,9 @@ namespace Signorini
     {
       std::vector<std::pair<SparseRow, double>> result;
       Trace<dim>                                trace(elasticity);
-      const QGauss<dim - 1>                     rule(elasticity.finite_element().degree + 1);
       for (unsigned int i = 0; i < slave.faces.size(); ++i)
         {
+          const QGauss<dim - 1> rule(slave.faces[i].first->get_fe().degree + 1);
           trace.reinit(slave.faces[i].first, slave.faces[i].second);
           for (unsigned int q = 0; q < rule.size(); ++q)
             result.emplace_back(trace.shape(unit_point<dim>(slave.faces[i].second, rule.point(q))),
@@ -393,8 +394,9 @@ namespace Signorini
       const double             limit = search_limit(elasticity, pair, reach);
       const BoundaryFaces<dim> slave(elasticity, pair.slave);
       ContactSurface<dim>      surface;
-      surface.faces = slave.faces.size();
-      surface.reach = pair.search_distance > 0 ? limit : reach;
+      surface.faces     = slave.faces.size();
+      surface.separates = pair.separates;
+      surface.reach     = pair.search_distance > 0 ? limit : reach;
       // Not the reach: boxes of overlapping bodies may be as far apart as the overlap is deep.
       if (is_apart(elasticity, pair, obstacle, slave, limit))
         {
@@ -417,7 +419,7 @@ namespace Signorini
       const unsigned int n_paired = Utilities::MPI::sum(paired.size(), comm);
       surface.largest_angle       = largest_angle(slave, paired, comm);
       surface.reach = std::max(surface.reach, 2 * deepest_overlap(surface.points, comm));
-      if (surface.reach < limit)
+      if (pair.separates && surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
       surface.sees_nothing    = n_paired == 0;
       surface.is_apart        = Utilities::MPI::sum(surface.points.size(), comm) == 0;

@@ -1,4 +1,5 @@
 #include <signorini/contact/trace.h>
+#include <signorini/elasticity/cell_nodes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,16 +46,17 @@ namespace Signorini
 
   template <int dim>
   Trace<dim>::Trace(const Elasticity<dim> &elasticity)
-    : fe(elasticity.finite_element())
-    , hanging(elasticity.hanging_nodes())
+    : hanging(elasticity.hanging_nodes())
     , all_components(elasticity.has_inclined_supports())
-    , indices(fe.n_dofs_per_cell())
-    , nodes_of(GeometryInfo<dim>::faces_per_cell)
   {
-    for (unsigned int face = 0; face < nodes_of.size(); ++face)
-      for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-        if (fe.base_element(0).has_support_on_face(i, face))
-          nodes_of[face].push_back(i);
+    for (const auto &fe : elasticity.finite_elements())
+      {
+        nodes_of.emplace_back(GeometryInfo<dim>::faces_per_cell);
+        for (unsigned int face = 0; face < nodes_of.back().size(); ++face)
+          for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+            if (fe.base_element(0).has_support_on_face(i, face))
+              nodes_of.back()[face].push_back(i);
+      }
   }
 
 
@@ -63,8 +65,19 @@ namespace Signorini
   void
   Trace<dim>::reinit(const Cell &cell, const unsigned int new_face)
   {
-    cell->get_dof_indices(indices);
-    face = new_face;
+    read_indices<dim>(cell, indices);
+    fe      = &cell->get_fe();
+    element = cell->active_fe_index();
+    face    = new_face;
+  }
+
+
+
+  template <int dim>
+  const std::vector<unsigned int> &
+  Trace<dim>::nodes() const
+  {
+    return nodes_of[element][face];
   }
 
 
@@ -74,13 +87,13 @@ namespace Signorini
   Trace<dim>::normal_displacement(const Point<dim> &unit_point, const Tensor<1, dim> &n) const
   {
     SparseRow row;
-    row.reserve(2 * dim * nodes_of[face].size()); // room for a partner
-    for (const unsigned int i : nodes_of[face])
-      if (const double value = fe.base_element(0).shape_value(i, unit_point);
+    row.reserve(2 * dim * nodes().size()); // room for a partner
+    for (const unsigned int i : nodes())
+      if (const double value = fe->base_element(0).shape_value(i, unit_point);
           std::abs(value) > 1e-14)
         for (unsigned int d = 0; d < dim; ++d)
           if (n[d] != 0 || all_components)
-            row.emplace_back(indices[fe.component_to_system_index(d, i)], value * n[d]);
+            row.emplace_back(indices[fe->component_to_system_index(d, i)], value * n[d]);
     resolve(hanging, row);
     return row;
   }
@@ -92,10 +105,10 @@ namespace Signorini
   Trace<dim>::unresolved_shape(const Point<dim> &unit_point) const
   {
     SparseRow row;
-    for (const unsigned int i : nodes_of[face])
-      if (const double value = fe.base_element(0).shape_value(i, unit_point);
+    for (const unsigned int i : nodes())
+      if (const double value = fe->base_element(0).shape_value(i, unit_point);
           std::abs(value) > 1e-14)
-        row.emplace_back(indices[fe.component_to_system_index(0, i)], value);
+        row.emplace_back(indices[fe->component_to_system_index(0, i)], value);
     return row;
   }
 

@@ -1,3 +1,4 @@
+#include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/elasticity/kernel.h>
 #include <signorini/parameters/raw.h>
@@ -5,10 +6,11 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <algorithm>
+#include <set>
 
 namespace Signorini
 {
@@ -19,7 +21,7 @@ namespace Signorini
                               const std::vector<Material>       &materials,
                               const std::vector<Support<dim>>   &supports,
                               const std::vector<Load<dim>>      &loads,
-                              const unsigned int                 degree,
+                              const std::vector<unsigned int>   &degrees,
                               const Model                        model,
                               const std::vector<RigidBody<dim>> &rigid_bodies,
                               const double                       stabilisation)
@@ -30,9 +32,18 @@ namespace Signorini
     , my_model(model)
     , my_rigid_bodies(rigid_bodies)
     , strength(stabilisation)
-    , fe(FE_Q<dim>(degree), dim)
     , dofs(mesh.triangulation())
-  {}
+  {
+    Assert(degrees.size() == 1 || degrees.size() == mesh.n_bodies(),
+           ExcDimensionMismatch(degrees.size(), mesh.n_bodies()));
+    const std::set<unsigned int> different(degrees.begin(), degrees.end());
+    for (const unsigned int degree : different)
+      elements.push_back(FESystem<dim>(FE_Q<dim>(degree), dim));
+    for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+      element_of_body.push_back(
+        std::distance(different.begin(),
+                      different.find(degrees.size() == 1 ? degrees[0] : degrees[body])));
+  }
 
 
 
@@ -40,7 +51,15 @@ namespace Signorini
   void
   Elasticity<dim>::setup()
   {
-    dofs.distribute_dofs(fe);
+    if (elements.size() == 1)
+      dofs.distribute_dofs(elements[0]);
+    else
+      {
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (cell->is_locally_owned())
+            cell->set_active_fe_index(element_of_body[cell->material_id()]);
+        dofs.distribute_dofs(elements);
+      }
     my_lever = my_mesh.size() / 2;
 
     // Indices of the mesh, and those of the rigid bodies behind them.
@@ -127,11 +146,11 @@ namespace Signorini
                                                locally_owned,
                                                locally_relevant,
                                                my_mesh.communicator());
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          cell->get_dof_indices(indices);
+          read_indices<dim>(cell, indices);
           all_constraints.add_entries_local_to_global(indices, sparsity, false);
         }
     for (const auto i : locally_owned)
@@ -139,13 +158,13 @@ namespace Signorini
     sparsity.compress();
     matrix.reinit(sparsity);
 
-    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe, my_model);
-    FullMatrix<double>   cell_matrix(fe.n_dofs_per_cell());
+    StiffnessKernel<dim> kernel(my_mesh.mapping(), elements, my_model);
+    FullMatrix<double>   cell_matrix;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
-          cell->get_dof_indices(indices);
+          read_indices<dim>(cell, indices);
           all_constraints.distribute_local_to_global(cell_matrix, indices, matrix);
         }
     for (auto i = dofs.n_dofs(); i < locally_owned.size(); ++i)
@@ -165,17 +184,16 @@ namespace Signorini
   Elasticity<dim>::load() const
   {
     LA::Vector           f = zero_vector();
-    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe, my_model);
-    LoadKernel<dim>      load_kernel(my_mesh, fe, my_model, loads, time);
+    StiffnessKernel<dim> kernel(my_mesh.mapping(), elements, my_model);
+    LoadKernel<dim>      load_kernel(my_mesh, elements, my_model, loads, time);
 
-    const unsigned int                   n = fe.n_dofs_per_cell();
-    FullMatrix<double>                   cell_matrix(n);
-    Vector<double>                       cell_load(n);
-    std::vector<types::global_dof_index> indices(n);
+    FullMatrix<double>                   cell_matrix;
+    Vector<double>                       cell_load;
+    std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          cell->get_dof_indices(indices);
+          read_indices<dim>(cell, indices);
           const bool loaded = load_kernel.assemble(cell, cell_load);
           const bool moved  = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
             return all_constraints.is_inhomogeneously_constrained(i);
@@ -290,40 +308,38 @@ namespace Signorini
     // Unconstrained residual: internal forces - loads, hanging nodes resolved.
     const LA::Vector     ghosted  = with_ghosts(u);
     LA::Vector           residual = zero_vector();
-    StiffnessKernel<dim> kernel(my_mesh.mapping(), fe, my_model);
-    LoadKernel<dim>      load_kernel(my_mesh, fe, my_model, loads, time);
+    StiffnessKernel<dim> kernel(my_mesh.mapping(), elements, my_model);
+    LoadKernel<dim>      load_kernel(my_mesh, elements, my_model, loads, time);
 
-    const unsigned int                   n = fe.n_dofs_per_cell();
-    FullMatrix<double>                   cell_matrix(n);
-    Vector<double>                       cell_force(n), cell_load(n), values(n);
-    std::vector<types::global_dof_index> indices(n);
+    FullMatrix<double>                   cell_matrix;
+    Vector<double>                       cell_force, cell_load, values;
+    std::vector<types::global_dof_index> indices;
     Resultant<dim>                       total_load;
-    FEValues<dim>                        nodes(my_mesh.mapping(),
-                        fe,
-                        Quadrature<dim>(fe.get_unit_support_points()),
-                        update_quadrature_points);
+    CellNodes<dim>                       nodes_of(my_mesh.mapping(), elements);
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          cell->get_dof_indices(indices);
+          read_indices<dim>(cell, indices);
           const bool loaded    = load_kernel.assemble(cell, cell_load);
           const bool supported = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
             return all_constraints.is_constrained(i);
           });
           if (!supported && !loaded)
             continue;
-          nodes.reinit(cell);
-          for (unsigned int i = 0; i < n; ++i)
+          const std::vector<Point<dim>> &nodes = nodes_of(cell);
+          for (unsigned int i = 0; i < indices.size(); ++i)
             {
-              const unsigned int component = fe.system_to_component_index(i).first;
+              const unsigned int component = cell->get_fe().system_to_component_index(i).first;
               if (my_model == Model::axisymmetric && component == 0)
                 continue; // the circumference is in balance
               Tensor<1, dim> force;
               force[component] = loaded ? cell_load[i] : 0.;
               total_load.force += force;
-              total_load.moment += moment_of(nodes.quadrature_point(i), force);
+              total_load.moment += moment_of(nodes[i], force);
             }
           kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
+          values.reinit(indices.size());
+          cell_force.reinit(indices.size());
           cell->get_dof_values(ghosted, values);
           cell_matrix.vmult(cell_force, values);
           if (loaded)

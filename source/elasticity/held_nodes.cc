@@ -1,8 +1,10 @@
+#include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/held_nodes.h>
+#include <signorini/mesh/face_parameter.h>
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/utilities.h>
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +51,29 @@ namespace Signorini
       sums.push_back(n);
     }
 
+    /// The nodes of the faces of a cell, one for each vector that stands there.
+    template <int dim>
+    struct FaceNodes
+    {
+      std::vector<unsigned int>          nodes;   ///< numbers in the scalar element
+      std::unique_ptr<FEFaceValues<dim>> normals; ///< at these
+
+      FaceNodes(const Mapping<dim> &mapping, const FiniteElement<dim> &scalar, const unsigned int f)
+      {
+        std::vector<Point<dim - 1>> points;
+        for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+          if (scalar.has_support_on_face(i, f))
+            {
+              nodes.push_back(i);
+              points.push_back(face_parameter<dim>(f, scalar.unit_support_point(i)));
+            }
+        normals = std::make_unique<FEFaceValues<dim>>(mapping,
+                                                      scalar,
+                                                      Quadrature<dim - 1>(points),
+                                                      update_normal_vectors);
+      }
+    };
+
     template <int dim>
     class Finder
     {
@@ -57,32 +82,15 @@ namespace Signorini
              const DoFHandler<dim>           &dofs,
              const AffineConstraints<double> &hanging)
         : mesh(mesh)
-        , fe(dynamic_cast<const FESystem<dim> &>(dofs.get_fe()))
         , dofs(dofs)
         , hanging(hanging)
-        , indices(fe.n_dofs_per_cell())
-        , values(mesh.mapping(),
-                 fe.base_element(0),
-                 Quadrature<dim>(fe.base_element(0).get_unit_support_points()),
-                 update_quadrature_points)
+        , nodes_of(mesh.mapping(), dofs.get_fe_collection())
       {
-        for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
+        for (const auto &fe : dofs.get_fe_collection())
           {
-            std::vector<Point<dim - 1>> points;
-            for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-              if (fe.base_element(0).has_support_on_face(i, f))
-                {
-                  nodes_of[f].push_back(i);
-                  const Point<dim> &p = fe.base_element(0).unit_support_point(i);
-                  Point<dim - 1>    xi; // the cyclic order of QProjector
-                  for (unsigned int d = 0; d < dim - 1; ++d)
-                    xi[d] = p[(f / 2 + 1 + d) % dim];
-                  points.push_back(xi);
-                }
-            normals.push_back(std::make_unique<FEFaceValues<dim>>(mesh.mapping(),
-                                                                  fe.base_element(0),
-                                                                  Quadrature<dim - 1>(points),
-                                                                  update_normal_vectors));
+            faces.emplace_back();
+            for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
+              faces.back().emplace_back(mesh.mapping(), fe.base_element(0), f);
           }
       }
 
@@ -97,14 +105,15 @@ namespace Signorini
             for (const unsigned int f : cell->face_indices())
               if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
                 {
+                  const FaceNodes<dim> &face = faces[cell->active_fe_index()][f];
                   read(cell);
                   if (with_normals)
-                    normals[f]->reinit(
+                    face.normals->reinit(
                       static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), f);
-                  for (unsigned int k = 0; k < nodes_of[f].size(); ++k)
-                    if (HeldNode<dim> *node = held(nodes_of[f][k]))
+                  for (unsigned int k = 0; k < face.nodes.size(); ++k)
+                    if (HeldNode<dim> *node = held(face.nodes[k]))
                       visit(*node,
-                            with_normals ? without_rounding<dim>(normals[f]->normal_vector(k)) :
+                            with_normals ? without_rounding<dim>(face.normals->normal_vector(k)) :
                                            Tensor<1, dim>());
                 }
       }
@@ -127,8 +136,8 @@ namespace Signorini
               if (!near)
                 continue;
               read(cell);
-              for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-                if (values.quadrature_point(i)[0] < on_axis)
+              for (unsigned int i = 0; i < fe->base_element(0).n_dofs_per_cell(); ++i)
+                if (position(i)[0] < on_axis)
                   if (HeldNode<dim> *node = held(i); node && node->holds.empty())
                     node->holds.push_back({axis<dim>(0), nullptr});
             }
@@ -146,8 +155,16 @@ namespace Signorini
       void
       read(const Cell &cell)
       {
-        cell->get_dof_indices(indices);
-        values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
+        fe = &cell->get_fe();
+        read_indices<dim>(cell, indices);
+        positions = &nodes_of(cell);
+      }
+
+      /// Of the cell's node i.
+      const Point<dim> &
+      position(const unsigned int i) const
+      {
+        return (*positions)[fe->component_to_system_index(0, i)];
       }
 
       /// The entry of the cell's node i; null if it hangs.
@@ -156,21 +173,23 @@ namespace Signorini
       {
         HeldNode<dim> node;
         for (unsigned int d = 0; d < dim; ++d)
-          node.dofs[d] = indices[fe.component_to_system_index(d, i)];
+          node.dofs[d] = indices[fe->component_to_system_index(d, i)];
         if (hanging.is_constrained(node.dofs[0]))
           return nullptr;
-        node.position = values.quadrature_point(i);
+        node.position = position(i);
         return &result.emplace(node.dofs[0], node).first->second;
       }
 
-      const Mesh<dim>                                                         &mesh;
-      const FESystem<dim>                                                     &fe;
-      const DoFHandler<dim>                                                   &dofs;
-      const AffineConstraints<double>                                         &hanging;
-      std::vector<types::global_dof_index>                                     indices;
-      FEValues<dim>                                                            values;
-      std::array<std::vector<unsigned int>, GeometryInfo<dim>::faces_per_cell> nodes_of;
-      std::vector<std::unique_ptr<FEFaceValues<dim>>>                          normals;
+      const Mesh<dim>                         &mesh;
+      const DoFHandler<dim>                   &dofs;
+      const AffineConstraints<double>         &hanging;
+      CellNodes<dim>                           nodes_of;
+      std::vector<std::vector<FaceNodes<dim>>> faces; ///< of each element
+
+      // Of the present cell.
+      const FiniteElement<dim>            *fe        = nullptr;
+      const std::vector<Point<dim>>       *positions = nullptr;
+      std::vector<types::global_dof_index> indices;
     };
 
     template <int dim>

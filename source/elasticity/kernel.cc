@@ -6,18 +6,65 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <int dim>
+    hp::FECollection<dim>
+    scalar(const hp::FECollection<dim> &elements)
+    {
+      hp::FECollection<dim> result;
+      for (const auto &fe : elements)
+        result.push_back(fe.base_element(0));
+      return result;
+    }
+
+    template <int dim, int rule_dim>
+    hp::QCollection<rule_dim>
+    gauss(const hp::FECollection<dim> &elements, const unsigned int beyond_degree)
+    {
+      hp::QCollection<rule_dim> result;
+      for (const auto &fe : elements)
+        result.push_back(QGauss<rule_dim>(fe.degree + beyond_degree));
+      return result;
+    }
+
+    template <int dim>
+    const FEValues<dim> &
+    reinit(hp::FEValues<dim> &values, const typename DoFHandler<dim>::active_cell_iterator &cell)
+    {
+      const auto i = cell->active_fe_index();
+      values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), i, 0, i);
+      return values.get_present_fe_values();
+    }
+
+    template <int dim>
+    const FEFaceValues<dim> &
+    reinit(hp::FEFaceValues<dim>                                &values,
+           const typename DoFHandler<dim>::active_cell_iterator &cell,
+           const unsigned int                                    face)
+    {
+      const auto i = cell->active_fe_index();
+      values.reinit(
+        static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), face, i, 0, i);
+      return values.get_present_fe_values();
+    }
+  } // namespace
+
+
+
   template <int dim>
-  StiffnessKernel<dim>::StiffnessKernel(const Mapping<dim>  &mapping,
-                                        const FESystem<dim> &fe,
-                                        const Model          model)
-    : fe(fe)
-    , model(model)
-    , values(mapping,
-             fe.base_element(0),
-             QGauss<dim>(fe.degree + 1),
-             update_gradients | update_JxW_values |
-               (model == Model::axisymmetric ? update_values | update_quadrature_points :
-                                               update_default))
+  StiffnessKernel<dim>::StiffnessKernel(const Mapping<dim>          &mapping,
+                                        const hp::FECollection<dim> &elements,
+                                        const Model                  model)
+    : model(model)
+    , mappings(mapping)
+    , scalar_elements(scalar(elements))
+    , all_values(mappings,
+                 scalar_elements,
+                 gauss<dim, dim>(elements, 1),
+                 update_gradients | update_JxW_values |
+                   (model == Model::axisymmetric ? update_values | update_quadrature_points :
+                                                   update_default))
   {}
 
 
@@ -28,15 +75,16 @@ namespace Signorini
                                  const Material     &material,
                                  FullMatrix<double> &cell_matrix)
   {
-    values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
-    const double       lambda = in_plane_lambda(model, material), mu = material.mu();
-    const unsigned int n = fe.base_element(0).n_dofs_per_cell();
-    weights              = values.get_JxW_values();
+    const FEValues<dim>      &values = reinit(all_values, cell);
+    const FiniteElement<dim> &fe     = cell->get_fe();
+    const double              lambda = in_plane_lambda(model, material), mu = material.mu();
+    const unsigned int        n = fe.base_element(0).n_dofs_per_cell();
+    weights                     = values.get_JxW_values();
     if (model == Model::axisymmetric)
       for (const unsigned int q : values.quadrature_point_indices())
         weights[q] *= measure(model, values.quadrature_point(q));
 
-    cell_matrix = 0;
+    cell_matrix.reinit(fe.n_dofs_per_cell(), fe.n_dofs_per_cell());
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j <= i; ++j)
         {
@@ -63,7 +111,7 @@ namespace Signorini
               }
         }
     if (model == Model::axisymmetric)
-      add_hoop(lambda, mu, cell_matrix);
+      add_hoop(fe, lambda, mu, cell_matrix);
   }
 
 
@@ -73,11 +121,13 @@ namespace Signorini
   // delta_a0 delta_b0.
   template <int dim>
   void
-  StiffnessKernel<dim>::add_hoop(const double        lambda,
-                                 const double        mu,
-                                 FullMatrix<double> &cell_matrix)
+  StiffnessKernel<dim>::add_hoop(const FiniteElement<dim> &fe,
+                                 const double              lambda,
+                                 const double              mu,
+                                 FullMatrix<double>       &cell_matrix)
   {
-    const unsigned int n = fe.base_element(0).n_dofs_per_cell();
+    const FEValues<dim> &values = all_values.get_present_fe_values();
+    const unsigned int   n      = fe.base_element(0).n_dofs_per_cell();
     for (const unsigned int q : values.quadrature_point_indices())
       {
         const double r = values.quadrature_point(q)[0];
@@ -103,22 +153,23 @@ namespace Signorini
 
   template <int dim>
   LoadKernel<dim>::LoadKernel(const Mesh<dim>              &mesh,
-                              const FESystem<dim>          &fe,
+                              const hp::FECollection<dim>  &elements,
                               const Model                   model,
                               const std::vector<Load<dim>> &loads,
                               const double                  t)
-    : fe(fe)
-    , model(model)
+    : model(model)
     , t(t)
-    , values(mesh.mapping(),
-             fe.base_element(0),
-             QGauss<dim>(fe.degree + 2),
-             update_values | update_quadrature_points | update_JxW_values)
-    , face_values(mesh.mapping(),
-                  fe.base_element(0),
-                  QGauss<dim - 1>(fe.degree + 2),
-                  update_values | update_quadrature_points | update_normal_vectors |
-                    update_JxW_values)
+    , mappings(mesh.mapping())
+    , scalar_elements(scalar(elements))
+    , all_values(mappings,
+                 scalar_elements,
+                 gauss<dim, dim>(elements, 2),
+                 update_values | update_quadrature_points | update_JxW_values)
+    , all_face_values(mappings,
+                      scalar_elements,
+                      gauss<dim, dim - 1>(elements, 2),
+                      update_values | update_quadrature_points | update_normal_vectors |
+                        update_JxW_values)
   {
     for (const Load<dim> &load : loads)
       {
@@ -137,7 +188,7 @@ namespace Signorini
   bool
   LoadKernel<dim>::assemble(const Cell &cell, Vector<double> &cell_load)
   {
-    cell_load   = 0;
+    cell_load.reinit(cell->get_fe().n_dofs_per_cell());
     bool loaded = false;
     if (const auto found = by_body.find(cell->material_id()); found != by_body.end())
       for (const Load<dim> *load : found->second)
@@ -166,7 +217,7 @@ namespace Signorini
                                   const Load<dim> &load,
                                   Vector<double>  &cell_load)
   {
-    values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
+    const FEValues<dim> &values = reinit(all_values, cell);
     for (const unsigned int q : values.quadrature_point_indices())
       {
         const Point<dim>    &x = values.quadrature_point(q);
@@ -174,7 +225,8 @@ namespace Signorini
           load.body_force.value(x, t) * values.JxW(q) * measure(model, x);
         for (const unsigned int i : values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
-            cell_load[fe.component_to_system_index(d, i)] += force[d] * values.shape_value(i, q);
+            cell_load[cell->get_fe().component_to_system_index(d, i)] +=
+              force[d] * values.shape_value(i, q);
       }
   }
 
@@ -187,7 +239,7 @@ namespace Signorini
                                 const Load<dim>   &load,
                                 Vector<double>    &cell_load)
   {
-    face_values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), face);
+    const FEFaceValues<dim> &face_values = reinit(all_face_values, cell, face);
     for (const unsigned int q : face_values.quadrature_point_indices())
       {
         const Point<dim>    &x = face_values.quadrature_point(q);
@@ -196,7 +248,7 @@ namespace Signorini
           face_values.JxW(q) * measure(model, x);
         for (const unsigned int i : face_values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
-            cell_load[fe.component_to_system_index(d, i)] +=
+            cell_load[cell->get_fe().component_to_system_index(d, i)] +=
               force[d] * face_values.shape_value(i, q);
       }
   }

@@ -1,6 +1,6 @@
+#include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/elasticity.h>
 
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <cmath>
@@ -70,21 +70,18 @@ namespace Signorini
       if (locally_owned.is_element(i))
         modes[(i - dofs.n_dofs()) % dim][locally_owned.index_within_set(i)] = 1;
 
-    FEValues<dim>                        values(my_mesh.mapping(),
-                         fe,
-                         Quadrature<dim>(fe.get_unit_support_points()),
-                         update_quadrature_points);
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    CellNodes<dim>                       nodes_of(my_mesh.mapping(), elements);
+    std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          values.reinit(cell);
-          cell->get_dof_indices(indices);
+          const std::vector<Point<dim>> &nodes = nodes_of(cell);
+          read_indices<dim>(cell, indices);
           for (unsigned int i = 0; i < indices.size(); ++i)
             if (locally_owned.is_element(indices[i]))
               {
-                const auto at = modes_at<dim>((values.quadrature_point(i) - center) / size,
-                                              fe.system_to_component_index(i).first);
+                const auto at = modes_at<dim>((nodes[i] - center) / size,
+                                              cell->get_fe().system_to_component_index(i).first);
                 for (unsigned int m = 0; m < at.size(); ++m)
                   modes[m][locally_owned.index_within_set(indices[i])] = at[m];
               }
@@ -135,11 +132,11 @@ namespace Signorini
       extents.push_back(center_and_size(my_mesh.extent(body)));
 
     std::map<types::global_dof_index, unsigned int> body_of;
-    std::vector<types::global_dof_index>            indices(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index>            indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (!cell->is_artificial() && cell->at_boundary())
         {
-          cell->get_dof_indices(indices);
+          read_indices<dim>(cell, indices);
           for (const auto i : indices)
             if (held.count(i) > 0)
               body_of[i] = cell->material_id();
@@ -200,11 +197,11 @@ namespace Signorini
         const double size       = center_and_size(my_mesh.extent(motion.body)).second;
         per_volume[motion.body] = strength * materials[motion.body].youngs_modulus / (size * size);
       }
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned() && per_volume[cell->material_id()] > 0)
         {
-          cell->get_dof_indices(indices);
+          read_indices<dim>(cell, indices);
           const double share = per_volume[cell->material_id()] * cell->measure() *
                                measure(my_model, cell->center()) * dim / indices.size();
           for (const auto i : indices)
@@ -245,30 +242,26 @@ namespace Signorini
       result.push_back({name, zero_vector()});
     std::vector<std::pair<Point<dim>, double>> extents;
     for (const BodyMotion &motion : body_motions)
-      {
-        extents.push_back(center_and_size(my_mesh.extent(motion.body)));
-      }
+      extents.push_back(center_and_size(my_mesh.extent(motion.body)));
 
-    FEValues<dim>                        values(my_mesh.mapping(),
-                         fe,
-                         Quadrature<dim>(fe.get_unit_support_points()),
-                         update_quadrature_points);
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    CellNodes<dim>                       nodes_of(my_mesh.mapping(), elements);
+    std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         for (unsigned int k = 0; k < body_motions.size(); ++k)
           if (body_motions[k].body == cell->material_id())
             {
-              const auto &[center, size] = extents[k];
-              values.reinit(cell);
-              cell->get_dof_indices(indices);
+              const auto &[center, size]           = extents[k];
+              const std::vector<Point<dim>> &nodes = nodes_of(cell);
+              read_indices<dim>(cell, indices);
               for (unsigned int i = 0; i < indices.size(); ++i)
                 if (locally_owned.is_element(indices[i]) &&
                     !all_constraints.is_constrained(indices[i]))
                   {
-                    const auto at  = modes_at<dim>((values.quadrature_point(i) - center) / size,
-                                                  fe.system_to_component_index(i).first);
-                    double     sum = 0;
+                    const auto at =
+                      modes_at<dim>((nodes[i] - center) / size,
+                                    cell->get_fe().system_to_component_index(i).first);
+                    double sum = 0;
                     for (unsigned int m = 0; m < at.size(); ++m)
                       sum += at[m] * body_motions[k].modes[m];
                     result[k].motion(indices[i]) = sum;

@@ -3,7 +3,7 @@
 #include <signorini/output/pvd.h>
 
 #include <deal.II/base/quadrature.h>
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
 
 #include <limits>
 
@@ -13,22 +13,27 @@ namespace Signorini
 
   namespace
   {
-    /// The points of a face at which it is drawn, on the reference cell: (n+1)^(dim-1), the first
-    /// parameter of the face running fastest.
+    /// Face by face, the points at which it is drawn, on the reference cell: (n+1)^(dim-1), the
+    /// first parameter of the face running fastest.
     template <int dim>
-    Quadrature<dim>
-    points_of_face(const unsigned int face, const unsigned int n_subdivisions)
+    hp::QCollection<dim>
+    points_of_faces(const unsigned int n_subdivisions)
     {
-      std::vector<Point<dim>> points;
-      for (unsigned int j = 0; j <= (dim == 3 ? n_subdivisions : 0); ++j)
-        for (unsigned int i = 0; i <= n_subdivisions; ++i)
-          {
-            Point<dim - 1> xi;
-            xi[dim - 2] = double(j) / n_subdivisions;
-            xi[0]       = double(i) / n_subdivisions;
-            points.push_back(unit_point<dim>(face, xi));
-          }
-      return Quadrature<dim>(points);
+      hp::QCollection<dim> result;
+      for (unsigned int face = 0; face < GeometryInfo<dim>::faces_per_cell; ++face)
+        {
+          std::vector<Point<dim>> points;
+          for (unsigned int j = 0; j <= (dim == 3 ? n_subdivisions : 0); ++j)
+            for (unsigned int i = 0; i <= n_subdivisions; ++i)
+              {
+                Point<dim - 1> xi;
+                xi[dim - 2] = double(j) / n_subdivisions;
+                xi[0]       = double(i) / n_subdivisions;
+                points.push_back(unit_point<dim>(face, xi));
+              }
+          result.push_back(Quadrature<dim>(points));
+        }
+      return result;
     }
 
 
@@ -108,9 +113,10 @@ namespace Signorini
                  const Fields<dim>   &fields,
                  Table<2, float>     &data) const;
 
-      const unsigned int                          n_subdivisions;
-      std::vector<std::unique_ptr<FEValues<dim>>> values_on_face;
-      std::vector<Patch>                          patches;
+      const unsigned int               n_subdivisions;
+      const hp::MappingCollection<dim> mappings;
+      hp::FEValues<dim>                values_on_faces; ///< rule f: points of face f
+      std::vector<Patch>               patches;
     };
 
 
@@ -118,13 +124,12 @@ namespace Signorini
     template <int dim>
     ContactFaces<dim>::ContactFaces(const Snapshot<dim> &snapshot)
       : n_subdivisions(snapshot.elasticity.degree())
+      , mappings(snapshot.elasticity.mesh().mapping())
+      , values_on_faces(mappings,
+                        snapshot.elasticity.finite_elements(),
+                        points_of_faces<dim>(n_subdivisions),
+                        update_values | update_quadrature_points)
     {
-      for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
-        values_on_face.push_back(
-          std::make_unique<FEValues<dim>>(snapshot.elasticity.mesh().mapping(),
-                                          snapshot.elasticity.finite_element(),
-                                          points_of_face<dim>(f, n_subdivisions),
-                                          update_values | update_quadrature_points));
       for (unsigned int p = 0; p < snapshot.pairs.size(); ++p)
         add_pair(snapshot, p);
     }
@@ -142,8 +147,8 @@ namespace Signorini
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
               {
-                values_on_face[f]->reinit(cell);
-                add_patch(*values_on_face[f], fields, pair);
+                values_on_faces.reinit(cell, f);
+                add_patch(values_on_faces.get_present_fe_values(), fields, pair);
               }
     }
 

@@ -1,10 +1,10 @@
 #include <signorini/elasticity/kernel.h>
 #include <signorini/output/prediction.h>
 
-#include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace Signorini
@@ -36,24 +36,43 @@ namespace Signorini
     // Of a load step or a refined mesh that starts from a solution, beside a cold start.
     constexpr double warm_share = 0.6;
 
+    /// Cells with one kind of element.
+    struct Cells
+    {
+      double n       = 0;
+      double seconds = 0; ///< of the assembly of one
+    };
+
+    /// Of all ranks, by their element's index.
     template <int dim>
-    double
-    seconds_per_cell(const Elasticity<dim> &elasticity)
+    std::vector<Cells>
+    count_cells(const Elasticity<dim> &elasticity)
     {
       constexpr unsigned int enough = 100;
-      const auto            &fe     = elasticity.finite_element();
-      StiffnessKernel<dim>   kernel(elasticity.mesh().mapping(), fe, elasticity.model());
-      FullMatrix<double>     matrix(fe.n_dofs_per_cell());
-      Timer                  clock;
-      unsigned int           n = 0;
+      StiffnessKernel<dim>   kernel(elasticity.mesh().mapping(),
+                                  elasticity.finite_elements(),
+                                  elasticity.model());
+      FullMatrix<double>     matrix;
+      std::vector<Cells>     result(elasticity.finite_elements().size());
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
+            Cells &like = result[cell->active_fe_index()];
+            if (++like.n > enough)
+              continue;
+            const auto start = std::chrono::steady_clock::now();
             kernel.assemble(cell, elasticity.material(cell->material_id()), matrix);
-            if (++n == enough)
-              break;
+            like.seconds +=
+              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
           }
-      return clock.wall_time() / std::max(1u, n);
+      const MPI_Comm comm = elasticity.mesh().communicator();
+      for (Cells &like : result)
+        {
+          like.seconds =
+            Utilities::MPI::max(like.seconds / std::clamp<double>(like.n, 1, enough), comm);
+          like.n = Utilities::MPI::sum(like.n, comm);
+        }
+      return result;
     }
   } // namespace
 
@@ -63,35 +82,47 @@ namespace Signorini
   Prediction
   predict(const Scene<dim> &scene, const Elasticity<dim> &elasticity)
   {
-    const MPI_Comm     comm    = elasticity.mesh().communicator();
-    const unsigned int degree  = elasticity.degree();
-    const double       n_ranks = Utilities::MPI::n_mpi_processes(comm);
+    const double n_ranks = Utilities::MPI::n_mpi_processes(elasticity.mesh().communicator());
     // Refinement of the given share of the cells, as often as it is to come.
-    const auto  &refinement    = scene.refinement;
-    const double growth        = refinement.strategy == "global" ?
-                                   std::pow(2, dim) :
-                                   1 + refinement.refine_fraction * (std::pow(2, dim) - 1);
-    double       cells         = elasticity.mesh().triangulation().n_global_active_cells();
-    const double dofs_per_cell = elasticity.dof_handler().n_dofs() / cells;
-    const auto   costs         = calibration(dim, degree);
+    const auto  &refinement = scene.refinement;
+    const double growth     = refinement.strategy == "global" ?
+                                std::pow(2, dim) :
+                                1 + refinement.refine_fraction * (std::pow(2, dim) - 1);
+    const double all_cells  = elasticity.mesh().triangulation().n_global_active_cells();
+    const auto  &elements   = elasticity.finite_elements();
+    const auto   counted    = count_cells(elasticity);
+
+    double nodes = 0; // about: cells share those of their faces
+    for (unsigned int i = 0; i < elements.size(); ++i)
+      nodes += counted[i].n * std::pow(elements[i].degree, dim);
+    const double dofs_per_node = elasticity.dof_handler().n_dofs() / nodes;
 
     Prediction result;
-    result.seconds_per_cell = Utilities::MPI::max(seconds_per_cell(elasticity), comm);
-    result.seconds          = base_seconds;
-    double iterations       = costs.iterations;
-    for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
+    result.seconds   = base_seconds;
+    result.memory_mb = base_memory_mb;
+    for (unsigned int i = 0; i < elements.size(); ++i)
       {
-        if (cycle > 0)
-          cells = std::min(growth * cells, std::max(cells, 1. * refinement.maximum_cells));
-        if (cycle == refinement.cycles)
-          iterations += warm_share * costs.iterations * (scene.load_steps.ends().size() - 1);
-        result.seconds +=
-          result.seconds_per_cell * cells / n_ranks * (costs.set_up + costs.iteration * iterations);
-        iterations = warm_share * costs.iterations;
+        const unsigned int degree     = elements[i].degree;
+        const auto         costs      = calibration(dim, degree);
+        double             cells      = counted[i].n;
+        const double       most       = std::max(1., refinement.maximum_cells / all_cells) * cells;
+        double             iterations = costs.iterations;
+        for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
+          {
+            if (cycle > 0)
+              cells = std::min(growth * cells, most);
+            if (cycle == refinement.cycles)
+              iterations += warm_share * costs.iterations * (scene.load_steps.ends().size() - 1);
+            result.seconds +=
+              counted[i].seconds * cells / n_ranks * (costs.set_up + costs.iteration * iterations);
+            iterations = warm_share * costs.iterations;
+          }
+        const double dofs_per_cell   = dofs_per_node * std::pow(degree, dim);
+        const double entries_per_dof = dim * std::pow(degree == 1 ? 3 : 4, dim);
+        result.memory_mb +=
+          cells * dofs_per_cell / n_ranks * entries_per_dof * costs.bytes_per_entry / 1e6;
+        result.seconds_per_cell += counted[i].seconds * counted[i].n / all_cells;
       }
-    const double entries_per_dof = dim * std::pow(degree == 1 ? 3 : 4, dim);
-    result.memory_mb = base_memory_mb + cells * dofs_per_cell / n_ranks * entries_per_dof *
-                                          costs.bytes_per_entry / 1e6;
     return result;
   }
 

@@ -47,6 +47,7 @@ namespace Signorini
             {"from", list(low)},
             {"to", list(high)},
             {"cells", cells[b]},
+            {"degree", elasticity.degree(b)},
             {"youngs_modulus", scene.bodies[b].material.youngs_modulus},
             {"poissons_ratio", scene.bodies[b].material.poissons_ratio}};
         }
@@ -238,10 +239,10 @@ namespace Signorini
     warn_of_bodies(const Scene<dim> &scene, Json &warnings)
     {
       for (const Body<dim> &body : scene.bodies)
-        if (body.material.poissons_ratio > 0.49 && scene.degree == 1)
+        if (body.material.poissons_ratio > 0.49 && scene.degree_of(body.name) == 1)
           warnings.push_back(
             "body " + body.name +
-            ": nearly incompressible, where degree 1 is too stiff; set Mesh/Degree = 2 and "
+            ": nearly incompressible, where degree 1 is too stiff; set Degree = 2 and "
             "Solver/Preconditioner = direct");
     }
   } // namespace
@@ -259,7 +260,6 @@ namespace Signorini
     Json             warnings   = Json::array();
     warn_of_bodies(scene, warnings);
     Json report = {{"model", scene.model},
-                   {"degree", scene.degree},
                    {"dofs", elasticity.dof_handler().n_dofs()},
                    {"bodies", bodies(scene, elasticity)},
                    {"held_by_contact_alone", elasticity.free_motion_names()},
@@ -318,8 +318,9 @@ namespace Signorini
     out << std::setprecision(4);
     for (const auto &[name, body] : report["bodies"].items())
       out << "  body " << name << ": " << text(body["from"]) << " to " << text(body["to"]) << ", "
-          << body["cells"] << " cells, E " << body["youngs_modulus"].get<double>() << ", nu "
-          << body["poissons_ratio"].get<double>() << "\n";
+          << body["cells"] << " cells of degree " << body["degree"] << ", E "
+          << body["youngs_modulus"].get<double>() << ", nu " << body["poissons_ratio"].get<double>()
+          << "\n";
     for (const auto &[name, pair] : report["pairs"].items())
       print_pair(name, pair, out);
     for (const auto &motion : report["held_by_contact_alone"])

@@ -205,7 +205,7 @@ namespace Signorini
              Tensor<2, dim>        &gradient)
     {
       FEValues<dim> values(elasticity.mesh().mapping(),
-                           elasticity.finite_element(),
+                           place.cell->get_fe(),
                            Quadrature<dim>(place.unit),
                            update_values | update_gradients);
       values.reinit(place.cell);

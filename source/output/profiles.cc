@@ -164,7 +164,7 @@ namespace Signorini
   void
   write_profiles(const Snapshot<dim> &snapshot,
                  const std::string   &directory,
-                 const std::string   &reference_pressure)
+                 const Formula       &reference_pressure)
   {
     std::optional<Expression<dim>> reference;
     if (!reference_pressure.empty())
@@ -184,7 +184,7 @@ namespace Signorini
 
 
   template void
-  write_profiles(const Snapshot<2> &, const std::string &, const std::string &);
+  write_profiles(const Snapshot<2> &, const std::string &, const Formula &);
   template void
-  write_profiles(const Snapshot<3> &, const std::string &, const std::string &);
+  write_profiles(const Snapshot<3> &, const std::string &, const Formula &);
 } // namespace Signorini

@@ -61,6 +61,14 @@ namespace Signorini
       }
     };
 
+    /// By how much the gap is not what it has to be, if positive.
+    template <int dim>
+    double
+    violation(const ContactPair<dim> &pair, const double gap)
+    {
+      return pair.separates ? -gap : std::abs(gap);
+    }
+
     template <int dim>
     PairSums
     sums_of(const Snapshot<dim> &s, const unsigned int pair)
@@ -82,7 +90,7 @@ namespace Signorini
             sums.area += s.active(i) * s.contact.weight(i);
             sums.active_points += s.active(i);
             sums.pressure        = std::max(sums.pressure, p);
-            sums.penetration     = std::max(sums.penetration, -g);
+            sums.penetration     = std::max(sums.penetration, violation(s.pairs[pair], g));
             sums.minus_gap       = std::max(sums.minus_gap, -g);
             sums.tension         = std::max(sums.tension, -p);
             sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
@@ -110,7 +118,7 @@ namespace Signorini
       std::array<double, 3> worst{{0, 0, 0}};
       for (unsigned int q = 0; q < values.gap.size(); ++q)
         {
-          worst[0] = std::max(worst[0], -values.gap[q]);
+          worst[0] = std::max(worst[0], violation(s.pairs[pair], values.gap[q]));
           worst[1] = std::max(worst[1], -values.pressure[q]);
           worst[2] = std::max(worst[2], std::abs(values.gap[q] * values.pressure[q]));
         }
@@ -139,6 +147,7 @@ namespace Signorini
           {"area", sums.area},
           {"points", sums.points},
           {"active_points", sums.active_points},
+          {"separates", snapshot.pairs[pair].separates},
           {"max_pressure", sums.pressure},
           {"max_penetration", sums.penetration},
           {"min_gap", sums.points > 0 ? Json(-sums.minus_gap) : Json(nullptr)},
@@ -163,8 +172,7 @@ namespace Signorini
       const LA::Vector forces = s.contact.total_force(s.pressure, s.contact.stress(s.displacement));
       const std::vector<double> motion = e.rigid_motion(s.displacement),
                                 force  = e.rigid_motion(forces);
-      const bool on_circles            = e.model() == Model::axisymmetric;
-      Json       result                = Json::object();
+      Json result                      = Json::object();
       for (unsigned int b = 0; b < e.rigid_bodies().size(); ++b)
         {
           Json               u, w, f, m;

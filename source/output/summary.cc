@@ -45,7 +45,8 @@ namespace Signorini
           << ", pressure times area " << pair["normal_force"].get<double>() << ", area "
           << pair["area"].get<double>() << "\n    largest pressure "
           << pair["max_pressure"].get<double>()
-          << "\n    largest violations: penetration, tension, "
+          << (pair["separates"].get<bool>() ? "\n    largest violations: penetration, tension, " :
+                                              "\n    never separates: largest distance, tension, ")
           << "|pressure x gap|\n      as the method samples them " << violations(pair)
           << "\n      at the contact points       " << violations(pair["at_points"]) << "\n";
     for (const auto &[name, support] : step["supports"].items())

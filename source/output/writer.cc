@@ -51,7 +51,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Writer<dim>::write(const Snapshot<dim> &snapshot, const std::string &reference_pressure)
+  Writer<dim>::write(const Snapshot<dim> &snapshot, const Formula &reference_pressure)
   {
     if (settings.vtu)
       bodies.add(snapshot.time, write_bodies(snapshot, directory));

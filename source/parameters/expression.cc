@@ -1,11 +1,7 @@
+#include <signorini/parameters/compiled_formula.h>
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/table.h>
 
-#include <deal.II/base/function_parser.h>
-
-#include <cmath>
-#include <iostream>
 #include <sstream>
 
 namespace Signorini
@@ -14,68 +10,32 @@ namespace Signorini
 
   namespace
   {
-    /// What muParser has to say goes to std::cerr, on every rank, and not into the exception: catch
-    /// it there.
-    class Listener
-    {
-    public:
-      Listener()
-        : former(std::cerr.rdbuf(heard.rdbuf()))
-      {}
-
-      ~Listener()
-      {
-        std::cerr.rdbuf(former);
-      }
-
-      std::string
-      reason() const
-      {
-        const std::string text  = heard.str();
-        const auto        start = text.find("Message:");
-        if (start == std::string::npos)
-          return "it cannot be evaluated";
-        return trim(text.substr(start + 8, text.find('\n', start) - start - 8));
-      }
-
-    private:
-      std::ostringstream heard;
-      std::streambuf    *former;
-    };
-
     template <int dim>
-    std::shared_ptr<FunctionParser<dim>>
-    compile(const std::string &formula)
+    std::vector<std::string>
+    variables()
     {
-      const Listener listener;
-      auto           parser = std::make_shared<FunctionParser<dim>>(1);
-      try
-        {
-          parser->initialize(FunctionParser<dim>::default_variable_names() + ",t",
-                             expand_tables(formula),
-                             {{"pi", numbers::PI}},
-                             true);
-          // muParser reads the formula at the first evaluation.
-          parser->set_time(0.5);
-          parser->value(Point<dim>());
-        }
-      catch (const std::exception &)
-        {
-          throw SceneError("'" + formula + "' is not a formula in " +
-                           FunctionParser<dim>::default_variable_names() +
-                           ",t: " + listener.reason());
-        }
-      return parser;
+      if (dim == 2)
+        return {"x", "y", "t"};
+      return {"x", "y", "z", "t"};
     }
   } // namespace
 
 
 
   template <int dim>
-  Expression<dim>::Expression(const std::string &formula)
-    : text(formula)
-    , parser(compile<dim>(formula))
-  {}
+  Expression<dim>::Expression(const Formula &formula)
+    : text(formula.text)
+  {
+    try
+      {
+        compiled = std::make_shared<CompiledFormula>(formula, variables<dim>());
+      }
+    catch (const SceneError &error)
+      {
+        throw SceneError("'" + text + "' is not a formula in " + join(variables<dim>(), ",") +
+                         ": " + error.what());
+      }
+  }
 
 
 
@@ -83,27 +43,29 @@ namespace Signorini
   double
   Expression<dim>::value(const Point<dim> &p, const double t) const
   {
-    if (parser->get_time() != t)
-      parser->set_time(t);
-    return parser->value(p);
+    double values[dim + 1];
+    for (unsigned int d = 0; d < dim; ++d)
+      values[d] = p[d];
+    values[dim] = t;
+    return compiled->value(values);
   }
 
 
 
   template <int dim, int n_components>
-  VectorExpression<dim, n_components>::VectorExpression(const std::string &text)
+  VectorExpression<dim, n_components>::VectorExpression(const Formula &text)
   {
-    const std::vector<std::string> parts = split(text, ';');
+    const std::vector<std::string> parts = split(text.text, ';');
     if (parts.empty())
       return;
     is_given = true;
     if (parts.size() != n_components)
-      throw SceneError("'" + text + "' has " + std::to_string(parts.size()) +
+      throw SceneError("'" + text.text + "' has " + std::to_string(parts.size()) +
                        " components, separated by ';', but " + std::to_string(n_components) +
                        " are needed (write 'free' for one that is not prescribed)");
     for (unsigned int d = 0; d < n_components; ++d)
       if (parts[d] != "free")
-        components[d] = Expression<dim>(parts[d]);
+        components[d] = Expression<dim>({parts[d], text.definitions});
   }
 
 
@@ -161,20 +123,22 @@ namespace Signorini
 
 
   double
-  evaluate(const std::string &formula, const std::map<std::string, double> &constants)
+  evaluate(const Formula &formula, const std::map<std::string, double> &constants)
   {
-    const Listener listener;
+    std::vector<std::string> names;
+    std::vector<double>      values;
+    for (const auto &[name, value] : constants)
+      {
+        names.push_back(name);
+        values.push_back(value);
+      }
     try
       {
-        std::map<std::string, double> all = constants;
-        all.emplace("pi", numbers::PI);
-        FunctionParser<1> parser(1);
-        parser.initialize("unused_variable", formula, all);
-        return parser.value(Point<1>());
+        return CompiledFormula(formula, names).value(values.data());
       }
-    catch (const std::exception &)
+    catch (const SceneError &error)
       {
-        throw SceneError("'" + formula + "' cannot be evaluated: " + listener.reason());
+        throw SceneError("'" + formula.text + "' cannot be evaluated: " + error.what());
       }
   }
 

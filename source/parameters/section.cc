@@ -52,6 +52,12 @@ namespace Signorini
       return value;
     }
 
+    std::string
+    to_text(const Formula &value)
+    {
+      return value.text;
+    }
+
     template <typename T>
     std::string
     to_text(const std::vector<T> &values)
@@ -180,7 +186,7 @@ namespace Signorini
         entry->used = true;
         try
           {
-            from_text(entry->text, value);
+            from_text(Formula(entry->text, definitions), value);
             check_range(value, range);
           }
         catch (const SceneError &error)
@@ -201,6 +207,42 @@ namespace Signorini
     add(key, value, help + ": " + join(choices, " | "));
     if (reading() && std::find(choices.begin(), choices.end(), value) == choices.end())
       fail(key, "is not one of the choices" + hint(value, choices));
+  }
+
+
+
+  void
+  Section::add_definitions(const std::string &name, Definitions &value, const std::string &help)
+  {
+    add_section(name, help, [&](Section &section) {
+      if (!reading())
+        {
+          for (const auto &[key, formula] : value.all())
+            section.write(key, formula, "");
+          return;
+        }
+      for (RawSection::Value &entry : section.raw->values)
+        {
+          entry.used = true;
+          try
+            {
+              value.add(entry.key, entry.text);
+            }
+          catch (const SceneError &error)
+            {
+              section.fail(entry.key, error.what());
+            }
+        }
+    });
+    definitions = std::make_shared<Definitions>(value);
+  }
+
+
+
+  bool
+  Section::defines(const std::string &name) const
+  {
+    return definitions->knows(name);
   }
 
 
@@ -305,10 +347,10 @@ namespace Signorini
 
 
   void
-  from_text(const std::string &text, double &value)
+  from_text(const Formula &text, double &value)
   {
-    if (text == "infinity" || text == "-infinity")
-      value = (text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
+    if (text.text == "infinity" || text.text == "-infinity")
+      value = (text.text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
     else
       value = evaluate(text, {});
     if (std::isnan(value))
@@ -318,7 +360,7 @@ namespace Signorini
 
 
   void
-  from_text(const std::string &text, unsigned int &value)
+  from_text(const Formula &text, unsigned int &value)
   {
     double number;
     from_text(text, number);
@@ -330,17 +372,25 @@ namespace Signorini
 
 
   void
-  from_text(const std::string &text, bool &value)
+  from_text(const Formula &text, bool &value)
   {
-    if (text != "yes" && text != "no")
+    if (text.text != "yes" && text.text != "no")
       throw SceneError("must be yes or no");
-    value = text == "yes";
+    value = text.text == "yes";
   }
 
 
 
   void
-  from_text(const std::string &text, std::string &value)
+  from_text(const Formula &text, std::string &value)
+  {
+    value = text.text;
+  }
+
+
+
+  void
+  from_text(const Formula &text, Formula &value)
   {
     value = text;
   }
@@ -348,9 +398,9 @@ namespace Signorini
 
 
   void
-  from_text(const std::string &text, std::vector<std::string> &value)
+  from_text(const Formula &text, std::vector<std::string> &value)
   {
-    value = split(text, ',');
+    value = split(text.text, ',');
   }
 
 
@@ -359,13 +409,13 @@ namespace Signorini
   {
     template <typename T>
     void
-    list_from_text(const std::string &text, std::vector<T> &value)
+    list_from_text(const Formula &text, std::vector<T> &value)
     {
       value.clear();
-      for (const std::string &part : split(text, ','))
+      for (const std::string &part : split(text.text, ','))
         {
           value.emplace_back();
-          from_text(part, value.back());
+          from_text({part, text.definitions}, value.back());
         }
     }
   } // namespace
@@ -373,7 +423,7 @@ namespace Signorini
 
 
   void
-  from_text(const std::string &text, std::vector<double> &value)
+  from_text(const Formula &text, std::vector<double> &value)
   {
     list_from_text(text, value);
   }
@@ -381,7 +431,7 @@ namespace Signorini
 
 
   void
-  from_text(const std::string &text, std::vector<unsigned int> &value)
+  from_text(const Formula &text, std::vector<unsigned int> &value)
   {
     list_from_text(text, value);
   }
@@ -390,7 +440,7 @@ namespace Signorini
 
   template <int dim>
   void
-  from_text(const std::string &text, Point<dim> &value)
+  from_text(const Formula &text, Point<dim> &value)
   {
     std::vector<double> coordinates;
     from_text(text, coordinates);
@@ -404,7 +454,7 @@ namespace Signorini
 
   template <int dim>
   void
-  from_text(const std::string &text, Expression<dim> &value)
+  from_text(const Formula &text, Expression<dim> &value)
   {
     value = Expression<dim>(text);
   }
@@ -413,7 +463,7 @@ namespace Signorini
 
   template <int dim, int n_components>
   void
-  from_text(const std::string &text, VectorExpression<dim, n_components> &value)
+  from_text(const Formula &text, VectorExpression<dim, n_components> &value)
   {
     value = VectorExpression<dim, n_components>(text);
   }
@@ -426,6 +476,7 @@ namespace Signorini
   INSTANTIATE(unsigned int)
   INSTANTIATE(bool)
   INSTANTIATE(std::string)
+  INSTANTIATE(Formula)
   INSTANTIATE(std::vector<std::string>)
   INSTANTIATE(std::vector<double>)
   INSTANTIATE(std::vector<unsigned int>)

@@ -42,12 +42,17 @@ namespace Signorini
     section.add("Source", source, "where the reference comes from");
     if (section.reading() && (quantities.empty() || value.empty()))
       section.fail(value.empty() ? "Value" : "Quantities", "is needed");
-    if (section.reading() && absolute_tolerance == 0 && is_zero(reference))
+    if (section.reading() && absolute_tolerance == 0 && is_zero(reference.text))
       section.fail("Reference",
                    "is zero, of which a relative Tolerance allows nothing; set Absolute tolerance");
     for (const std::string &quantity : quantities)
-      if (split(quantity, '=').size() != 2)
-        section.fail("Quantities", "'" + quantity + "' is not NAME = PATH");
+      {
+        const auto parts = split(quantity, '=');
+        if (parts.size() != 2)
+          section.fail("Quantities", "'" + quantity + "' is not NAME = PATH");
+        if (section.defines(parts[0]))
+          section.fail("Quantities", "'" + parts[0] + "' is one of the Definitions; rename one");
+      }
   }
 
 

@@ -12,6 +12,10 @@ namespace Signorini
   Body<dim>::declare(Section &section)
   {
     mesh.declare(section);
+    section.add("Degree",
+                degree,
+                "polynomial degree of the displacement of this body; 0: Mesh/Degree",
+                Range{0, 2});
     material.declare(section);
   }
 
@@ -66,12 +70,15 @@ namespace Signorini
 
 
   Integration
-  ContactSettings::integration_of_degree(const unsigned int degree) const
+  ContactSettings::integration_of_degrees(const unsigned int slave, const unsigned int master) const
   {
-    const std::string  rule    = integration == "auto" ? chosen().usual_integration() : integration;
-    const bool         weighs  = chosen().sampling() == Sampling::nodes;
-    const unsigned int usual   = rule == "quadrature" && weighs ? degree + 3 : degree + 1;
-    const bool         is_dual = weighs && pressure_basis == "dual";
+    const std::string rule   = integration == "auto" ? chosen().usual_integration() : integration;
+    const bool        weighs = chosen().sampling() == Sampling::nodes;
+    // Nodes are those of the slave, and forces at points push its nodes: it has to follow them all.
+    const bool         of_slave = rule == "nodes" || (rule == "quadrature" && !weighs);
+    const unsigned int degree   = of_slave ? slave : std::max(slave, master);
+    const unsigned int usual    = rule == "quadrature" && weighs ? degree + 3 : degree + 1;
+    const bool         is_dual  = weighs && pressure_basis == "dual";
     return {rule,
             quadrature_points == 0 || rule == "nodes" ? usual : quadrature_points,
             is_dual ? Basis::dual : Basis::standard};
@@ -80,10 +87,11 @@ namespace Signorini
 
 
   void
-  ContactSettings::check(const unsigned int degree) const
+  ContactSettings::check(const unsigned int slave_degree, const unsigned int master_degree) const
   {
-    chosen().check(integration_of_degree(degree), degree);
-    if (integration_of_degree(degree).rule == "segments" && quadrature_points > 7)
+    const Integration wanted = integration_of_degrees(slave_degree, master_degree);
+    chosen().check(wanted, slave_degree);
+    if (wanted.rule == "segments" && quadrature_points > 7)
       throw SceneError("Contact method/Quadrature points = " + std::to_string(quadrature_points) +
                        ": on segments there are rules with up to 7");
   }
@@ -143,6 +151,10 @@ namespace Signorini
                  "what the mesh stands for");
     section.add("Title", title, "");
 
+    section.add_definitions("Definitions",
+                            definitions,
+                            "Names that stand for numbers or formulas, in all that follows: "
+                            "set R = 8, set r = sqrt(x^2+y^2), set gap = r^2/(2*R)");
     section.add_named("Bodies", bodies, "Elastic bodies: a mesh and a material each.");
     section.add_named("Obstacles", obstacles, "Rigid surfaces; they are never meshed.");
     section.add_named("Supports", supports, "Prescribed displacements.");
@@ -163,7 +175,10 @@ namespace Signorini
       "What is done to the meshes of all bodies before the first solution.",
       [&](Section &s) {
         mesh.declare(s);
-        s.add("Degree", degree, "polynomial degree of the displacement", Range{1, 2});
+        s.add("Degree",
+              degree,
+              "polynomial degree of the displacement, of bodies that do not set theirs",
+              Range{1, 2});
       });
     section.add_section("Contact method",
                         "One line switches the method; the others' sections are ignored.",
@@ -296,13 +311,54 @@ namespace Signorini
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
     check_axisymmetric(*this);
-    contact.check(degree);
+    if (pairs.empty() || auto_pairs)
+      contact.check(degree, degree);
+    else
+      for (const ContactPair<dim> &pair : pairs)
+        contact.check(degree_of(pair.slave), degree_of(pair.master));
     check_contrast(bodies);
     if (mesh.distribution == "METIS" && refinement.cycles > 0)
       throw SceneError(
         "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +
         std::to_string(refinement.cycles) +
         "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  Scene<dim>::degrees() const
+  {
+    std::vector<unsigned int> result;
+    for (const Body<dim> &body : bodies)
+      result.push_back(body.degree > 0 ? body.degree : degree);
+    return result;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Scene<dim>::degree_of(const std::string &surface) const
+  {
+    for (unsigned int i = 0; i < bodies.size(); ++i)
+      if (bodies[i].name == surface.substr(0, surface.find('.')))
+        return degrees()[i];
+    return 0;
+  }
+
+
+
+  template <int dim>
+  Integration
+  Scene<dim>::integration_of(const ContactPair<dim> &pair) const
+  {
+    const unsigned int slave = degree_of(pair.slave), master = degree_of(pair.master);
+    // Without bias each is the slave once.
+    const unsigned int largest = std::max(slave, master);
+    return contact.chosen().unbiased() ? contact.integration_of_degrees(largest, largest) :
+                                         contact.integration_of_degrees(slave, master);
   }
 
 

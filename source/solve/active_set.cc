@@ -98,12 +98,13 @@ namespace Signorini
       }
     Utilities::MPI::min(deepest, comm, deepest);
     const double rounding = coordinate_rounding();
-    pair                  = contact.pair.begin();
+    unsigned int k        = 0;
     for (const auto i : gap.locally_owned_elements())
       {
-        if (last(i) == 0 && gap(i) > deepest[*pair] / 2 && deepest[*pair] < -rounding)
+        const double most = deepest[contact.pair[k]];
+        if (last(i) == 0 && gap(i) > most / 2 && most < -rounding && !contact.is_permanent(k))
           now(i) = 0;
-        ++pair;
+        ++k;
       }
     now.compress(VectorOperation::insert);
     return count(now);
@@ -126,14 +127,20 @@ namespace Signorini
   unsigned int
   ActiveSet::drop_touching(const LA::Vector &gap)
   {
-    double deepest = 0;
+    double       deepest = 0;
+    unsigned int k       = 0;
     for (const auto i : gap.locally_owned_elements())
-      deepest = std::max(deepest, -gap(i));
+      if (!contact.is_permanent(k++))
+        deepest = std::max(deepest, -gap(i));
     deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
     if (deepest > coordinate_rounding())
       return keep_deepest(gap);
-    now = 0.;
-    return 0;
+    k = 0;
+    for (const auto i : gap.locally_owned_elements())
+      if (!contact.is_permanent(k++))
+        now(i) = 0;
+    now.compress(VectorOperation::insert);
+    return count(now);
   }
 
 

@@ -456,13 +456,14 @@ namespace Signorini
 
     const MPI_Comm comm       = gap.get_mpi_communicator();
     const auto     derivative = [&](const double a) {
-      double sum = 0;
+      double       sum = 0;
+      unsigned int k   = 0;
       for (const auto i : gap.locally_owned_elements())
         {
           const double epsilon = contact.epsilon(i);
-          const double p_new =
-            std::max(0., start(i) + a * S_du(i) - epsilon * (gap(i) + a * B_du(i)));
-          const double dp = p_new - p(i);
+          const double law     = start(i) + a * S_du(i) - epsilon * (gap(i) + a * B_du(i));
+          const double p_new   = contact.is_permanent(k++) ? law : std::max(0., law);
+          const double dp      = p_new - p(i);
           sum +=
             contact.weight(i) * (dp * B_du(i) + theta / epsilon * S_du(i) * (a * S_du(i) - dp));
         }

@@ -94,7 +94,7 @@ namespace
     if (which.held)
       support.boundaries.insert(support.boundaries.end(), {"lower.left", "upper.left"});
     support.displacement = VectorExpression<dim>(dim == 2 ? "0;0" : "0;0;0");
-    Elasticity<dim> elasticity(mesh, {{1, 0.3}, {1, 0.3}}, {support}, {}, which.degree);
+    Elasticity<dim> elasticity(mesh, {{1, 0.3}, {1, 0.3}}, {support}, {}, {which.degree});
     elasticity.setup();
     elasticity.assemble();
     ContactPair<dim> pair;

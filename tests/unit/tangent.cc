@@ -167,7 +167,6 @@ namespace
     CAPTURE(dim);
     CAPTURE(degree);
     const TwoBlocks<dim> scene(*make_method("Nitsche"), degree);
-    const auto          &fe   = scene.elasticity.finite_element();
     auto                 cell = scene.elasticity.dof_handler().begin_active();
     while (cell != scene.elasticity.dof_handler().end() && !cell->is_locally_owned())
       ++cell;
@@ -176,13 +175,15 @@ namespace
     const unsigned int                   face = 1;
     const Tensor<1, dim>                 n    = Point<dim>::unit_vector(0);
     NormalStress<dim>                    stress(scene.elasticity);
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> indices(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(indices);
     stress.reinit(cell);
     const double bound = stress.bound(face);
 
-    StiffnessKernel<dim> kernel(scene.mesh.mapping(), fe, scene.elasticity.model());
-    FullMatrix<double>   K(fe.n_dofs_per_cell());
+    StiffnessKernel<dim> kernel(scene.mesh.mapping(),
+                                scene.elasticity.finite_elements(),
+                                scene.elasticity.model());
+    FullMatrix<double>   K;
     kernel.assemble(cell, scene.elasticity.material(cell->material_id()), K);
     const QGauss<dim - 1> rule(degree + 2);
     FullMatrix<double>    M(K.m()); // int (n . sigma n)^2 dA

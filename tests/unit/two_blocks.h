@@ -80,7 +80,7 @@ namespace TestScene
           MeshSettings<dim>(),
           {{"upper.bottom", "lower.top"}},
           MPI_COMM_WORLD)
-      , elasticity(mesh, {{10, 0.3}, {20, 0.2}}, supports(), {}, degree)
+      , elasticity(mesh, {{10, 0.3}, {20, 0.2}}, supports(), {}, {degree})
     {
       elasticity.setup();
       elasticity.assemble();

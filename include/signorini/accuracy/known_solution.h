@@ -14,7 +14,7 @@ namespace Signorini
   struct KnownSolution
   {
     VectorExpression<dim> displacement; ///< empty: not known
-    std::string           pressure;     ///< empty: not known
+    Formula               pressure;     ///< empty: not known
 
     void
     declare(Section &section);

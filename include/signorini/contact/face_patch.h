@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/contact/bytes.h>
+#include <signorini/mesh/face_parameter.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -94,9 +95,4 @@ namespace Signorini
     dealii::BoundingBox<dim>        bounds;
     double                          size = 0;
   };
-
-  /// The point of the reference cell that belongs to parameter xi on a face of a hypercube.
-  template <int dim>
-  dealii::Point<dim>
-  unit_point(unsigned int face, const dealii::Point<dim - 1> &xi);
 } // namespace Signorini

@@ -40,9 +40,17 @@ namespace Signorini
     std::vector<LA::Vector>
       moment; ///< of a unit force along the normal: x cross n; 1 (2D) or 3 (3D)
     std::vector<unsigned int> pair; ///< contact pair of each locally owned point
+    std::vector<bool> permanent;    ///< those of pairs that never separate; empty: there are none
     /// Degree of freedom (first component) of the slave node of each locally owned point; empty for
     /// quadrature points.
     std::vector<dealii::types::global_dof_index> node;
+
+    /// True if the point of that local number is active whatever its gap and pressure are.
+    bool
+    is_permanent(const unsigned int k) const
+    {
+      return !permanent.empty() && permanent[k];
+    }
 
     /// @param shares of initial overlaps that count, pair by pair
     void

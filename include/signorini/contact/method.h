@@ -93,7 +93,8 @@ namespace Signorini
   const std::vector<std::string> &
   method_names();
 
-  /// Where the law has a pressure: active = 1, else 0. Returns the number of active points.
+  /// Where the law has a pressure: active = 1, else 0; pairs that never separate have one
+  /// everywhere. Returns the number of active points.
   unsigned int
   find_active(const GapOperator &contact,
               const LA::Vector  &gap,

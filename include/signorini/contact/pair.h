@@ -15,7 +15,8 @@ namespace Signorini
   {
     std::string     name, slave, master;
     std::string     slave_place, master_place;     ///< in the scene file
-    std::string     initial_gap = "from geometry"; ///< or "closed", or a formula of the coordinates
+    Formula         initial_gap = "from geometry"; ///< or "closed", or a formula of the coordinates
+    bool            separates   = true;  ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
 

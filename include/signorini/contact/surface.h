@@ -45,7 +45,8 @@ namespace Signorini
     /// would have if the master were everywhere.
     std::vector<std::pair<SparseRow, double>> whole;
     SearchStatistics                          statistics;
-    unsigned int                              faces = 0;
+    unsigned int                              faces     = 0;
+    bool                                      separates = true; ///< as its pair says
     double reach         = 0;     ///< faces with larger gaps are no candidates
     bool   is_apart      = false; ///< none is one
     double largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]

@@ -44,11 +44,16 @@ namespace Signorini
     unresolved_shape(const dealii::Point<dim> &unit_point) const;
 
   private:
-    const dealii::FESystem<dim>             &fe;
+    const std::vector<unsigned int> &
+    nodes() const;
+
     const dealii::AffineConstraints<double> &hanging;
     const bool all_components; ///< supports may tie those along the normal to the others
+    std::vector<std::vector<std::vector<unsigned int>>> nodes_of; ///< [element][face of a cell]
+
+    // Of the present face.
+    const dealii::FiniteElement<dim>            *fe = nullptr;
     std::vector<dealii::types::global_dof_index> indices;
-    std::vector<std::vector<unsigned int>>       nodes_of; ///< of each face of a cell
-    unsigned int                                 face = 0;
+    unsigned int                                 element = 0, face = 0;
   };
 } // namespace Signorini

@@ -9,7 +9,7 @@
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_system.h>
+#include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 
 namespace Signorini
@@ -37,11 +37,12 @@ namespace Signorini
   class Elasticity
   {
   public:
+    /// @param degrees polynomial degree of the displacement, one a body or one for all
     Elasticity(const Mesh<dim>                 &mesh,
                const std::vector<Material>     &materials,
                const std::vector<Support<dim>> &supports,
                const std::vector<Load<dim>>    &loads,
-               unsigned int                     degree,
+               const std::vector<unsigned int> &degrees,
                Model model = dim == 2 ? Model::plane_strain : Model::solid,
                const std::vector<RigidBody<dim>> &rigid_bodies  = {},
                double                             stabilisation = default_stabilisation);
@@ -133,10 +134,11 @@ namespace Signorini
       return dofs;
     }
 
-    const dealii::FESystem<dim> &
-    finite_element() const
+    /// One a degree; cells have the index of theirs.
+    const dealii::hp::FECollection<dim> &
+    finite_elements() const
     {
-      return fe;
+      return elements;
     }
 
     const dealii::IndexSet &
@@ -251,10 +253,17 @@ namespace Signorini
     void
     set_mesh_part(const LA::Vector &part, LA::Vector &u) const;
 
+    /// The largest of all bodies.
     unsigned int
     degree() const
     {
-      return fe.degree;
+      return elements.max_degree();
+    }
+
+    unsigned int
+    degree(const unsigned int body) const
+    {
+      return elements[element_of_body[body]].degree;
     }
 
   private:
@@ -280,7 +289,8 @@ namespace Signorini
     const std::vector<RigidBody<dim>> my_rigid_bodies; ///< those that can move
     const double                      strength;        ///< of the stabilisation
 
-    dealii::FESystem<dim>             fe;
+    dealii::hp::FECollection<dim>     elements;
+    std::vector<unsigned int>         element_of_body;
     dealii::DoFHandler<dim>           dofs;
     dealii::IndexSet                  locally_owned, locally_relevant;
     dealii::AffineConstraints<double> hanging, all_constraints;

@@ -5,8 +5,7 @@
 #include <signorini/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -21,23 +20,29 @@ namespace Signorini
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    StiffnessKernel(const dealii::Mapping<dim>  &mapping,
-                    const dealii::FESystem<dim> &fe,
-                    Model                        model);
+    /// @param elements that cells have, by their index
+    StiffnessKernel(const dealii::Mapping<dim>          &mapping,
+                    const dealii::hp::FECollection<dim> &elements,
+                    Model                                model);
 
+    /// cell_matrix takes the size of the cell.
     void
     assemble(const Cell &cell, const Material &material, dealii::FullMatrix<double> &cell_matrix);
 
   private:
     /// Axisymmetric: what the hoop strain u_r/r adds.
     void
-    add_hoop(double lambda, double mu, dealii::FullMatrix<double> &cell_matrix);
+    add_hoop(const dealii::FiniteElement<dim> &fe,
+             double                            lambda,
+             double                            mu,
+             dealii::FullMatrix<double>       &cell_matrix);
 
-    const dealii::FESystem<dim> &fe;
-    const Model                  model;
-    // The gradients of the scalar element serve all components.
-    dealii::FEValues<dim> values;
-    std::vector<double>   weights; ///< of the quadrature points
+    const Model model;
+    // What the values refer to. The gradients of the scalar element serve all components.
+    const dealii::hp::MappingCollection<dim> mappings;
+    const dealii::hp::FECollection<dim>      scalar_elements;
+    dealii::hp::FEValues<dim>                all_values;
+    std::vector<double>                      weights; ///< of the quadrature points
   };
 
   /// Load vector of one cell: body forces, tractions and pressures, thesis (39).
@@ -47,13 +52,13 @@ namespace Signorini
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    LoadKernel(const Mesh<dim>              &mesh,
-               const dealii::FESystem<dim>  &fe,
-               Model                         model,
-               const std::vector<Load<dim>> &loads,
-               double                        t);
+    LoadKernel(const Mesh<dim>                     &mesh,
+               const dealii::hp::FECollection<dim> &elements,
+               Model                                model,
+               const std::vector<Load<dim>>        &loads,
+               double                               t);
 
-    /// Returns false, and a zero vector, if nothing acts on the cell.
+    /// Returns false if nothing acts on the cell. cell_load takes its size.
     bool
     assemble(const Cell &cell, dealii::Vector<double> &cell_load);
 
@@ -66,11 +71,12 @@ namespace Signorini
                  const Load<dim>        &load,
                  dealii::Vector<double> &cell_load);
 
-    const dealii::FESystem<dim> &fe;
-    const Model                  model;
-    const double                 t;
-    dealii::FEValues<dim>        values;
-    dealii::FEFaceValues<dim>    face_values;
+    const Model                              model;
+    const double                             t;
+    const dealii::hp::MappingCollection<dim> mappings;        ///< the values refer to them
+    const dealii::hp::FECollection<dim>      scalar_elements; ///< likewise
+    dealii::hp::FEValues<dim>                all_values;
+    dealii::hp::FEFaceValues<dim>            all_face_values;
 
     std::map<unsigned int, std::vector<const Load<dim> *>>               by_body;
     std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>> by_boundary;

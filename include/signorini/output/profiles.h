@@ -14,5 +14,5 @@ namespace Signorini
   void
   write_profiles(const Snapshot<dim> &snapshot,
                  const std::string   &directory,
-                 const std::string   &reference_pressure);
+                 const Formula       &reference_pressure);
 } // namespace Signorini

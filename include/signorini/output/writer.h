@@ -20,7 +20,7 @@ namespace Signorini
     /// @param reference_pressure formula, written beside the pressure in profiles; may be empty.
     /// Collective.
     void
-    write(const Snapshot<dim> &snapshot, const std::string &reference_pressure);
+    write(const Snapshot<dim> &snapshot, const Formula &reference_pressure);
 
   private:
     const OutputSettings<dim> settings;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/parameters/definitions.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -9,28 +11,24 @@
 #include <optional>
 #include <string>
 
-namespace dealii
-{
-  template <int dim>
-  class FunctionParser;
-}
-
 namespace Signorini
 {
-  /// A scalar function of the coordinates x, y (z in 3D) and the time t, given by a formula of
-  /// muParser; the constant `pi` is known, and table(x, x1, y1, x2, y2, ...), see expand_tables().
-  /// A formula that cannot be read throws SceneError on construction.
+  class CompiledFormula;
+
+  /// A scalar function of the coordinates x, y (z in 3D) and the time t. A formula that cannot be
+  /// read throws SceneError on construction.
   template <int dim>
   class Expression
   {
   public:
     static constexpr int dimension = dim;
 
-    Expression(const std::string &formula = "0");
+    Expression(const Formula &formula = "0");
 
     double
     value(const dealii::Point<dim> &p, double t = 0) const;
 
+    /// As the user wrote it.
     const std::string &
     formula() const
     {
@@ -38,8 +36,8 @@ namespace Signorini
     }
 
   private:
-    std::string                                  text;
-    std::shared_ptr<dealii::FunctionParser<dim>> parser;
+    std::string                            text;
+    std::shared_ptr<const CompiledFormula> compiled;
   };
 
   /// One expression a component, separated by `;`. A component may be `free`: then it is not
@@ -51,7 +49,7 @@ namespace Signorini
     static constexpr int dimension = dim;
 
     /// The empty text leaves all components free.
-    VectorExpression(const std::string &text = "");
+    VectorExpression(const Formula &text = "");
 
     bool
     prescribed(unsigned int component) const
@@ -103,5 +101,5 @@ namespace Signorini
 
   /// Value of a formula in named constants, e.g. evaluate("2*a", {{"a", 3}}). Throws SceneError.
   double
-  evaluate(const std::string &formula, const std::map<std::string, double> &constants);
+  evaluate(const Formula &formula, const std::map<std::string, double> &constants);
 } // namespace Signorini

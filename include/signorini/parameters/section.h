@@ -63,6 +63,7 @@ namespace Signorini
           RawSection  nothing;
           RawSection *child = open(name);
           Section     section(child ? *child : nothing, path_of(name));
+          section.definitions = definitions;
           body(section);
           section.close();
         }
@@ -97,6 +98,14 @@ namespace Signorini
           list.add_section(item.name, "", [&](Section &s) { item.declare(s); });
       });
     }
+
+    /// A subsection whose keys the user invents: names that stand for formulas in what comes later.
+    void
+    add_definitions(const std::string &name, Definitions &value, const std::string &help);
+
+    /// True if that name stands for a formula.
+    bool
+    defines(const std::string &name) const;
 
     bool
     reading() const
@@ -137,8 +146,9 @@ namespace Signorini
     void
     write(const std::string &key, const std::string &value, const std::string &help);
 
-    RawSection *raw = nullptr;
-    std::string my_path;
+    RawSection                        *raw = nullptr;
+    std::string                        my_path;
+    std::shared_ptr<const Definitions> definitions = std::make_shared<Definitions>();
 
     std::ostream *out         = nullptr;
     bool          comments    = false;
@@ -149,26 +159,28 @@ namespace Signorini
 
   /// A formula for a number is welcome wherever a number is: `set Poisson's ratio = 1/3`.
   void
-  from_text(const std::string &text, double &value);
+  from_text(const Formula &text, double &value);
   void
-  from_text(const std::string &text, unsigned int &value);
+  from_text(const Formula &text, unsigned int &value);
   void
-  from_text(const std::string &text, bool &value);
+  from_text(const Formula &text, bool &value);
   void
-  from_text(const std::string &text, std::string &value);
+  from_text(const Formula &text, std::string &value);
   void
-  from_text(const std::string &text, std::vector<std::string> &value);
+  from_text(const Formula &text, Formula &value);
   void
-  from_text(const std::string &text, std::vector<double> &value);
+  from_text(const Formula &text, std::vector<std::string> &value);
   void
-  from_text(const std::string &text, std::vector<unsigned int> &value);
+  from_text(const Formula &text, std::vector<double> &value);
+  void
+  from_text(const Formula &text, std::vector<unsigned int> &value);
   template <int dim>
   void
-  from_text(const std::string &text, dealii::Point<dim> &value);
+  from_text(const Formula &text, dealii::Point<dim> &value);
   template <int dim>
   void
-  from_text(const std::string &text, Expression<dim> &value);
+  from_text(const Formula &text, Expression<dim> &value);
   template <int dim, int n_components>
   void
-  from_text(const std::string &text, VectorExpression<dim, n_components> &value);
+  from_text(const Formula &text, VectorExpression<dim, n_components> &value);
 } // namespace Signorini

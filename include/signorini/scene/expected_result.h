@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/parameters/definitions.h>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <iosfwd>
@@ -16,7 +18,7 @@ namespace Signorini
   {
     std::string              name;
     std::vector<std::string> quantities; ///< "F = pairs/interface/force/1"
-    std::string              value, reference = "0";
+    Formula                  value, reference = "0";
     double                   tolerance = 0.01, absolute_tolerance = 0;
     std::string              source;
 

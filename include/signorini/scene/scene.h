@@ -19,6 +19,7 @@ namespace Signorini
   struct Body
   {
     std::string   name;
+    unsigned int  degree = 0; ///< of the displacement; 0: that of all bodies
     BodyMesh<dim> mesh;
     Material      material;
 
@@ -41,13 +42,14 @@ namespace Signorini
     const ContactMethod &
     chosen() const;
 
-    /// With the number of points that the method needs for elements of that degree.
+    /// With the number of points that the method needs where slave and master have elements of
+    /// these degrees.
     Integration
-    integration_of_degree(unsigned int degree) const;
+    integration_of_degrees(unsigned int slave, unsigned int master) const;
 
     /// Throws SceneError where method and integration do not go together.
     void
-    check(unsigned int degree) const;
+    check(unsigned int slave_degree, unsigned int master_degree) const;
 
     void
     declare(Section &section);
@@ -76,6 +78,7 @@ namespace Signorini
     std::string title;
     std::string name; ///< of the scene file, without folder and .prm
 
+    Definitions                   definitions;
     std::vector<Body<dim>>        bodies;
     std::vector<Obstacle<dim>>    obstacles;
     std::vector<Support<dim>>     supports;
@@ -83,7 +86,7 @@ namespace Signorini
     std::vector<ContactPair<dim>> pairs;
     bool auto_pairs = false; ///< to be found: the one pair says what they have in common
     MeshSettings<dim>           mesh;
-    unsigned int                degree = 1;
+    unsigned int                degree = 1; ///< of bodies that do not say theirs
     ContactSettings             contact;
     RefinementSettings          refinement;
     LoadSteps                   load_steps;
@@ -100,6 +103,17 @@ namespace Signorini
     /// contradict each other. Throws SceneError.
     void
     check() const;
+
+    /// Of the displacement, one a body.
+    std::vector<unsigned int>
+    degrees() const;
+
+    /// Of the body that a boundary BODY.BOUNDARY belongs to; of obstacles 0.
+    unsigned int
+    degree_of(const std::string &surface) const;
+
+    Integration
+    integration_of(const ContactPair<dim> &pair) const;
 
     /// The obstacle that is a pair's master, or null.
     const Obstacle<dim> *

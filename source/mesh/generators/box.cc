@@ -29,16 +29,16 @@ namespace Signorini
     /// Throws SceneError without a place.
     template <int dim>
     std::array<Point<dim>, 2>
-    corners_from(const std::string &text)
+    corners_from(const Formula &text)
     {
-      const std::vector<std::string> parts = split(text, ':');
+      const std::vector<std::string> parts = split(text.text, ':');
       if (parts.size() != 2)
         throw SceneError("must be two points, separated by a colon");
       std::array<Point<dim>, 2> corners;
       for (unsigned int i = 0; i < 2; ++i)
         {
           std::vector<double> coordinates;
-          from_text(parts[i], coordinates);
+          from_text({parts[i], text.definitions}, coordinates);
           corners[i] = point_from<dim>(coordinates);
         }
       for (unsigned int d = 0; d < dim; ++d)

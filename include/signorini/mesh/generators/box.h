@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/mesh/generators/named_surface.h>
+#include <signorini/parameters/definitions.h>
 
 namespace Signorini
 {
@@ -32,7 +33,7 @@ namespace Signorini
     std::vector<NamedSurface<dim>>
     surfaces() const;
 
-    std::string               corners;
+    Formula                   corners;
     std::vector<unsigned int> subdivisions;
     std::vector<double>       grading;
 

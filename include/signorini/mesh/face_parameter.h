@@ -1,0 +1,30 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+
+namespace Signorini
+{
+  /// The point of the reference cell that has parameter xi in [0,1]^(dim-1) on a face, in the
+  /// convention of deal.II's QProjector: the parameters follow the normal direction cyclically.
+  template <int dim>
+  dealii::Point<dim>
+  unit_point(const unsigned int face, const dealii::Point<dim - 1> &xi)
+  {
+    dealii::Point<dim> p;
+    p[face / 2] = face % 2;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      p[(face / 2 + 1 + d) % dim] = xi[d];
+    return p;
+  }
+
+  /// The inverse of unit_point().
+  template <int dim>
+  dealii::Point<dim - 1>
+  face_parameter(const unsigned int face, const dealii::Point<dim> &p)
+  {
+    dealii::Point<dim - 1> xi;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      xi[d] = p[(face / 2 + 1 + d) % dim];
+    return xi;
+  }
+} // namespace Signorini

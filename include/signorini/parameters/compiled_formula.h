@@ -1,0 +1,36 @@
+#pragma once
+
+#include <signorini/parameters/definitions.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// A formula of muParser, ready to be evaluated again and again. Beyond what muParser knows there
+  /// are the constant pi, if(condition, a, b), int (nearest integer), ceil, floor, cot, csc, sec,
+  /// log (natural), pow, erf, erfc, the operators & and |, and table(x, x1, y1, x2, y2, ...), which
+  /// is linear between the points x1 < x2 < ... and constant beyond them.
+  class CompiledFormula
+  {
+  public:
+    /// @param variables names of what the formula may depend on, beside its definitions
+    /// Throws SceneError, with the reason alone, if it cannot be read.
+    CompiledFormula(const Formula &formula, const std::vector<std::string> &variables);
+    ~CompiledFormula();
+
+    /// @param values of the variables, in their order
+    double
+    value(const double *values) const;
+
+    /// True if formulas know a function of that name.
+    static bool
+    is_function(const std::string &name);
+
+  private:
+    struct Program;
+    std::size_t              n_variables;
+    std::unique_ptr<Program> program;
+  };
+} // namespace Signorini

@@ -1,0 +1,172 @@
+#include <signorini/parameters/compiled_formula.h>
+#include <signorini/parameters/raw.h>
+
+#include <muParser.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    double
+    table(const double *x, const int n)
+    {
+      if (n < 5 || n % 2 == 0)
+        throw mu::ParserError("a table is table(x, x1, y1, x2, y2, ...) with at least two points");
+      for (int i = 3; i < n; i += 2)
+        if (!(x[i - 2] < x[i]))
+          throw mu::ParserError("the points of a table must be in increasing order");
+      if (x[0] <= x[1])
+        return x[2];
+      for (int i = 3; i < n; i += 2)
+        if (x[0] <= x[i])
+          return x[i - 1] + (x[i + 1] - x[i - 1]) * (x[0] - x[i - 2]) / (x[i] - x[i - 2]);
+      return x[n - 1];
+    }
+
+    mu::Parser
+    basic_parser()
+    {
+      using Number = double; // muParser finds the number of arguments by the type
+      mu::Parser parser;
+      parser.DefineConst("pi", pi);
+      parser.DefineFun("table", table);
+      parser.DefineFun(
+        "if", +[](Number c, Number a, Number b) { return c != 0 ? a : b; });
+      parser.DefineFun(
+        "pow", +[](Number a, Number b) { return std::pow(a, b); });
+      parser.DefineFun(
+        "int", +[](Number a) { return std::round(a); });
+      parser.DefineFun(
+        "ceil", +[](Number a) { return std::ceil(a); });
+      parser.DefineFun(
+        "floor", +[](Number a) { return std::floor(a); });
+      parser.DefineFun(
+        "cot", +[](Number a) { return 1 / std::tan(a); });
+      parser.DefineFun(
+        "csc", +[](Number a) { return 1 / std::sin(a); });
+      parser.DefineFun(
+        "sec", +[](Number a) { return 1 / std::cos(a); });
+      parser.DefineFun(
+        "log", +[](Number a) { return std::log(a); });
+      parser.DefineFun(
+        "erf", +[](Number a) { return std::erf(a); });
+      parser.DefineFun(
+        "erfc", +[](Number a) { return std::erfc(a); });
+      parser.DefineOprt(
+        "|", +[](Number a, Number b) { return a != 0 || b != 0 ? 1. : 0.; }, 1);
+      parser.DefineOprt(
+        "&", +[](Number a, Number b) { return a != 0 && b != 0 ? 1. : 0.; }, 2);
+      return parser;
+    }
+  } // namespace
+
+
+
+  struct CompiledFormula::Program
+  {
+    std::vector<double> values; ///< of the variables, then of all definitions
+
+    struct Step
+    {
+      mu::Parser parser;
+      double    *result;
+    };
+
+    std::vector<Step> steps; ///< the definitions that are needed and vary, in their order
+    mu::Parser        formula;
+  };
+
+
+
+  CompiledFormula::CompiledFormula(const Formula                  &formula,
+                                   const std::vector<std::string> &variables)
+    : n_variables(variables.size())
+    , program(std::make_unique<Program>())
+  {
+    using Definition = std::pair<std::string, std::string>;
+    const std::vector<Definition> definitions =
+      formula.definitions ? formula.definitions->all() : std::vector<Definition>();
+    const std::size_t n = variables.size(), n_all = n + definitions.size();
+    program->values.resize(n_all, 0.5);
+    const auto name = [&](const std::size_t i) {
+      return i < n ? variables[i] : definitions[i - n].first;
+    };
+    // A formula in the first n_known of all names.
+    const auto compile = [&](const std::string &text, const std::size_t n_known) {
+      mu::Parser parser = basic_parser();
+      for (std::size_t i = 0; i < n_known; ++i)
+        parser.DefineVar(name(i), &program->values[i]);
+      parser.SetExpr(text);
+      return parser;
+    };
+    const auto uses = [&](const mu::Parser &parser, const std::size_t i) {
+      return parser.GetUsedVar().count(name(i)) > 0;
+    };
+    std::vector<bool> needed(n_all, false), varies(n_all, false);
+    try
+      {
+        program->formula = compile(formula.text, n_all);
+        for (std::size_t i = 0; i < n_all; ++i)
+          needed[i] = uses(program->formula, i);
+        std::vector<mu::Parser> parsers(definitions.size());
+        for (std::size_t k = definitions.size(); k-- > 0;)
+          if (needed[n + k])
+            {
+              parsers[k] = compile(definitions[k].second, n + k);
+              for (std::size_t i = 0; i < n + k; ++i)
+                needed[i] = needed[i] || uses(parsers[k], i);
+            }
+        for (std::size_t i = 0; i < n; ++i)
+          varies[i] = true;
+        for (std::size_t k = 0; k < definitions.size(); ++k)
+          if (needed[n + k])
+            {
+              for (std::size_t i = 0; i < n + k; ++i)
+                varies[n + k] = varies[n + k] || (varies[i] && uses(parsers[k], i));
+              program->values[n + k] = parsers[k].Eval();
+              if (varies[n + k])
+                program->steps.push_back({parsers[k], &program->values[n + k]});
+            }
+        program->formula.Eval(); // which reads it
+      }
+    catch (const mu::ParserError &error)
+      {
+        throw SceneError(error.GetMsg());
+      }
+  }
+
+
+
+  CompiledFormula::~CompiledFormula() = default;
+
+
+
+  double
+  CompiledFormula::value(const double *values) const
+  {
+    for (std::size_t i = 0; i < n_variables; ++i)
+      program->values[i] = values[i];
+    try
+      {
+        for (Program::Step &step : program->steps)
+          *step.result = step.parser.Eval();
+        return program->formula.Eval();
+      }
+    catch (const mu::ParserError &error)
+      {
+        throw SceneError("'" + program->formula.GetExpr() + "': " + error.GetMsg());
+      }
+  }
+
+
+
+  bool
+  CompiledFormula::is_function(const std::string &name)
+  {
+    return basic_parser().GetFunDef().count(name) > 0;
+  }
+} // namespace Signorini

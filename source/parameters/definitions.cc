@@ -1,0 +1,53 @@
+#include <signorini/parameters/compiled_formula.h>
+#include <signorini/parameters/definitions.h>
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace Signorini
+{
+  namespace
+  {
+    bool
+    is_name(const std::string &text)
+    {
+      const auto belongs = [](const unsigned char c) { return std::isalnum(c) || c == '_'; };
+      return !text.empty() && !std::isdigit(static_cast<unsigned char>(text[0])) &&
+             std::all_of(text.begin(), text.end(), belongs);
+    }
+
+    /// Coordinates, time, functions, and words that may stand where a formula may.
+    bool
+    has_meaning(const std::string &name)
+    {
+      for (const char *other : {"x", "y", "z", "t", "pi", "free", "closed", "infinity"})
+        if (name == other)
+          return true;
+      return CompiledFormula::is_function(name);
+    }
+  } // namespace
+
+
+
+  void
+  Definitions::add(const std::string &name, const std::string &formula)
+  {
+    if (!is_name(name))
+      throw SceneError("a name has letters, digits and _, and no digit first");
+    if (has_meaning(name))
+      throw SceneError("that name has a meaning already");
+    CompiledFormula({formula, std::make_shared<Definitions>(*this)}, {"x", "y", "z", "t"});
+    formulas.emplace_back(name, formula);
+  }
+
+
+
+  bool
+  Definitions::knows(const std::string &name) const
+  {
+    return std::any_of(formulas.begin(), formulas.end(), [&](const auto &one) {
+      return one.first == name;
+    });
+  }
+} // namespace Signorini

@@ -1,0 +1,78 @@
+#include <signorini/parameters/compiled_formula.h>
+#include <signorini/parameters/expression.h>
+#include <signorini/parameters/raw.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace Signorini;
+
+namespace
+{
+  std::shared_ptr<const Definitions>
+  definitions(const std::vector<std::pair<std::string, std::string>> &list)
+  {
+    auto result = std::make_shared<Definitions>();
+    for (const auto &[name, formula] : list)
+      result->add(name, formula);
+    return result;
+  }
+} // namespace
+
+
+
+TEST_CASE("definitions are evaluated in their order, where they vary again and again")
+{
+  const auto names =
+    definitions({{"R", "8"}, {"r", "sqrt(x^2 + y^2)"}, {"gap", "r^2/(2*R)"}, {"unused", "1/0"}});
+  const Expression<2> expression(Formula("gap*t + R", names));
+  for (const double x : {0., 1., -3.})
+    for (const double t : {0.5, 2.})
+      CHECK(expression.value({x, 2.}, t) == doctest::Approx((x * x + 4) / 16 * t + 8));
+  CHECK(expression.formula() == "gap*t + R");
+  // Copies share nothing that one of them could spoil.
+  const Expression<2> copy = expression;
+  CHECK(copy.value({1, 0}, 16) == doctest::Approx(9));
+  CHECK(expression.value({0, 0}, 16) == doctest::Approx(8));
+  CHECK(evaluate(Formula("R*k", names), {{"k", 3}}) == doctest::Approx(24));
+}
+
+
+
+TEST_CASE("each name is defined once, before it is used, and means nothing else")
+{
+  CHECK_THROWS_AS(definitions({{"a", "2*b"}, {"b", "1"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"a", "2*a"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"t", "1"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"sin", "1"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"2a", "1"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"a b", "1"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"a", ""}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"a", "1; 2"}}), SceneError);
+  CHECK_THROWS_AS(evaluate(Formula("a", definitions({{"a", "x"}})), {}), SceneError);
+}
+
+
+
+TEST_CASE("a table is linear between its points and constant beyond")
+{
+  const Expression<2> load("table(t, 0, 1, 2, 5, 3, -1)");
+  for (const auto &[t, value] : std::vector<std::pair<double, double>>{
+         {-1, 1}, {0, 1}, {1, 3}, {2, 5}, {2.5, 2}, {3, -1}, {9, -1}})
+    CHECK(load.value({}, t) == doctest::Approx(value));
+  CHECK_THROWS_AS(Expression<2>("table(t, 0, 1, 0, 5)"), SceneError);
+  CHECK_THROWS_AS(Expression<2>("table(t, 0, 1)"), SceneError);
+}
+
+
+
+TEST_CASE("functions beyond those of muParser")
+{
+  CHECK(evaluate("if(1 < 2, 3, 4) + if(1 > 2, 30, 40)", {}) == doctest::Approx(43));
+  CHECK(evaluate("if(0, 1/0, 2)", {}) == doctest::Approx(2));
+  CHECK(evaluate("pow(2, 3) + floor(1.7) + ceil(1.2) + int(1.5)", {}) == doctest::Approx(13));
+  CHECK(evaluate("log(exp(2)) + log10(100)", {}) == doctest::Approx(4));
+  CHECK(evaluate("(1 < 2 & 2 < 1) + 2*(1 < 2 | 2 < 1)", {}) == doctest::Approx(2));
+  CHECK(evaluate("cos(pi)", {}) == doctest::Approx(-1));
+}
