@@ -1,9 +1,6 @@
-#include <signorini/contact/find_pairs.h>
-#include <signorini/contact/reach.h>
 #include <signorini/output/preflight.h>
 #include <signorini/output/summary.h>
 #include <signorini/parameters/section.h>
-#include <signorini/scene/expected_motion.h>
 #include <signorini/simulation.h>
 #include <signorini/solve/linear_reference.h>
 
@@ -28,8 +25,7 @@ namespace Signorini
       for (const Body<dim> &body : scene.bodies)
         bodies.emplace_back(body.name, body.mesh);
       std::vector<std::pair<std::string, std::string>> contact_surfaces;
-      for (const ContactPair<dim> &pair :
-           scene.auto_pairs ? std::vector<ContactPair<dim>>() : scene.pairs)
+      for (const ContactPair<dim> &pair : scene.known_pairs())
         contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
       return std::make_unique<Mesh<dim>>(bodies, scene.mesh, contact_surfaces, comm);
     }
@@ -116,8 +112,7 @@ namespace Signorini
           {
             build_contact();
             report_set_up();
-            if (!solve(scene.load_steps.end_time,
-                       std::max(scene.newton.tolerance, scene.refinement.tolerance)))
+            if (!solve_for_estimate())
               return finish();
             refine_mesh();
           }
@@ -158,57 +153,21 @@ namespace Signorini
       TimerOutput::Scope scope(timer, "mesh");
       mesh = make_mesh(scene, comm);
       if (scene.auto_pairs)
-        find_contact_pairs();
+        {
+          scene.pairs      = automatic_pairs(scene, *mesh, out);
+          scene.auto_pairs = false;
+          // Contact surfaces are refined, and weigh more where the mesh is distributed.
+          mesh = make_mesh(scene, comm);
+        }
     }
     TimerOutput::Scope scope(timer, "setup");
     elasticity = make_elasticity(scene, *mesh);
     elasticity->setup();
     displacement = elasticity->zero_vector();
-    set_reach();
+    contact      = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, out);
 
     if (elasticity->has_free_motions() && scene.output.linear_reference)
       throw SceneError("Output/Linear reference: without contact nothing holds the bodies");
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::find_contact_pairs()
-  {
-    std::vector<double> moduli;
-    for (const Body<dim> &body : scene.bodies)
-      moduli.push_back(body.material.youngs_modulus);
-    const ContactPair<dim> pattern = scene.pairs.front();
-    const double           distance =
-      pattern.search_distance > 0 ? pattern.search_distance : std::max(mesh->size() / 10, guess());
-    scene.pairs      = find_pairs(*mesh, scene.obstacles, moduli, pattern, distance);
-    scene.auto_pairs = false;
-    if (scene.pairs.empty())
-      out << "  WARNING: no surfaces see each other within " << distance
-          << "; name the Contact pairs, or set Contact pairs/auto/Search distance" << std::endl;
-    // Contact surfaces are refined, and weigh more where the mesh is distributed.
-    mesh = make_mesh(scene, comm);
-  }
-
-
-
-  template <int dim>
-  double
-  Simulation<dim>::guess() const
-  {
-    // Surfaces may come closer from both sides; sound guesses save a second solution.
-    return 3 * expected_motion(scene, mesh->extent());
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::set_reach()
-  {
-    const bool may_fall = elasticity->has_free_motions();
-    reach.assign(scene.pairs.size(), may_fall ? std::max(guess(), mesh->size() / 10) : guess());
   }
 
 
@@ -223,7 +182,9 @@ namespace Signorini
         << std::endl;
     if (cycle > 0)
       return;
-    const Json         report = Signorini::preflight(scene, *elasticity, surfaces, *contact);
+    TimerOutput::Scope scope(timer, "preflight");
+    const Json         report =
+      Signorini::preflight(scene, *elasticity, contact->surfaces(), contact->gap_operator());
     std::ostringstream text;
     print_preflight(report, text);
     out << text.str() << std::flush;
@@ -236,41 +197,25 @@ namespace Signorini
   void
   Simulation<dim>::build_contact()
   {
-    // The solver refers to what is replaced here.
-    newton.reset();
+    newton.reset(); // it refers to what is replaced here
     mesh_clock.restart();
-    const ContactMethod &method = scene.contact.chosen();
-    {
-      TimerOutput::Scope scope(timer, "search");
-      surfaces.clear();
-      for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-        surfaces.push_back(make_contact_surface(*elasticity,
-                                                scene.pairs[i],
-                                                scene.obstacle_of(scene.pairs[i]),
-                                                method,
-                                                scene.integration_of(scene.pairs[i]),
-                                                reach[i]));
-    }
-    TimerOutput::Scope scope(timer, "contact");
-    contact = make_gap_operator(*elasticity, surfaces, method);
-    for (unsigned int i = 0; i < surfaces.size(); ++i)
-      {
-        const ContactPair<dim> &pair = scene.pairs[i];
-        if (surfaces[i].sees_nothing && pair.search_distance > 0)
-          throw SceneError(
-            pair.master_place + ": no point of '" + pair.slave +
-            "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
-        if (surfaces[i].is_apart && !pair.separates)
-          throw SceneError(pair.master_place + ": no point of '" + pair.slave +
-                           "' sees the master of this pair, which is never to separate; move them "
-                           "together, or set its Search distance");
-      }
+    contact->build();
     // What a former mesh knew of the pressure.
-    LA::Vector start = contact->zero();
+    LA::Vector start = contact->gap_operator().zero();
     if (pressure.size() == elasticity->owned().size())
-      contact->gather(pressure, start);
+      contact->gap_operator().gather(pressure, start);
     pressure = start;
     mesh_clock.stop();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::rebuild_contact()
+  {
+    pressure = nodal_pressure();
+    build_contact();
   }
 
 
@@ -279,72 +224,14 @@ namespace Signorini
   bool
   Simulation<dim>::solve(const double t, const double tolerance)
   {
-    do
-      solve_with_candidates(t, tolerance);
-    while (report.converged ? widen_reach() : report.is_loose && reach_farther());
-    return report.converged;
-  }
-
-
-
-  template <int dim>
-  bool
-  Simulation<dim>::reach_farther()
-  {
-    const double farthest = mesh->size() + guess();
-    bool         any      = false;
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-      if (scene.pairs[i].search_distance == 0 && scene.pairs[i].separates && reach[i] < farthest)
-        {
-          reach[i] = 2 * std::max(reach[i], mesh->size() / 10);
-          any      = true;
-        }
-    if (any)
+    for (;;)
       {
-        out << "  bodies may fall farther than contact was looked for: searching again"
-            << std::endl;
-        pressure = nodal_pressure();
-        build_contact();
+        solve_with_candidates(t, tolerance);
+        if (report.converged ? !contact->needs_more(displacement) :
+                               !report.is_loose || !contact->look_farther())
+          return report.converged;
+        rebuild_contact();
       }
-    return any;
-  }
-
-
-
-  template <int dim>
-  bool
-  Simulation<dim>::widen_reach()
-  {
-    bool too_short = false;
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-      {
-        const ContactPair<dim> &pair = scene.pairs[i];
-        const double            approach =
-          largest_approach(*elasticity, pair, scene.obstacle_of(pair), displacement);
-        if (approach > 0.1 * mesh->size() && warned.insert(pair.name).second)
-          out << "  WARNING: pair " << pair.name << ": its surfaces have moved by up to "
-              << approach
-              << ", but displacements are small in this theory and contact is that of the initial "
-              << "positions: what slides or turns that far is wrong" << std::endl;
-        if (approach <= surfaces[i].reach || !pair.separates)
-          continue;
-        out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
-            << ", farther than " << surfaces[i].reach;
-        if (pair.search_distance > 0)
-          out << ", its Search distance: contact beyond was not looked for" << std::endl;
-        else
-          {
-            out << ": searching again" << std::endl;
-            reach[i]  = 2 * approach;
-            too_short = true;
-          }
-      }
-    if (too_short)
-      {
-        pressure = nodal_pressure();
-        build_contact();
-      }
-    return too_short;
   }
 
 
@@ -356,11 +243,16 @@ namespace Signorini
     if (!elasticity->has_free_motions())
       return {};
     const auto make = [&] {
-      return FreeMotions(elasticity->free_motions(), elasticity->stabilising_springs(), *contact);
+      return FreeMotions(elasticity->free_motions(),
+                         elasticity->stabilising_springs(),
+                         contact->gap_operator());
     };
     FreeMotions motions = make();
-    while (!motions.never_held().empty() && reach_farther())
-      motions = make();
+    while (!motions.never_held().empty() && contact->look_farther())
+      {
+        rebuild_contact();
+        motions = make();
+      }
     if (!motions.never_held().empty() && scene.newton.undetermined == "refuse")
       throw SceneError("Supports/Names: no support holds " + join(motions.never_held()) +
                        ", and no contact can; " + NewtonSettings::how_to_hold());
@@ -391,7 +283,7 @@ namespace Signorini
                                           scene.contact.chosen(),
                                           elasticity->stiffness(),
                                           elasticity->constraints(),
-                                          *contact,
+                                          contact->gap_operator(),
                                           elasticity->rigid_body_modes(),
                                           dim,
                                           timer,
@@ -403,22 +295,10 @@ namespace Signorini
       f = elasticity->load();
     }
     elasticity->distribute(displacement);
-    set_interference(t);
+    contact->set_interference(t);
     report = newton->solve(f, displacement, pressure, out);
     elasticity->distribute(displacement);
     mesh_clock.stop();
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::set_interference(const double t)
-  {
-    std::vector<double> shares;
-    for (const ContactPair<dim> &pair : scene.pairs)
-      shares.push_back(pair.interference.value({}, t));
-    contact->set_interference(shares);
   }
 
 
@@ -428,7 +308,7 @@ namespace Signorini
   Simulation<dim>::nodal_pressure() const
   {
     LA::Vector nodal = elasticity->zero_vector();
-    contact->scatter(pressure, nodal);
+    contact->gap_operator().scatter(pressure, nodal);
     elasticity->hanging_nodes().distribute(nodal);
     return nodal;
   }
@@ -453,11 +333,45 @@ namespace Signorini
 
 
   template <int dim>
+  bool
+  Simulation<dim>::solve_for_estimate()
+  {
+    // Only the end counts, and mostly it is found at once.
+    const double tolerance = std::max(scene.newton.tolerance, scene.refinement.tolerance);
+    const double end       = scene.load_steps.end_time;
+    if (attempt(end, tolerance))
+      return true;
+    if (report.is_loose || scene.load_steps.cut_backs == 0)
+      return false;
+    out << "  not solved at once (" << report.reason << "): step by step" << std::endl;
+    displacement = elasticity->zero_vector();
+    pressure     = contact->gap_operator().zero();
+    if (newton)
+      newton->set_active(pressure);
+    return follow_loads(tolerance, end / 2, [](auto, auto) {});
+  }
+
+
+
+  template <int dim>
   void
   Simulation<dim>::run_load_history()
   {
-    const std::vector<double> ends = scene.load_steps.ends();
-    double                    t = 0, longest = std::numeric_limits<double>::max();
+    follow_loads(scene.newton.tolerance,
+                 std::numeric_limits<double>::max(),
+                 [&](const unsigned int step, const double t) { record_step(step, t); });
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::follow_loads(const double                                            tolerance,
+                                double                                                  longest,
+                                const std::function<void(unsigned int step, double t)> &visit)
+  {
+    const std::vector<double> ends   = scene.load_steps.ends();
+    double                    t      = 0;
     unsigned int              number = 0;
     for (const double end : ends)
       {
@@ -467,9 +381,9 @@ namespace Signorini
             const double next = end - t <= 1.001 * longest ? end : t + longest;
             if (ends.size() > 1 || next < end)
               out << "  load step " << number + 1 << ", t = " << next << std::endl;
-            if (attempt(next))
+            if (attempt(next, tolerance))
               {
-                record_step(++number, next);
+                visit(++number, next);
                 longest = std::max(longest, 2 * (next - t));
                 t       = next;
               }
@@ -477,24 +391,25 @@ namespace Signorini
               {
                 longest = (next - t) / 2;
                 if (longest < 0.999 * smallest || report.is_loose)
-                  return;
+                  return false;
                 out << "  not solved (" << report.reason << "): half the load step" << std::endl;
               }
           }
       }
+    return true;
   }
 
 
 
   template <int dim>
   bool
-  Simulation<dim>::attempt(const double t)
+  Simulation<dim>::attempt(const double t, const double tolerance)
   {
     const LA::Vector u = displacement, p = pressure, nodal = nodal_pressure();
-    const LA::Vector active = newton ? newton->active() : contact->zero();
+    const LA::Vector active = newton ? newton->active() : contact->gap_operator().zero();
     try
       {
-        if (solve(t, scene.newton.tolerance))
+        if (solve(t, tolerance))
           return true;
       }
     catch (const SolverFailure &failure)
@@ -504,11 +419,11 @@ namespace Signorini
       }
     displacement         = u;
     const bool same_size = p.size() == pressure.size();
-    pressure             = same_size ? p : contact->zero();
+    pressure             = same_size ? p : contact->gap_operator().zero();
     if (!same_size)
-      contact->gather(nodal, pressure);
+      contact->gap_operator().gather(nodal, pressure);
     if (newton)
-      newton->set_active(same_size ? active : contact->zero());
+      newton->set_active(same_size ? active : contact->gap_operator().zero());
     return false;
   }
 
@@ -519,11 +434,11 @@ namespace Signorini
   Simulation<dim>::record_step(const unsigned int step, const double t)
   {
     TimerOutput::Scope  scope(timer, "output");
-    const LA::Vector    gap = contact->gap(displacement);
+    const LA::Vector    gap = contact->gap_operator().gap(displacement);
     const Snapshot<dim> now{*elasticity,
                             scene.pairs,
-                            surfaces,
-                            *contact,
+                            contact->surfaces(),
+                            contact->gap_operator(),
                             displacement,
                             gap,
                             pressure,
@@ -603,31 +518,27 @@ namespace Signorini
   ExitCode
   Simulation<dim>::finish()
   {
-    results["converged"] = report.converged;
-    results["reason"]    = report.reason;
-    results["cells"]     = mesh->triangulation().n_global_active_cells();
-    results["dofs"]      = elasticity->dof_handler().n_dofs();
-    results["multiplier_dofs"] =
-      scene.contact.chosen().has_multipliers() ? contact->weight.size() : 0;
-    results["left_out"] = Json::array();
-    for (unsigned int i = 0; i < surfaces.size(); ++i)
-      if (surfaces[i].is_apart)
-        results["left_out"].push_back("pair " + scene.pairs[i].name + ": its surfaces stay apart");
+    results["converged"]       = report.converged;
+    results["reason"]          = report.reason;
+    results["cells"]           = mesh->triangulation().n_global_active_cells();
+    results["dofs"]            = elasticity->dof_handler().n_dofs();
+    const GapOperator &gaps    = contact->gap_operator();
+    results["multiplier_dofs"] = scene.contact.chosen().has_multipliers() ? gaps.weight.size() : 0;
+    results["left_out"]        = contact->left_out();
     unsigned int faces = 0, candidates = 0;
-    for (const ContactSurface<dim> &surface : surfaces)
+    for (const ContactSurface<dim> &surface : contact->surfaces())
       {
         faces += surface.faces;
         candidates += surface.points.size();
       }
     results["contact_faces"]      = Utilities::MPI::sum(faces, comm);
     results["contact_candidates"] = Utilities::MPI::sum(candidates, comm);
-
-    results["contact_bytes"] = Utilities::MPI::sum(contact ? contact->memory() : 0, comm);
+    results["contact_bytes"]      = Utilities::MPI::sum(gaps.memory(), comm);
 
     results["seconds"]["total"] = Utilities::MPI::max(clock.wall_time(), comm);
     for (const auto &[name, time] : timer.get_summary_data(TimerOutput::total_wall_time))
       results["seconds"][name] = Utilities::MPI::max(time, comm);
-    results["shares_of_ranks"] = shares_of_ranks(*elasticity, surfaces);
+    results["shares_of_ranks"] = shares_of_ranks(*elasticity, contact->surfaces());
     results["peak_memory_mb"]  = peak_memory(comm);
 
     const std::string directory = results["output_directory"];

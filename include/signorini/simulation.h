@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/contact_setup.h>
 #include <signorini/output/results.h>
 #include <signorini/output/writer.h>
 #include <signorini/scene/scene.h>
@@ -7,8 +8,8 @@
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <memory>
-#include <set>
 
 namespace Signorini
 {
@@ -41,29 +42,16 @@ namespace Signorini
     void
     set_up();
     void
-    find_contact_pairs();
-    /// How far surfaces may come closer.
-    double
-    guess() const;
-    void
-    set_reach();
-    void
     report_set_up();
     void
     build_contact();
+    /// Once more, on the same mesh and with the pressure that there is.
+    void
+    rebuild_contact();
     bool
     solve(double t, double tolerance);
     void
     solve_with_candidates(double t, double tolerance);
-    /// Returns true if surfaces have moved so far that others than the candidates may touch; then
-    /// these are candidates now.
-    bool
-    widen_reach();
-    /// Look farther for what may stop loose bodies. Returns false if that is far enough.
-    bool
-    reach_farther();
-    void
-    set_interference(double t);
     /// Throws SceneError for motions that nothing can stop.
     FreeMotions
     make_free_motions();
@@ -72,11 +60,21 @@ namespace Signorini
     nodal_pressure() const;
     void
     refine_mesh();
+    /// The end of the load history, on a mesh that is still to be refined.
+    bool
+    solve_for_estimate();
     void
     run_load_history();
-    /// A step of the history. If it fails, the state before it is restored.
+    /// All load steps, cut back where they cannot be solved.
+    /// @param longest step at the start
+    /// @param visit called after each
     bool
-    attempt(double t);
+    follow_loads(double                                                  tolerance,
+                 double                                                  longest,
+                 const std::function<void(unsigned int step, double t)> &visit);
+    /// Solve at time t. If that fails, the state before it is restored.
+    bool
+    attempt(double t, double tolerance);
     void
     record_step(unsigned int step, double t);
     void
@@ -90,14 +88,11 @@ namespace Signorini
     dealii::TimerOutput        timer;
     dealii::Timer              clock, mesh_clock; ///< since the start, of the solves on this mesh
 
-    std::unique_ptr<Mesh<dim>>       mesh;
-    std::unique_ptr<Elasticity<dim>> elasticity;
-    std::vector<ContactSurface<dim>> surfaces;
-    std::unique_ptr<GapOperator>     contact;
-    std::unique_ptr<Newton>          newton;
-    std::vector<double>              reach; ///< of each pair: gaps of candidates
-    bool                             assembled = false;
-    std::set<std::string>            warned; ///< pairs that have moved too far
+    std::unique_ptr<Mesh<dim>>         mesh;
+    std::unique_ptr<Elasticity<dim>>   elasticity;
+    std::unique_ptr<ContactSetup<dim>> contact;
+    std::unique_ptr<Newton>            newton;
+    bool                               assembled = false;
 
     LA::Vector displacement, pressure;
 

@@ -1,5 +1,6 @@
 #include <signorini/contact/reach.h>
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/mesh/extent.h>
 
 #include <algorithm>
 #include <limits>
@@ -10,58 +11,19 @@ namespace Signorini
 
   namespace
   {
-    /// Of the faces on all ranks; empty if there are none.
+    /// Of the faces on all ranks.
     template <int dim>
     BoundingBox<dim>
     box_of(const std::vector<FacePatch<dim>> &patches, const MPI_Comm comm)
     {
-      std::vector<double> bounds(2 * dim, -std::numeric_limits<double>::max());
+      Extent<dim> extent;
       for (const FacePatch<dim> &patch : patches)
         {
           const auto &[low, high] = patch.box().get_boundary_points();
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              bounds[d]       = std::max(bounds[d], high[d]);
-              bounds[dim + d] = std::max(bounds[dim + d], -low[d]);
-            }
+          extent.add(low);
+          extent.add(high);
         }
-      Utilities::MPI::max(bounds, comm, bounds);
-      Point<dim> low, high;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          high[d] = bounds[d];
-          low[d]  = -bounds[dim + d];
-        }
-      return BoundingBox<dim>({low, high});
-    }
-
-    /// Largest displacement of a node of the boundary.
-    template <int dim>
-    double
-    largest_displacement(const Elasticity<dim> &elasticity,
-                         const std::string     &boundary,
-                         const LA::Vector      &ghosted)
-    {
-      std::vector<types::global_dof_index> indices;
-      const auto                           id      = elasticity.mesh().boundary_id(boundary);
-      double                               largest = 0;
-      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
-              {
-                const FiniteElement<dim> &fe = cell->get_fe();
-                read_indices<dim>(cell, indices);
-                for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-                  if (fe.base_element(0).has_support_on_face(i, f))
-                    {
-                      Tensor<1, dim> u;
-                      for (unsigned int d = 0; d < dim; ++d)
-                        u[d] = ghosted(indices[fe.component_to_system_index(d, i)]);
-                      largest = std::max(largest, u.norm());
-                    }
-              }
-      return Utilities::MPI::max(largest, elasticity.mesh().communicator());
+      return extent.over_ranks(comm);
     }
 
     template <int dim>
@@ -128,16 +90,47 @@ namespace Signorini
 
 
   template <int dim>
-  double
-  largest_approach(const Elasticity<dim>  &elasticity,
-                   const ContactPair<dim> &pair,
-                   const Obstacle<dim>    *obstacle,
-                   const LA::Vector       &u)
+  std::vector<double>
+  largest_displacements(const Elasticity<dim> &elasticity, const LA::Vector &u)
   {
-    const LA::Vector ghosted = elasticity.with_ghosts(u);
-    return largest_displacement(elasticity, pair.slave, ghosted) +
+    const LA::Vector                     ghosted = elasticity.with_ghosts(u);
+    std::vector<double>                  largest(1 + elasticity.mesh().boundaries().size(), 0.);
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        {
+          const FiniteElement<dim> &fe = cell->get_fe();
+          read_indices<dim>(cell, indices);
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary())
+              for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+                if (fe.base_element(0).has_support_on_face(i, f))
+                  {
+                    Tensor<1, dim> displacement;
+                    for (unsigned int d = 0; d < dim; ++d)
+                      displacement[d] = ghosted(indices[fe.component_to_system_index(d, i)]);
+                    double &of_boundary = largest[cell->face(f)->boundary_id()];
+                    of_boundary         = std::max(of_boundary, displacement.norm());
+                  }
+        }
+    Utilities::MPI::max(largest, elasticity.mesh().communicator(), largest);
+    return largest;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_approach(const Elasticity<dim>     &elasticity,
+                   const ContactPair<dim>    &pair,
+                   const Obstacle<dim>       *obstacle,
+                   const LA::Vector          &u,
+                   const std::vector<double> &of_boundaries)
+  {
+    const Mesh<dim> &mesh = elasticity.mesh();
+    return of_boundaries[mesh.boundary_id(pair.slave)] +
            (obstacle ? largest_displacement(elasticity, *obstacle, u) :
-                       largest_displacement(elasticity, pair.master, ghosted));
+                       of_boundaries[mesh.boundary_id(pair.master)]);
   }
 
 
@@ -149,10 +142,12 @@ namespace Signorini
                            const Obstacle<dim> *,                                                  \
                            const BoundaryFaces<dim> &,                                             \
                            double);                                                                \
-  template double largest_approach(const Elasticity<dim> &,                                        \
-                                   const ContactPair<dim> &,                                       \
-                                   const Obstacle<dim> *,                                          \
-                                   const LA::Vector &);
+  template std::vector<double> largest_displacements(const Elasticity<dim> &, const LA::Vector &); \
+  template double              largest_approach(const Elasticity<dim> &,                           \
+                                                const ContactPair<dim> &,                          \
+                                                const Obstacle<dim> *,                             \
+                                                const LA::Vector &,                                \
+                                                const std::vector<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -2,6 +2,7 @@
 #include <signorini/contact/lagrange.h>
 #include <signorini/contact/method.h>
 #include <signorini/contact/normal_stress.h>
+#include <signorini/contact/obstacle_points.h>
 #include <signorini/contact/pressure_functions.h>
 #include <signorini/contact/reach.h>
 #include <signorini/contact/surface.h>
@@ -91,79 +92,26 @@ namespace Signorini
       return master;
     }
 
+    /// What a pair says of its gap at rest.
     template <int dim>
-    double
-    initial_gap(const ContactPair<dim> &pair, const Point<dim> &x, const double from_geometry)
+    class InitialGap
     {
-      if (pair.initial_gap.text == "from geometry")
-        return from_geometry;
-      return pair.initial_gap.text == "closed" ? 0. : Expression<dim>(pair.initial_gap).value(x);
-    }
+    public:
+      InitialGap(const ContactPair<dim> &pair)
+        : is_given(pair.initial_gap.text != "from geometry")
+        , formula(is_given && pair.initial_gap.text != "closed" ? pair.initial_gap : Formula("0"))
+      {}
 
-    /// Number of the obstacle among the bodies with degrees of freedom; one more if it is at rest.
-    template <int dim>
-    unsigned int
-    rigid_body(const Elasticity<dim> &elasticity, const Obstacle<dim> &obstacle)
-    {
-      const auto &bodies = elasticity.rigid_bodies();
-      return std::find_if(bodies.begin(),
-                          bodies.end(),
-                          [&](const auto &body) { return body.name == obstacle.name; }) -
-             bodies.begin();
-    }
+      double
+      operator()(const Point<dim> &x, const double from_geometry) const
+      {
+        return is_given ? formula.value(x) : from_geometry;
+      }
 
-    /// n . u of an obstacle.
-    template <int dim>
-    SparseRow
-    rigid_row(const Elasticity<dim>  &elasticity,
-              const unsigned int      body,
-              const MasterPlace<dim> &place)
-    {
-      SparseRow row;
-      if (body == elasticity.rigid_bodies().size())
-        return row;
-      const auto values = elasticity.rigid_bodies()[body].normal_displacement(place.position,
-                                                                              place.normal,
-                                                                              elasticity.lever());
-      for (unsigned int i = 0; i < values.size(); ++i)
-        if (values[i] != 0)
-          row.emplace_back(elasticity.first_dof(body) + i, values[i]);
-      return row;
-    }
-
-    /// Partners on a rigid obstacle: no mesh, no search, no segments.
-    template <int dim>
-    std::vector<PairedPoint<dim>>
-    obstacle_points(const Elasticity<dim>             &elasticity,
-                    const std::vector<FacePatch<dim>> &slave,
-                    const Obstacle<dim>               &obstacle,
-                    const Integration                 &integration,
-                    const double                       limit)
-    {
-      const unsigned int            body = rigid_body(elasticity, obstacle);
-      const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
-      std::vector<PairedPoint<dim>> points;
-      for (unsigned int i = 0; i < slave.size(); ++i)
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          {
-            const Point<dim - 1>    &xi    = rule.point(q);
-            const Point<dim>         x     = slave[i].position(xi);
-            const ObstaclePlace<dim> place = obstacle.shape->closest(x);
-            if (std::abs(place.gap) > reach(slave[i], limit) ||
-                !faces_each_other(slave[i].normal(xi), place.normal))
-              continue;
-            PairedPoint<dim> point{i, xi, rule.weight(q) * slave[i].jacobian(xi), {}};
-            point.partner.position  = x - place.gap * place.normal;
-            point.partner.normal    = place.normal;
-            point.partner.distance  = std::abs(place.gap);
-            point.partner.stiffness = std::numeric_limits<double>::infinity();
-            point.partner.bound     = std::numeric_limits<double>::infinity();
-            point.partner.row       = rigid_row(elasticity, body, point.partner);
-            points.push_back(std::move(point));
-          }
-      keep_near_faces(limit, points);
-      return points;
-    }
+    private:
+      const bool            is_given;
+      const Expression<dim> formula;
+    };
 
     /// Segments that touch a face in a line only have no area, and their points no say.
     template <int dim>
@@ -179,7 +127,7 @@ namespace Signorini
 
     template <int dim>
     ContactPoint<dim>
-    contact_point(const ContactPair<dim> &pair,
+    contact_point(const InitialGap<dim>  &initial_gap,
                   const FacePatch<dim>   &patch,
                   const PairedPoint<dim> &paired,
                   const Point<dim>       &unit_point,
@@ -191,8 +139,7 @@ namespace Signorini
       point.position = patch.position(paired.xi);
       point.normal   = partner.normal;
       point.weight   = paired.weight;
-      point.gap =
-        initial_gap(pair, point.position, (point.position - partner.position) * partner.normal);
+      point.gap = initial_gap(point.position, (point.position - partner.position) * partner.normal);
       point.stiffness = 1 / (1 / stiffness + 1 / partner.stiffness);
       point.row       = trace.normal_displacement(unit_point, partner.normal);
       for (const auto &[index, value] : partner.row)
@@ -263,11 +210,12 @@ namespace Signorini
     {
       std::vector<ContactPoint<dim>> result;
       result.reserve(paired_points.size());
-      double            face_depth = 0, face_stiffness = 0;
-      Trace<dim>        trace(elasticity);
-      NormalStress<dim> stress(elasticity);
-      StressBounds<dim> bound(slave);
-      const bool        with_stress = method.predictor() == Predictor::normal_stress;
+      double                face_depth = 0, face_stiffness = 0;
+      Trace<dim>            trace(elasticity);
+      NormalStress<dim>     stress(elasticity);
+      StressBounds<dim>     bound(slave);
+      const InitialGap<dim> initial_gap(pair);
+      const bool            with_stress = method.predictor() == Predictor::normal_stress;
       for (const PairedPoint<dim> &paired : paired_points)
         {
           const auto &[cell, face] = slave.faces[paired.face];
@@ -280,7 +228,7 @@ namespace Signorini
               face_stiffness = slave.stiffness(elasticity, paired.face);
               face_depth     = slave.depth(paired.face);
             }
-          result.push_back(contact_point(pair, patch, paired, place, face_stiffness, trace));
+          result.push_back(contact_point(initial_gap, patch, paired, place, face_stiffness, trace));
           result.back().depth = face_depth;
           result.back().weight *=
             circumference(elasticity, patch, paired.xi, integration, cell->get_fe().degree);
@@ -417,10 +365,10 @@ namespace Signorini
       surface.points = contact_points(elasticity, pair, method, slave, integration, paired);
       check_gaps(pair, surface.points, comm);
       const unsigned int n_paired = Utilities::MPI::sum(paired.size(), comm);
-      surface.largest_angle       = largest_angle(slave, paired, comm);
       surface.reach = std::max(surface.reach, 2 * deepest_overlap(surface.points, comm));
       if (pair.separates && surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
+      surface.largest_angle   = largest_angle(slave, paired, comm);
       surface.sees_nothing    = n_paired == 0;
       surface.is_apart        = Utilities::MPI::sum(surface.points.size(), comm) == 0;
       const auto n_prescribed = set_pressure_functions(

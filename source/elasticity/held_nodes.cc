@@ -1,5 +1,6 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/held_nodes.h>
+#include <signorini/mesh/extent.h>
 #include <signorini/mesh/face_parameter.h>
 #include <signorini/parameters/raw.h>
 
@@ -213,16 +214,12 @@ namespace Signorini
                 const std::string                 &boundary,
                 const std::vector<Tensor<1, dim>> &normals)
     {
-      std::vector<double> largest(2 * dim, -2.);
+      Extent<dim> directions;
       for (const Tensor<1, dim> &n : normals)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            largest[d]       = std::max(largest[d], n[d]);
-            largest[dim + d] = std::max(largest[dim + d], -n[d]);
-          }
-      Utilities::MPI::max(largest, mesh.communicator(), largest);
+        directions.add(n);
+      const BoundingBox<dim> box = directions.over_ranks(mesh.communicator());
       for (unsigned int d = 0; d < dim; ++d)
-        if (largest[d] + largest[dim + d] > 1e-6)
+        if (box.side_length(d) > 1e-6)
           throw SceneError(support.place + ": '" + boundary +
                            "' is not plane, so that it cannot be a plane of symmetry; "
                            "take Type = roller for a curved surface that holds along its normal");

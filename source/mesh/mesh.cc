@@ -1,3 +1,4 @@
+#include <signorini/mesh/extent.h>
 #include <signorini/mesh/mesh.h>
 #include <signorini/mesh/transformed_manifold.h>
 #include <signorini/parameters/section.h>
@@ -180,6 +181,7 @@ namespace Signorini
         distributed->create_triangulation(description);
         tria = std::move(distributed);
       }
+    measure();
   }
 
 
@@ -285,28 +287,30 @@ namespace Signorini
 
 
   template <int dim>
-  BoundingBox<dim>
+  const BoundingBox<dim> &
   Mesh<dim>::extent(const unsigned int body) const
   {
-    // Maxima of x and of -x, so that one reduction serves both ends.
-    std::vector<double> bounds(2 * dim, -std::numeric_limits<double>::max());
+    return body == numbers::invalid_unsigned_int ? whole_extent : extents[body];
+  }
+
+
+
+  template <int dim>
+  void
+  Mesh<dim>::measure()
+  {
+    std::vector<Extent<dim>> of_bodies(n_bodies());
+    Extent<dim>              of_all;
     for (const auto &cell : tria->active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          (body == numbers::invalid_unsigned_int || cell->material_id() == body))
+      if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              bounds[d]       = std::max(bounds[d], cell->vertex(v)[d]);
-              bounds[dim + d] = std::max(bounds[dim + d], -cell->vertex(v)[d]);
-            }
-    Utilities::MPI::max(bounds, communicator(), bounds);
-    Point<dim> low, high;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        high[d] = bounds[d];
-        low[d]  = -bounds[dim + d];
-      }
-    return BoundingBox<dim>({low, high});
+          {
+            of_bodies[cell->material_id()].add(cell->vertex(v));
+            of_all.add(cell->vertex(v));
+          }
+    for (const Extent<dim> &one : of_bodies)
+      extents.push_back(one.over_ranks(communicator()));
+    whole_extent = of_all.over_ranks(communicator());
   }
 
 
@@ -315,8 +319,7 @@ namespace Signorini
   double
   Mesh<dim>::size() const
   {
-    const BoundingBox<dim> box = extent();
-    const auto &[low, high]    = box.get_boundary_points();
+    const auto &[low, high] = whole_extent.get_boundary_points();
     return low.distance(high);
   }
 

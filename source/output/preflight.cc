@@ -54,19 +54,24 @@ namespace Signorini
       return result;
     }
 
-    /// Number of faces of a boundary and their mean size.
+    /// A boundary of a body on this rank, and what is known of the whole of it.
     template <int dim>
-    std::pair<double, double>
-    faces_of(const Elasticity<dim> &elasticity, const std::string &boundary)
+    struct Side
     {
-      const MPI_Comm           comm = elasticity.mesh().communicator();
-      const BoundaryFaces<dim> faces(elasticity, boundary);
-      double                   n = faces.faces.size(), size = 0;
-      for (const FacePatch<dim> &patch : faces.patches)
-        size += patch.diameter() / std::sqrt(dim - 1.);
-      n = Utilities::MPI::sum(n, comm);
-      return {n, Utilities::MPI::sum(size, comm) / std::max(1., n)};
-    }
+      BoundaryFaces<dim> own;
+      double             n = 0, size = 0; ///< number of faces, and their mean size
+
+      Side(const Elasticity<dim> &elasticity, const std::string &boundary)
+        : own(elasticity, boundary)
+      {
+        const MPI_Comm comm = elasticity.mesh().communicator();
+        n                   = own.faces.size();
+        for (const FacePatch<dim> &patch : own.patches)
+          size += patch.diameter() / std::sqrt(dim - 1.);
+        n    = Utilities::MPI::sum(n, comm);
+        size = Utilities::MPI::sum(size, comm) / std::max(1., n);
+      }
+    };
 
     /// Shares of the candidates' area by the initial gap.
     template <int dim>
@@ -105,37 +110,38 @@ namespace Signorini
               {"histogram", histogram}};
     }
 
-    /// True if nearly all vertices of the slave are vertices of the master.
+    /// True if nearly all vertices of the slave are vertices of the master. A rank that their
+    /// rounded coordinates tell compares them.
     template <int dim>
     bool
-    matches(const Elasticity<dim> &elasticity, const ContactPair<dim> &pair, const double size)
+    match(const Side<dim> &slave, const Side<dim> &master, const MPI_Comm comm)
     {
-      const MPI_Comm comm     = elasticity.mesh().communicator();
-      const auto     vertices = [&](const std::string &boundary) {
-        const BoundaryFaces<dim>        faces(elasticity, boundary);
-        std::set<std::array<long, dim>> own;
-        for (const auto &[cell, face] : faces.faces)
+      using Key               = std::array<long, dim>;
+      const double resolution = 0.02 * std::min(slave.size, master.size);
+      const auto   send       = [&](const Side<dim> &side) {
+        std::map<unsigned int, std::vector<Key>> keys;
+        for (const auto &[cell, face] : side.own.faces)
           for (const unsigned int v : cell->face(face)->vertex_indices())
             {
-              std::array<long, dim> key;
+              Key           key;
+              unsigned long hash = 0;
               for (unsigned int d = 0; d < dim; ++d)
-                key[d] = std::lround(cell->face(face)->vertex(v)[d] / (0.02 * size));
-              own.insert(key);
+                {
+                  key[d] = std::lround(cell->face(face)->vertex(v)[d] / resolution);
+                  hash   = 31 * hash + static_cast<unsigned long>(key[d]);
+                }
+              keys[hash % Utilities::MPI::n_mpi_processes(comm)].push_back(key);
             }
-        return own;
+        std::set<Key> received;
+        for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, keys))
+          received.insert(list.begin(), list.end());
+        return received;
       };
-      const auto                     slave = vertices(pair.slave);
-      decltype(vertices(pair.slave)) master;
-      for (const auto &some : Utilities::MPI::all_gather(comm, [&] {
-             const auto                         own = vertices(pair.master);
-             std::vector<std::array<long, dim>> as_list(own.begin(), own.end());
-             return as_list;
-           }()))
-        master.insert(some.begin(), some.end());
-      unsigned int n_same = 0;
-      for (const auto &key : slave)
-        n_same += master.count(key);
-      return Utilities::MPI::sum(n_same, comm) > 0.9 * Utilities::MPI::sum(slave.size(), comm);
+      const std::set<Key> of_slave = send(slave), of_master = send(master);
+      unsigned int        n_same = 0;
+      for (const Key &key : of_slave)
+        n_same += of_master.count(key);
+      return Utilities::MPI::sum(n_same, comm) > 0.9 * Utilities::MPI::sum(of_slave.size(), comm);
     }
 
     template <int dim>
@@ -150,12 +156,12 @@ namespace Signorini
       Json           result   = Json::object();
       for (unsigned int i = 0; i < surfaces.size(); ++i)
         {
-          const ContactPair<dim> &pair     = scene.pairs[i];
-          const auto [n_slave, slave_size] = faces_of(elasticity, pair.slave);
-          Json one                         = {{"slave", pair.slave},
-                                              {"slave_faces", n_slave},
-                                              {"slave_face_size", slave_size},
-                                              {"master", pair.master}};
+          const ContactPair<dim> &pair = scene.pairs[i];
+          const Side<dim>         slave(elasticity, pair.slave);
+          Json                    one = {{"slave", pair.slave},
+                                         {"slave_faces", slave.n},
+                                         {"slave_face_size", slave.size},
+                                         {"master", pair.master}};
           if (surfaces[i].sees_nothing)
             warnings.push_back(
               "pair " + pair.name + ": no face of " + pair.slave + " sees " + pair.master +
@@ -172,7 +178,7 @@ namespace Signorini
           one["gap"]              = gaps(surfaces[i], rounding, comm);
           one["largest_angle"]    = surfaces[i].largest_angle;
           const std::string where = "pair " + pair.name + ": ";
-          if (const double overlap = -one["gap"]["least"].get<double>(); overlap > slave_size)
+          if (const double overlap = -one["gap"]["least"].get<double>(); overlap > slave.size)
             warnings.push_back(
               where + "the surfaces overlap at the start by more than a face of the slave; "
                       "refine the slave, or ramp it: Interference = t");
@@ -183,16 +189,16 @@ namespace Signorini
               " degrees from opposite; contact there is badly resolved: refine, or split the surface");
           if (!scene.obstacle_of(pair))
             {
-              const auto [n_master, master_size] = faces_of(elasticity, pair.master);
-              one["master_faces"]                = n_master;
-              one["master_face_size"]            = master_size;
-              one["matching"] = matches(elasticity, pair, std::min(slave_size, master_size));
-              if (slave_size > 1.5 * master_size)
+              const Side<dim> master(elasticity, pair.master);
+              one["master_faces"]     = master.n;
+              one["master_face_size"] = master.size;
+              one["matching"]         = match(slave, master, comm);
+              if (slave.size > 1.5 * master.size)
                 warnings.push_back(where +
                                    "the slave is coarser than the master, whose nodes may go "
                                    "through it unseen; exchange Slave and Master, or refine " +
                                    pair.slave);
-              else if (master_size > 8 * slave_size)
+              else if (master.size > 8 * slave.size)
                 warnings.push_back(where +
                                    "the master is more than 8 times coarser than the slave, whose "
                                    "resolution is lost on it; refine " +

@@ -297,7 +297,7 @@ namespace Signorini
       }
     std::vector<std::string> masters = boundaries;
     masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
-    for (const ContactPair<dim> &pair : auto_pairs ? std::vector<ContactPair<dim>>() : pairs)
+    for (const ContactPair<dim> &pair : known_pairs())
       {
         require("boundary", {pair.slave}, boundaries, pair.slave_place);
         require("boundary or obstacle", {pair.master}, masters, pair.master_place);
@@ -311,11 +311,10 @@ namespace Signorini
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
     check_axisymmetric(*this);
-    if (pairs.empty() || auto_pairs)
+    if (known_pairs().empty())
       contact.check(degree, degree);
-    else
-      for (const ContactPair<dim> &pair : pairs)
-        contact.check(degree_of(pair.slave), degree_of(pair.master));
+    for (const ContactPair<dim> &pair : known_pairs())
+      contact.check(degree_of(pair.slave), degree_of(pair.master));
     check_contrast(bodies);
     if (mesh.distribution == "METIS" && refinement.cycles > 0)
       throw SceneError(

@@ -23,12 +23,19 @@ namespace Signorini
            const BoundaryFaces<dim> &slave,
            double                    distance);
 
+  /// Of the nodes of each boundary, by its id. Collective.
+  template <int dim>
+  std::vector<double>
+  largest_displacements(const Elasticity<dim> &elasticity, const LA::Vector &u);
+
   /// By how much the surfaces of a pair can have come closer to each other with displacement u.
   /// Collective.
+  /// @param of_boundaries largest_displacements()
   template <int dim>
   double
-  largest_approach(const Elasticity<dim>  &elasticity,
-                   const ContactPair<dim> &pair,
-                   const Obstacle<dim>    *obstacle,
-                   const LA::Vector       &u);
+  largest_approach(const Elasticity<dim>     &elasticity,
+                   const ContactPair<dim>    &pair,
+                   const Obstacle<dim>       *obstacle,
+                   const LA::Vector          &u,
+                   const std::vector<double> &of_boundaries);
 } // namespace Signorini

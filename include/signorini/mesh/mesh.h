@@ -82,11 +82,11 @@ namespace Signorini
       return tria->get_communicator();
     }
 
-    /// Bounding box of the vertices of one body, or of all. Collective.
-    dealii::BoundingBox<dim>
+    /// Bounding box of the vertices of one body, or of all, in the initial mesh.
+    const dealii::BoundingBox<dim> &
     extent(unsigned int body = dealii::numbers::invalid_unsigned_int) const;
 
-    /// Diagonal of the bounding box of all bodies. Collective.
+    /// Diagonal of the bounding box of all bodies.
     double
     size() const;
 
@@ -124,8 +124,13 @@ namespace Signorini
       const MeshSettings<dim>                                  &settings,
       const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const;
 
-    std::vector<std::string> names, boundary_names;
-    unsigned int             degree = 1;
+    void
+    measure();
+
+    std::vector<std::string>              names, boundary_names;
+    unsigned int                          degree = 1;
+    std::vector<dealii::BoundingBox<dim>> extents; ///< of the bodies
+    dealii::BoundingBox<dim>              whole_extent;
 
     std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;
     std::unique_ptr<dealii::Mapping<dim>>                                my_mapping;

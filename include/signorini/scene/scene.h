@@ -104,6 +104,13 @@ namespace Signorini
     void
     check() const;
 
+    /// The pairs, but those that are still to be found.
+    std::vector<ContactPair<dim>>
+    known_pairs() const
+    {
+      return auto_pairs ? std::vector<ContactPair<dim>>() : pairs;
+    }
+
     /// Of the displacement, one a body.
     std::vector<unsigned int>
     degrees() const;

@@ -1,0 +1,184 @@
+#include <signorini/contact/find_pairs.h>
+#include <signorini/contact/method.h>
+#include <signorini/contact/reach.h>
+#include <signorini/contact_setup.h>
+#include <signorini/parameters/raw.h>
+#include <signorini/scene/expected_motion.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  ContactSetup<dim>::ContactSetup(const Scene<dim>      &scene,
+                                  const Elasticity<dim> &elasticity,
+                                  TimerOutput           &timer,
+                                  ConditionalOStream    &out)
+    : scene(scene)
+    , elasticity(elasticity)
+    , timer(timer)
+    , out(out)
+  {
+    const double closing = largest_closing(scene, elasticity.mesh());
+    reach.assign(scene.pairs.size(),
+                 elasticity.has_free_motions() ? std::max(closing, elasticity.mesh().size() / 10) :
+                                                 closing);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::build()
+  {
+    const ContactMethod &method = scene.contact.chosen();
+    {
+      TimerOutput::Scope scope(timer, "search");
+      my_surfaces.clear();
+      for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+        my_surfaces.push_back(make_contact_surface(elasticity,
+                                                   scene.pairs[i],
+                                                   scene.obstacle_of(scene.pairs[i]),
+                                                   method,
+                                                   scene.integration_of(scene.pairs[i]),
+                                                   reach[i]));
+    }
+    TimerOutput::Scope scope(timer, "contact");
+    contact = make_gap_operator(elasticity, my_surfaces, method);
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      {
+        const ContactPair<dim> &pair = scene.pairs[i];
+        if (my_surfaces[i].sees_nothing && pair.search_distance > 0)
+          throw SceneError(
+            pair.master_place + ": no point of '" + pair.slave +
+            "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
+        if (my_surfaces[i].is_apart && !pair.separates)
+          throw SceneError(pair.master_place + ": no point of '" + pair.slave +
+                           "' sees the master of this pair, which is never to separate; move them "
+                           "together, or set its Search distance");
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::needs_more(const LA::Vector &u)
+  {
+    const std::vector<double> displacements = largest_displacements(elasticity, u);
+    bool                      too_short     = false;
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      {
+        const ContactPair<dim> &pair = scene.pairs[i];
+        const double            approach =
+          largest_approach(elasticity, pair, scene.obstacle_of(pair), u, displacements);
+        if (approach > 0.1 * elasticity.mesh().size() && warned.insert(pair.name).second)
+          out << "  WARNING: pair " << pair.name << ": its surfaces have moved by up to "
+              << approach
+              << ", but displacements are small in this theory and contact is that of the initial "
+              << "positions: what slides or turns that far is wrong" << std::endl;
+        if (approach <= my_surfaces[i].reach || !pair.separates)
+          continue;
+        out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
+            << ", farther than " << my_surfaces[i].reach;
+        if (pair.search_distance > 0)
+          out << ", its Search distance: contact beyond was not looked for" << std::endl;
+        else
+          {
+            out << ": searching again" << std::endl;
+            reach[i]  = 2 * approach;
+            too_short = true;
+          }
+      }
+    return too_short;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::look_farther()
+  {
+    const double size     = elasticity.mesh().size();
+    const double farthest = size + largest_closing(scene, elasticity.mesh());
+    bool         any      = false;
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      if (scene.pairs[i].search_distance == 0 && scene.pairs[i].separates && reach[i] < farthest)
+        {
+          reach[i] = 2 * std::max(reach[i], size / 10);
+          any      = true;
+        }
+    if (any)
+      out << "  bodies may fall farther than contact was looked for: searching again" << std::endl;
+    return any;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::set_interference(const double t)
+  {
+    std::vector<double> shares;
+    for (const ContactPair<dim> &pair : scene.pairs)
+      shares.push_back(pair.interference.value({}, t));
+    contact->set_interference(shares);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  ContactSetup<dim>::left_out() const
+  {
+    std::vector<std::string> result;
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      if (my_surfaces[i].is_apart)
+        result.push_back("pair " + scene.pairs[i].name + ": its surfaces stay apart");
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_closing(const Scene<dim> &scene, const Mesh<dim> &mesh)
+  {
+    // They may come closer from both sides.
+    return 3 * expected_motion(scene, mesh.extent());
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactPair<dim>>
+  automatic_pairs(const Scene<dim> &scene, const Mesh<dim> &mesh, ConditionalOStream &out)
+  {
+    std::vector<double> moduli;
+    for (const Body<dim> &body : scene.bodies)
+      moduli.push_back(body.material.youngs_modulus);
+    const ContactPair<dim> &pattern  = scene.pairs.front();
+    const double            distance = pattern.search_distance > 0 ?
+                                         pattern.search_distance :
+                                         std::max(mesh.size() / 10, largest_closing(scene, mesh));
+    const auto              pairs    = find_pairs(mesh, scene.obstacles, moduli, pattern, distance);
+    if (pairs.empty())
+      out << "  WARNING: no surfaces see each other within " << distance
+          << "; name the Contact pairs, or set Contact pairs/auto/Search distance" << std::endl;
+    return pairs;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template class ContactSetup<dim>;                                                                \
+  template double                        largest_closing(const Scene<dim> &, const Mesh<dim> &);   \
+  template std::vector<ContactPair<dim>> automatic_pairs(const Scene<dim> &,                       \
+                                                         const Mesh<dim> &,                        \
+                                                         ConditionalOStream &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini
