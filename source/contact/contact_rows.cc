@@ -1,5 +1,13 @@
+#include <signorini/contact/bytes.h>
 #include <signorini/contact/contact_rows.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
 #include <set>
 
 namespace Signorini
@@ -27,68 +35,126 @@ namespace Signorini
       return rows;
     }
 
-    /// Areas of the nodes of one pair, at their first degree of freedom: with a partner, and all.
-    template <int dim>
-    std::pair<LA::Vector, LA::Vector>
-    node_areas(const Elasticity<dim> &elasticity, const ContactSurface<dim> &surface)
+    using Index = types::global_dof_index;
+
+    /// What a rank knows of a slave node of a pair; and what its owner makes of it.
+    struct NodeOfPair
     {
-      LA::Vector paired = elasticity.zero_vector(), all = elasticity.zero_vector();
-      for (const auto &point : surface.points)
-        for (const auto &[node, value] : point.shape)
-          paired(node) += value * point.weight;
-      for (const auto &[shape, weight] : surface.whole)
-        for (const auto &[node, value] : shape)
-          all(node) += std::abs(value) * weight;
-      paired.compress(VectorOperation::add);
-      all.compress(VectorOperation::add);
-      return {paired, all};
+      unsigned int pair;
+      Index        node;
+      double       paired, all; ///< area with a partner, and of all faces around it
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        serialize_bytes(ar, *this);
+      }
+    };
+
+    struct RowOfNode
+    {
+      unsigned int pair;
+      Index        node, row;
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        serialize_bytes(ar, *this);
+      }
+    };
+
+    using Key = std::pair<unsigned int, Index>; ///< pair, first degree of freedom of the node
+
+    template <typename T>
+    using ByRank = std::map<unsigned int, std::vector<T>>;
+
+    /// The areas of nodes on this rank, sorted by the ranks that own them.
+    template <int dim>
+    ByRank<NodeOfPair>
+    node_areas(const Elasticity<dim> &elasticity, const std::vector<ContactSurface<dim>> &surfaces)
+    {
+      std::map<Key, std::array<double, 2>> areas;
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        {
+          for (const auto &point : surfaces[p].points)
+            for (const auto &[node, value] : point.shape)
+              areas[{p, node}][0] += value * point.weight;
+          if (!surfaces[p].is_apart)
+            for (const auto &[shape, weight] : surfaces[p].whole)
+              for (const auto &[node, value] : shape)
+                areas[{p, node}][1] += std::abs(value) * weight;
+        }
+      // Each rank owns one range of indices, in the order of the ranks.
+      const IndexSet    &owned = elasticity.dof_handler().locally_owned_dofs();
+      std::vector<Index> ends =
+        Utilities::MPI::all_gather(elasticity.mesh().communicator(), Index(owned.n_elements()));
+      std::partial_sum(ends.begin(), ends.end(), ends.begin());
+      ByRank<NodeOfPair> result;
+      for (const auto &[key, area] : areas)
+        {
+          const unsigned int owner =
+            std::upper_bound(ends.begin(), ends.end(), key.second) - ends.begin();
+          result[owner].push_back({key.first, key.second, area[0], area[1]});
+        }
+      return result;
     }
 
     template <int dim>
     ContactRows
     node_rows(const Elasticity<dim> &elasticity, const std::vector<ContactSurface<dim>> &surfaces)
     {
-      ContactRows             rows;
-      std::vector<LA::Vector> numbers; // row of each node, one vector a pair; -1: none
-      for (unsigned int p = 0; p < surfaces.size(); ++p)
-        {
-          const auto [paired, all] = node_areas(elasticity, surfaces[p]);
-          numbers.push_back(elasticity.zero_vector());
-          numbers.back() = -1.;
-          for (const auto i : elasticity.owned())
-            // A node beyond the rim of the master, with next to no area, has no gap to speak of.
-            if (all(i) > 0 && paired(i) > 0.01 * all(i))
-              {
-                numbers.back()(i) = rows.node.size();
-                rows.node.push_back(i);
-                rows.pair.push_back(p);
-              }
-          numbers.back().compress(VectorOperation::insert);
-        }
-      rows.owned    = LA::contiguous_partition(rows.node.size(), elasticity.mesh().communicator());
+      const MPI_Comm comm = elasticity.mesh().communicator();
+      const auto received = Utilities::MPI::some_to_some(comm, node_areas(elasticity, surfaces));
+      std::map<Key, std::array<double, 2>> areas;
+      for (const auto &[rank, nodes] : received)
+        for (const NodeOfPair &one : nodes)
+          {
+            auto &area = areas[{one.pair, one.node}];
+            area[0] += one.paired;
+            area[1] += one.all;
+          }
+
+      ContactRows          rows;
+      std::map<Key, Index> numbers; // on this rank
+      for (const auto &[key, area] : areas)
+        // A node beyond the rim of the master, with next to no area, has no gap to speak of.
+        if (area[1] > 0 && area[0] > 0.01 * area[1])
+          {
+            numbers[key] = rows.node.size();
+            rows.node.push_back(key.second);
+            rows.pair.push_back(key.first);
+          }
+      rows.owned    = LA::contiguous_partition(rows.node.size(), comm);
       rows.writable = rows.owned;
+
+      ByRank<RowOfNode> answers;
+      for (const auto &[rank, nodes] : received)
+        for (const NodeOfPair &one : nodes)
+          if (const auto row = numbers.find({one.pair, one.node}); row != numbers.end())
+            answers[rank].push_back({one.pair, one.node, row->second + *rows.owned.begin()});
+      std::map<Key, Index> row_of;
+      std::set<Index>      foreign;
+      for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, answers))
+        for (const RowOfNode &one : list)
+          {
+            row_of[{one.pair, one.node}] = one.row;
+            if (!rows.owned.is_element(one.row))
+              foreign.insert(one.row);
+          }
+      rows.writable.add_indices(foreign.begin(), foreign.end());
+
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         {
-          for (const auto i : elasticity.owned())
-            if (numbers[p](i) >= 0)
-              numbers[p](i) = numbers[p](i) + *rows.owned.begin();
-          numbers[p].compress(VectorOperation::insert);
-          const LA::Vector                  number = elasticity.with_ghosts(numbers[p]);
-          std::set<types::global_dof_index> foreign;
           rows.shares.emplace_back();
           for (const auto &point : surfaces[p].points)
             {
               rows.shares.back().emplace_back();
               for (const auto &[node, value] : point.shape)
-                if (number(node) >= 0)
-                  {
-                    const auto row = static_cast<types::global_dof_index>(number(node));
-                    rows.shares.back().back().push_back({row, value * point.weight});
-                    if (!rows.owned.is_element(row))
-                      foreign.insert(row);
-                  }
+                if (const auto row = row_of.find({p, node}); row != row_of.end())
+                  rows.shares.back().back().push_back({row->second, value * point.weight});
             }
-          rows.writable.add_indices(foreign.begin(), foreign.end());
         }
       return rows;
     }
