@@ -183,8 +183,8 @@ namespace Signorini
     if (cycle > 0)
       return;
     TimerOutput::Scope scope(timer, "preflight");
-    const Json         report =
-      Signorini::preflight(scene, *elasticity, contact->surfaces(), contact->gap_operator());
+    const Json         report = Signorini::preflight(
+      scene, *elasticity, contact->surfaces(), contact->gap_operator(), clock.wall_time());
     std::ostringstream text;
     print_preflight(report, text);
     out << text.str() << std::flush;

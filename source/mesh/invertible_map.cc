@@ -66,6 +66,48 @@ namespace Signorini
 
 
   template <int dim>
+  bool
+  InvertibleMap<dim>::is_affine() const
+  {
+    constexpr double       rounding  = 1e-12;
+    constexpr unsigned int n_between = 64;
+    Point<dim>             low = pairs[0].X, high = low;
+    for (const Pair &pair : pairs)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          low[d]  = std::min(low[d], pair.X[d]);
+          high[d] = std::max(high[d], pair.X[d]);
+        }
+    const Point<dim> shift = value(low);
+    Tensor<2, dim>   linear; // columns: images of the box's edges
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const Tensor<1, dim> edge =
+          value(low + (high[d] - low[d]) * Point<dim>::unit_vector(d)) - shift;
+        for (unsigned int c = 0; c < dim; ++c)
+          linear[c][d] = edge[c] / (high[d] - low[d]);
+      }
+    const auto agrees = [&](const Point<dim> &X) {
+      return (value(X) - shift - linear * (X - low)).norm() <= rounding * x_size;
+    };
+    // Spread evenly, but on no line of a mesh: multiples of irrational numbers.
+    const double irrational[3] = {std::sqrt(2.), std::sqrt(3.), std::sqrt(5.)};
+    for (unsigned int i = 1; i <= n_between; ++i)
+      {
+        Point<dim> X;
+        for (unsigned int d = 0; d < dim; ++d)
+          X[d] = low[d] + (high[d] - low[d]) * std::fmod(i * irrational[d], 1.);
+        if (!agrees(X))
+          return false;
+      }
+    return std::all_of(pairs.begin(), pairs.end(), [&](const Pair &pair) {
+      return agrees(pair.X);
+    });
+  }
+
+
+
+  template <int dim>
   Tensor<2, dim>
   InvertibleMap<dim>::gradient(const Point<dim> &X) const
   {

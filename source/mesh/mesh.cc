@@ -193,10 +193,11 @@ namespace Signorini
     CoarseMesh<dim> all;
     for (const auto &[name, body] : bodies)
       {
-        CoarseMesh<dim> one = body.generator->generate();
+        CoarseMesh<dim> one       = body.generator->generate();
+        bool            is_curved = body.generator->curved();
         if (!body.transformation.empty())
-          transform(one, body.transformation);
-        if (body.generator->curved() || !body.transformation.empty())
+          is_curved = transform(one, is_curved, body.transformation);
+        if (is_curved)
           degree = 2;
 
         const types::manifold_id first_manifold =

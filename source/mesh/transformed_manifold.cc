@@ -199,13 +199,15 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  transform(CoarseMesh<dim> &mesh, const VectorExpression<dim> &F)
+  bool
+  transform(CoarseMesh<dim> &mesh, const bool is_curved, const VectorExpression<dim> &F)
   {
     const auto map = std::make_shared<InvertibleMap<dim>>(F, mesh.vertices);
     for (Point<dim> &vertex : mesh.vertices)
       vertex = map->value(vertex);
     check_orientation(mesh, F.text());
+    if (!is_curved && map->is_affine())
+      return false;
 
     complete_faces(mesh);
     const auto                                       former = std::move(mesh.manifolds);
@@ -221,14 +223,15 @@ namespace Signorini
         }
       return entry->second;
     });
+    return true;
   }
 
 
 
   template class TransformedManifold<2>;
   template class TransformedManifold<3>;
-  template void
-  transform(CoarseMesh<2> &, const VectorExpression<2> &);
-  template void
-  transform(CoarseMesh<3> &, const VectorExpression<3> &);
+  template bool
+  transform(CoarseMesh<2> &, bool, const VectorExpression<2> &);
+  template bool
+  transform(CoarseMesh<3> &, bool, const VectorExpression<3> &);
 } // namespace Signorini

@@ -16,9 +16,10 @@ namespace Signorini
     /// Of one dimension and degree, by scripts/calibrate.
     struct Calibration
     {
-      double set_up;          ///< seconds of all that is done once a mesh, in those of assembly
+      double set_up;          ///< seconds of what a cold start does once, in those of assembly
       double iteration;       ///< of one iteration of the linear solver, likewise
       double iterations;      ///< of all Newton steps of a cold start together
+      double factorisation;   ///< of the direct solver, likewise, over the root of the unknowns
       double bytes_per_entry; ///< of the stiffness matrix
     };
 
@@ -26,15 +27,19 @@ namespace Signorini
     calibration(const unsigned int dim, const unsigned int degree)
     {
       if (dim == 2)
-        return degree == 1 ? Calibration{50, 0.75, 70, 88} : Calibration{17, 0.42, 130, 46};
-      return degree == 1 ? Calibration{20, 0.22, 28, 52} : Calibration{8, 0.14, 40, 31};
+        return degree == 1 ? Calibration{40, 0.75, 70, 0.02, 88} :
+                             Calibration{14, 0.42, 130, 0.02, 46};
+      return degree == 1 ? Calibration{14, 0.22, 28, 0.1, 52} : Calibration{6, 0.14, 40, 0.1, 31};
     }
 
-    // Of the libraries, and of starting them.
-    constexpr double base_memory_mb = 160, base_seconds = 0.05;
+    constexpr double base_memory_mb = 160; // of the libraries
 
-    // Of a load step or a refined mesh that starts from a solution, beside a cold start.
-    constexpr double warm_share = 0.6;
+    // Of a load step or a refined mesh that starts from a solution, beside a cold start; of which
+    // what is done once for all load steps is a part.
+    constexpr double warm_share = 0.6, set_up_of_steps = 0.2;
+
+    // Newton steps of a cold start, each of which the direct solver factorises for.
+    constexpr double newton_steps = 5;
 
     /// Cells with one kind of element.
     struct Cells
@@ -54,8 +59,8 @@ namespace Signorini
       return *middle;
     }
 
-    /// Of all ranks, by their element's index. The yardstick is plain elasticity, whatever the model
-    /// is: what takes most does not depend on it.
+    /// Of all ranks, by their element's index. The yardstick is plain elasticity, whatever the
+    /// model is: what takes most does not depend on it.
     template <int dim>
     std::vector<Cells>
     count_cells(const Elasticity<dim> &elasticity)
@@ -93,7 +98,7 @@ namespace Signorini
 
   template <int dim>
   Prediction
-  predict(const Scene<dim> &scene, const Elasticity<dim> &elasticity)
+  predict(const Scene<dim> &scene, const Elasticity<dim> &elasticity, const double seconds)
   {
     const double n_ranks = Utilities::MPI::n_mpi_processes(elasticity.mesh().communicator());
     // Refinement of the given share of the cells, as often as it is to come.
@@ -111,29 +116,37 @@ namespace Signorini
     const double dofs_per_node = elasticity.dof_handler().n_dofs() / nodes;
 
     Prediction result;
-    result.seconds   = base_seconds;
-    result.memory_mb = base_memory_mb;
+    result.seconds_before = Utilities::MPI::max(seconds, elasticity.mesh().communicator());
+    result.memory_mb      = base_memory_mb;
+    const double most     = std::max(1., refinement.maximum_cells / all_cells);
+    double       size     = 1; // of this mesh, in that of the first
+    for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
+      {
+        const double starts = cycle == 0 ? 1 : warm_share, // in cold ones
+          steps             = cycle < refinement.cycles ? 0 : scene.load_steps.ends().size() - 1.;
+        result.seconds += result.seconds_before * std::pow(size, (dim - 1.) / dim);
+        for (unsigned int i = 0; i < elements.size(); ++i)
+          {
+            const auto   costs = calibration(dim, elements[i].degree);
+            const double n     = size * counted[i].n,
+                         dofs  = n * dofs_per_node * std::pow(elements[i].degree, dim),
+                         solve = scene.solver.preconditioner == "direct" ?
+                                   costs.factorisation * newton_steps * std::sqrt(dofs) :
+                                   costs.iteration * costs.iterations / n_ranks;
+            result.seconds += counted[i].seconds * n *
+                              (costs.set_up / n_ranks * (1 + set_up_of_steps * steps) +
+                               solve * (starts + warm_share * steps));
+          }
+        if (cycle < refinement.cycles)
+          size = std::min(growth * size, most);
+      }
     for (unsigned int i = 0; i < elements.size(); ++i)
       {
-        const unsigned int degree     = elements[i].degree;
-        const auto         costs      = calibration(dim, degree);
-        double             cells      = counted[i].n;
-        const double       most       = std::max(1., refinement.maximum_cells / all_cells) * cells;
-        double             iterations = costs.iterations;
-        for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
-          {
-            if (cycle > 0)
-              cells = std::min(growth * cells, most);
-            if (cycle == refinement.cycles)
-              iterations += warm_share * costs.iterations * (scene.load_steps.ends().size() - 1);
-            result.seconds +=
-              counted[i].seconds * cells / n_ranks * (costs.set_up + costs.iteration * iterations);
-            iterations = warm_share * costs.iterations;
-          }
-        const double dofs_per_cell   = dofs_per_node * std::pow(degree, dim);
-        const double entries_per_dof = dim * std::pow(degree == 1 ? 3 : 4, dim);
-        result.memory_mb +=
-          cells * dofs_per_cell / n_ranks * entries_per_dof * costs.bytes_per_entry / 1e6;
+        const unsigned int degree        = elements[i].degree;
+        const double       dofs_per_cell = dofs_per_node * std::pow(degree, dim),
+                     entries_per_dof     = dim * std::pow(degree == 1 ? 3 : 4, dim);
+        result.memory_mb += size * counted[i].n * dofs_per_cell / n_ranks * entries_per_dof *
+                            calibration(dim, degree).bytes_per_entry / 1e6;
         result.seconds_per_cell += counted[i].seconds * counted[i].n / all_cells;
       }
     return result;
@@ -142,7 +155,7 @@ namespace Signorini
 
 
   template Prediction
-  predict(const Scene<2> &, const Elasticity<2> &);
+  predict(const Scene<2> &, const Elasticity<2> &, double);
   template Prediction
-  predict(const Scene<3> &, const Elasticity<3> &);
+  predict(const Scene<3> &, const Elasticity<3> &, double);
 } // namespace Signorini

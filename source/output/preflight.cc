@@ -260,9 +260,10 @@ namespace Signorini
   preflight(const Scene<dim>                       &scene,
             const Elasticity<dim>                  &elasticity,
             const std::vector<ContactSurface<dim>> &surfaces,
-            const GapOperator                      &contact)
+            const GapOperator                      &contact,
+            const double                            seconds)
   {
-    const Prediction prediction = predict(scene, elasticity);
+    const Prediction prediction = predict(scene, elasticity, seconds);
     Json             warnings   = Json::array();
     warn_of_bodies(scene, warnings);
     Json report = {{"model", scene.model},
@@ -274,6 +275,7 @@ namespace Signorini
                    {"warnings", warnings},
                    {"predicted",
                     {{"seconds", prediction.seconds},
+                     {"seconds_before", prediction.seconds_before},
                      {"memory_mb", prediction.memory_mb},
                      {"seconds_per_cell", prediction.seconds_per_cell}}}};
     return report;
@@ -347,10 +349,12 @@ namespace Signorini
   preflight(const Scene<2> &,
             const Elasticity<2> &,
             const std::vector<ContactSurface<2>> &,
-            const GapOperator &);
+            const GapOperator &,
+            double);
   template Json
   preflight(const Scene<3> &,
             const Elasticity<3> &,
             const std::vector<ContactSurface<3>> &,
-            const GapOperator &);
+            const GapOperator &,
+            double);
 } // namespace Signorini

@@ -296,10 +296,30 @@ TEST_CASE("nonsense in a mesh's section is refused with the key")
 
 
 
+TEST_CASE("what stays straight needs no manifold, and is found whatever the formula looks like")
+{
+  const auto box    = [] { return generator<2>("box", {{"Subdivisions", "4,4"}})->generate(); };
+  auto       turned = box();
+  CHECK(!transform(turned,
+                   false,
+                   VectorExpression<2>("x*cos(pi/6) - y*sin(pi/6); x*sin(pi/6) + y*cos(pi/6)")));
+  CHECK(turned.manifolds.empty());
+  CHECK(turned.vertices.back().distance({std::cos(pi / 6) - 0.5, 0.5 + std::cos(pi / 6)}) < 1e-12);
+  // Zero at all vertices, and small.
+  auto wavy = box();
+  CHECK(transform(wavy, false, VectorExpression<2>("x; y + 1e-6*sin(4*pi*x)")));
+  CHECK(!wavy.manifolds.empty());
+  auto disc = generator<2>("disc", {})->generate();
+  CHECK(transform(disc, true, VectorExpression<2>("2*x; y")));
+  CHECK(!disc.manifolds.empty());
+}
+
+
+
 TEST_CASE("a box bent to a ring: refined points are images of the refined box")
 {
   auto mesh = generator<2>("box", {{"Subdivisions", "2,3"}})->generate();
-  transform(mesh, VectorExpression<2>("(2+x)*cos(pi*y); (2+x)*sin(pi*y)"));
+  transform(mesh, false, VectorExpression<2>("(2+x)*cos(pi*y); (2+x)*sin(pi*y)"));
   Triangulation<2>    triangulation;
   std::vector<double> errors;
   create(triangulation, mesh);
@@ -325,7 +345,7 @@ TEST_CASE("a box bent to a ring: refined points are images of the refined box")
 TEST_CASE("a crowned block: faces are images of the plane ones")
 {
   auto mesh = generator<3>("box", {{"Subdivisions", "2,2,1"}})->generate();
-  transform(mesh, VectorExpression<3>("1000*x; 1000*y; 1000*(z + z*(x^2+y^2)/6)"));
+  transform(mesh, false, VectorExpression<3>("1000*x; 1000*y; 1000*(z + z*(x^2+y^2)/6)"));
   Triangulation<3> triangulation;
   create(triangulation, mesh);
   triangulation.refine_global(2);
@@ -346,7 +366,7 @@ TEST_CASE("a crowned block: faces are images of the plane ones")
 TEST_CASE("a transformed ball: the sphere under the map stays exact, also on its rims")
 {
   auto mesh = generator<3>("sphere", {{"Part", "lower quarter"}})->generate();
-  transform(mesh, VectorExpression<3>("2*x; y; z + (x^2+y^2)/4"));
+  transform(mesh, false, VectorExpression<3>("2*x; y; z + (x^2+y^2)/4"));
   Triangulation<3> triangulation;
   create(triangulation, mesh);
   const auto before = [](const Point<3> &p) {
@@ -375,7 +395,7 @@ TEST_CASE("transformations that cannot be are refused")
   const auto attempt = [](const std::string &formulas) {
     return message_of([&] {
       auto mesh = generator<2>("box", {})->generate();
-      transform(mesh, VectorExpression<2>(formulas));
+      transform(mesh, false, VectorExpression<2>(formulas));
     });
   };
   says(attempt("x; free"), "free");

@@ -22,6 +22,11 @@ namespace Signorini
     dealii::Point<dim>
     value(const dealii::Point<dim> &X) const;
 
+    /// True if F keeps straight what is straight: at the points, and at others between them, it is
+    /// a linear map and a shift, up to rounding.
+    bool
+    is_affine() const;
+
     /// dF/dX, by central differences.
     dealii::Tensor<2, dim>
     gradient(const dealii::Point<dim> &X) const;

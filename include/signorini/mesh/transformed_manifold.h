@@ -49,9 +49,10 @@ namespace Signorini
   };
 
   /// Move the mesh by x = F(X). Afterwards every cell, face and line has a manifold, the
-  /// transformed former one, so that refined points lie exactly where F puts them. Throws
-  /// SceneError if F leaves components free, is not finite, or turns cells inside out.
+  /// transformed former one, so that refined points lie exactly where F puts them; but a mesh that
+  /// stays straight needs none. Returns true if it is curved now. Throws SceneError if F leaves
+  /// components free, is not finite, or turns cells inside out.
   template <int dim>
-  void
-  transform(CoarseMesh<dim> &mesh, const VectorExpression<dim> &F);
+  bool
+  transform(CoarseMesh<dim> &mesh, bool is_curved, const VectorExpression<dim> &F);
 } // namespace Signorini

@@ -4,18 +4,21 @@
 
 namespace Signorini
 {
-  /// What a run will take, by a small model: so many times the seconds of assembly, which are
-  /// measured on a few cells, and so many bytes an entry of the stiffness matrix. Within a factor
+  /// What a run will take, by a small model: what it has taken up to now, so many times the seconds
+  /// of assembly, which are measured on a few cells, and so many bytes an entry of the stiffness
+  /// matrix. Within a factor
   /// of two for the seconds and 30 % for the memory of usual scenes; scripts/calibrate compares.
   struct Prediction
   {
     double seconds_per_cell = 0; ///< of assembly, measured here and now
     double seconds          = 0; ///< of the whole run
+    double seconds_before   = 0; ///< until now: mesh, search
     double memory_mb        = 0; ///< largest of a rank
   };
 
   /// Collective. Of the mesh as it is and the refinements to come.
+  /// @param seconds since the start; what they did is done again on each mesh, surface by surface
   template <int dim>
   Prediction
-  predict(const Scene<dim> &scene, const Elasticity<dim> &elasticity);
+  predict(const Scene<dim> &scene, const Elasticity<dim> &elasticity, double seconds);
 } // namespace Signorini

@@ -18,7 +18,8 @@ namespace Signorini
   preflight(const Scene<dim>                       &scene,
             const Elasticity<dim>                  &elasticity,
             const std::vector<ContactSurface<dim>> &surfaces,
-            const GapOperator                      &contact);
+            const GapOperator                      &contact,
+            double                                  seconds);
 
   void
   print_preflight(const nlohmann::ordered_json &report, std::ostream &out);
