@@ -110,7 +110,8 @@ namespace Signorini
           return format.read(file_name);
         }
     throw SceneError("mesh file '" + file_name + "' has the unknown extension '" + extension +
-                     "'; there are " + mesh_formats());
+                     "'; there are " + mesh_formats() +
+                     "; most others become one of them by: meshio convert FILE mesh.vtu");
   }
 
 
