@@ -55,9 +55,10 @@ namespace Signorini
             pair.master_place + ": no point of '" + pair.slave +
             "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
         if (my_surfaces[i].is_apart && !pair.separates)
-          throw SceneError(pair.master_place + ": no point of '" + pair.slave +
-                           "' sees the master of this pair, which is never to separate; move them "
-                           "together, or set its Search distance");
+          throw SceneError(
+            pair.master_place + ": no point of '" + pair.slave +
+            "' touches the master of this pair, which is never to separate; move them "
+            "together, or set its Search distance");
       }
   }
 
@@ -107,7 +108,7 @@ namespace Signorini
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
       if (scene.pairs[i].search_distance == 0 && scene.pairs[i].separates && reach[i] < farthest)
         {
-          reach[i] = 2 * std::max(reach[i], size / 10);
+          reach[i] = 4 * std::max(reach[i], size / 10);
           any      = true;
         }
     if (any)

@@ -71,7 +71,8 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
     Section    section(raw);
     scene.declare(section);
     section.close();
-    scene.name = std::filesystem::path(arguments.scene).stem();
+    scene.given = raw;
+    scene.name  = std::filesystem::path(arguments.scene).stem();
     scene.check();
     Simulation<dim> simulation(scene, MPI_COMM_WORLD);
     if (arguments.action == "solve")

@@ -90,7 +90,7 @@ namespace Signorini
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       {
         std::ofstream resolved(directory + "/scene.prm");
-        Section       section(resolved, false);
+        Section       section(resolved, false, 0, &scene.given);
         Scene<dim>(scene).declare(section);
       }
     results               = {{"scene", scene.name},
@@ -156,6 +156,7 @@ namespace Signorini
         {
           scene.pairs      = automatic_pairs(scene, *mesh, out);
           scene.auto_pairs = false;
+          scene.check_integration();
           // Contact surfaces are refined, and weigh more where the mesh is distributed.
           mesh = make_mesh(scene, comm);
         }
@@ -326,8 +327,7 @@ namespace Signorini
     const double estimate =
       refine(scene.refinement, *mesh, *elasticity, displacement, {&displacement, &nodal});
     pressure = nodal;
-    results["cycles"].push_back(
-      {{"newton_iterations", report.steps.size()}, {"estimate", estimate}});
+    results["cycles"].push_back({{"newton_iterations", n_steps}, {"estimate", estimate}});
   }
 
 
@@ -339,8 +339,12 @@ namespace Signorini
     // Only the end counts, and mostly it is found at once.
     const double tolerance = std::max(scene.newton.tolerance, scene.refinement.tolerance);
     const double end       = scene.load_steps.end_time;
+    n_steps                = 0;
     if (attempt(end, tolerance))
-      return true;
+      {
+        n_steps = report.steps.size();
+        return true;
+      }
     if (report.is_loose || scene.load_steps.cut_backs == 0)
       return false;
     out << "  not solved at once (" << report.reason << "): step by step" << std::endl;
@@ -348,7 +352,7 @@ namespace Signorini
     pressure     = contact->gap_operator().zero();
     if (newton)
       newton->set_active(pressure);
-    return follow_loads(tolerance, end / 2, [](auto, auto) {});
+    return follow_loads(tolerance, end / 2, [&](auto, auto) { n_steps += report.steps.size(); });
   }
 
 
@@ -414,8 +418,8 @@ namespace Signorini
       }
     catch (const SolverFailure &failure)
       {
-        report.converged = false;
-        report.reason    = failure.what();
+        report        = NewtonReport();
+        report.reason = failure.what();
       }
     displacement         = u;
     const bool same_size = p.size() == pressure.size();

@@ -25,10 +25,12 @@ namespace Signorini
                  dealii::TimerOutput        &timer,
                  dealii::ConditionalOStream &out);
 
-    /// Search, and assemble the gap operator. Throws SceneError where a pair that has to see its
-    /// partner does not.
+    /// Search, and assemble the gap operator, which ends all references to the former one and to
+    /// the surfaces. Throws SceneError where a pair that has to see its partner does not.
     void
     build();
+
+    // After build():
 
     const std::vector<ContactSurface<dim>> &
     surfaces() const

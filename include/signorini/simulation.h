@@ -93,6 +93,7 @@ namespace Signorini
     std::unique_ptr<ContactSetup<dim>> contact;
     std::unique_ptr<Newton>            newton;
     bool                               assembled = false;
+    unsigned int                       n_steps   = 0; ///< of Newton's method on a coarse mesh
 
     LA::Vector displacement, pressure;
 

@@ -157,6 +157,11 @@ namespace Signorini
       contact.weight.reinit(rows.owned, comm);
       contact.rest_gap.reinit(contact.weight);
       contact.stiffness.reinit(contact.weight);
+      contact.permanent.reinit(contact.weight);
+      auto pair = rows.pair.begin();
+      for (const auto i : rows.owned)
+        contact.permanent(i) = surfaces[*pair++].separates ? 0. : 1.;
+      contact.permanent.compress(VectorOperation::insert);
       contact.epsilon.reinit(contact.weight);
       contact.position.assign(dim, contact.zero());
       contact.normal.assign(dim, contact.zero());
@@ -258,8 +263,6 @@ namespace Signorini
     contact.dofs              = elasticity.owned();
     contact.pair              = rows.pair;
     contact.node              = rows.node;
-    for (const unsigned int p : rows.pair)
-      contact.permanent.push_back(!surfaces[p].separates);
     assemble_matrices(contact, rows, surfaces, method, comm);
     assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), comm);
     normalise(contact);
@@ -292,8 +295,9 @@ namespace Signorini
     auto which   = pair.begin();
     for (const auto i : rest_gap.locally_owned_elements())
       {
-        const double share = shares[*which++];
-        initial_gap(i)     = rest_gap(i) < 0 ? share * rest_gap(i) : rest_gap(i);
+        const double share  = shares[*which++];
+        const bool   counts = rest_gap(i) < 0 || permanent(i) > 0;
+        initial_gap(i)      = counts ? share * rest_gap(i) : rest_gap(i);
       }
     initial_gap.compress(VectorOperation::insert);
   }

@@ -62,11 +62,11 @@ namespace Signorini
               const LA::Vector  &predicted,
               LA::Vector        &active)
   {
-    unsigned int n_active = 0, k = 0;
+    unsigned int n_active = 0;
     for (const auto i : contact.weight.locally_owned_elements())
       {
         const bool pushes  = predicted(i) - contact.epsilon(i) * gap(i) > 0;
-        const bool touches = (pushes || contact.is_permanent(k++)) && contact.weight(i) > 0;
+        const bool touches = (pushes || contact.permanent(i) > 0) && contact.weight(i) > 0;
         active(i)          = touches ? 1. : 0.;
         n_active += touches;
       }

@@ -14,13 +14,15 @@ namespace Signorini
     section.add("Initial gap",
                 initial_gap,
                 "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z [length]");
-    section.add("Separates",
-                separates,
-                "yes, or no: what sees each other at the start stays in touch, slides freely, and "
-                "may pull: as a flat platen under a given force");
+    section.add(
+      "Separates",
+      separates,
+      "yes, or no: what touches at the start, or is within the Search distance, keeps its "
+      "distance, slides freely, and may pull: as a flat platen under a given force");
     section.add("Interference",
                 interference,
-                "share of initial overlaps that counts, formula in t: 1: at once; t: ramped");
+                "share of initial overlaps (and of gaps that a pair closes that never separates) "
+                "that counts, formula in t: 1: at once; t: ramped");
     section.add(
       "Search distance",
       search_distance,
@@ -31,7 +33,7 @@ namespace Signorini
       return;
     slave_place  = section.place_of("Slave");
     master_place = section.place_of("Master");
-    if (depends_on_place(interference))
+    if (interference.depends_on_place())
       section.fail(
         "Interference",
         "depends on the place, but is one share for the whole pair; write it in t alone");

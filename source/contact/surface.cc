@@ -328,6 +328,36 @@ namespace Signorini
       points.erase(std::remove_if(points.begin(), points.end(), is_far), points.end());
     }
 
+    /// Of surfaces that are never to separate, what touches at the start up to the error of the
+    /// mesh, or what is within the search distance. Their gaps stay, their overlaps do not.
+    template <int dim>
+    void
+    keep_touching(const ContactPair<dim>         &pair,
+                  const BoundaryFaces<dim>       &slave,
+                  std::vector<PairedPoint<dim>>  &paired,
+                  std::vector<ContactPoint<dim>> &points)
+    {
+      constexpr double error_of_mesh = 0.1; // in face sizes
+      const bool       is_given      = pair.initial_gap.text != "from geometry";
+      unsigned int     n             = 0;
+      for (unsigned int i = 0; i < points.size(); ++i)
+        {
+          const double most = error_of_mesh * slave.patches[points[i].face].diameter();
+          if (!is_given && pair.search_distance == 0 && points[i].gap > most)
+            continue;
+          if (!is_given)
+            points[i].gap = std::min(points[i].gap, 0.);
+          if (n < i)
+            {
+              points[n] = std::move(points[i]);
+              paired[n] = std::move(paired[i]);
+            }
+          ++n;
+        }
+      points.resize(n);
+      paired.resize(n);
+    }
+
     /// With the pair's slave and master as they are.
     template <int dim>
     ContactSurface<dim>
@@ -366,7 +396,9 @@ namespace Signorini
       check_gaps(pair, surface.points, comm);
       const unsigned int n_paired = Utilities::MPI::sum(paired.size(), comm);
       surface.reach = std::max(surface.reach, 2 * deepest_overlap(surface.points, comm));
-      if (pair.separates && surface.reach < limit)
+      if (!pair.separates)
+        keep_touching(pair, slave, paired, surface.points);
+      else if (surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
       surface.largest_angle   = largest_angle(slave, paired, comm);
       surface.sees_nothing    = n_paired == 0;

@@ -43,7 +43,7 @@ namespace Signorini
     if (type != "displacement" && displacement.given())
       section.fail("Displacement",
                    "belongs to Type = displacement; a roller has its Normal displacement");
-    if (type != "roller" && normal_displacement.formula() != "0")
+    if (type != "roller" && !normal_displacement.is_zero())
       section.fail("Normal displacement", "belongs to Type = roller");
     if (type != "roller" && direction.norm() > 0)
       section.fail("Direction", "belongs to Type = roller");
@@ -78,7 +78,7 @@ namespace Signorini
       section.fail("Body force", "is needed where Bodies are named");
     if (bodies.empty() && !body_force.empty())
       section.fail("Bodies", "are needed where a Body force is given");
-    if (!boundaries.empty() && traction.empty() && pressure.formula() == "0")
+    if (!boundaries.empty() && traction.empty() && pressure.is_zero())
       section.fail("Traction", "or Pressure is needed where Boundaries are named");
   }
 

@@ -51,15 +51,10 @@ namespace Signorini
   void
   Elasticity<dim>::setup()
   {
-    if (elements.size() == 1)
-      dofs.distribute_dofs(elements[0]);
-    else
-      {
-        for (const auto &cell : dofs.active_cell_iterators())
-          if (cell->is_locally_owned())
-            cell->set_active_fe_index(element_of_body[cell->material_id()]);
-        dofs.distribute_dofs(elements);
-      }
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        cell->set_active_fe_index(element_of_body[cell->material_id()]);
+    dofs.distribute_dofs(elements);
     my_lever = my_mesh.size() / 2;
 
     // Indices of the mesh, and those of the rigid bodies behind them.

@@ -56,10 +56,10 @@ namespace Signorini
     section.add("Reference point", reference, "what the Rotation is about [length]");
     if (!section.reading())
       return;
-    if (depends_on_place(displacement))
+    if (displacement.depends_on_place())
       section.fail("Displacement",
                    "depends on the place, but an obstacle is rigid; write it in t alone");
-    if (depends_on_place(rotation))
+    if (rotation.depends_on_place())
       section.fail("Rotation",
                    "depends on the place, but an obstacle is rigid; write it in t alone");
     check_driven(section, "Force", force, "Displacement", displacement);

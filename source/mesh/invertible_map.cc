@@ -70,7 +70,7 @@ namespace Signorini
   InvertibleMap<dim>::is_affine() const
   {
     constexpr double       rounding  = 1e-12;
-    constexpr unsigned int n_between = 64;
+    constexpr unsigned int n_between = 4096;
     Point<dim>             low = pairs[0].X, high = low;
     for (const Pair &pair : pairs)
       for (unsigned int d = 0; d < dim; ++d)

@@ -32,7 +32,7 @@ namespace Signorini
       return degree == 1 ? Calibration{14, 0.22, 28, 0.1, 52} : Calibration{6, 0.14, 40, 0.1, 31};
     }
 
-    constexpr double base_memory_mb = 160; // of the libraries
+    constexpr double base_memory_mb = 166; // of the libraries
 
     // Of a load step or a refined mesh that starts from a solution, beside a cold start; of which
     // what is done once for all load steps is a part.

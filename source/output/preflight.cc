@@ -1,5 +1,6 @@
 #include <signorini/contact/boundary_faces.h>
 #include <signorini/output/preflight.h>
+#include <signorini/parameters/raw.h>
 
 #include <algorithm>
 #include <array>
@@ -48,6 +49,7 @@ namespace Signorini
             {"to", list(high)},
             {"cells", cells[b]},
             {"degree", elasticity.degree(b)},
+            {"boundaries", scene.bodies[b].mesh.generator->boundaries()},
             {"youngs_modulus", scene.bodies[b].material.youngs_modulus},
             {"poissons_ratio", scene.bodies[b].material.poissons_ratio}};
         }
@@ -161,7 +163,8 @@ namespace Signorini
           Json                    one = {{"slave", pair.slave},
                                          {"slave_faces", slave.n},
                                          {"slave_face_size", slave.size},
-                                         {"master", pair.master}};
+                                         {"master", pair.master},
+                                         {"separates", pair.separates}};
           if (surfaces[i].sees_nothing)
             warnings.push_back(
               "pair " + pair.name + ": no face of " + pair.slave + " sees " + pair.master +
@@ -226,8 +229,7 @@ namespace Signorini
       if (contact.empty())
         result.push_back("contact: nothing can touch, the scene is one linear problem a load step");
       else
-        result.push_back(
-          "friction: no scene asks for it yet, so nothing tangential is stored or solved");
+        result.push_back("friction: contact slides freely, nothing tangential is stored or solved");
       for (const Obstacle<dim> &obstacle : scene.obstacles)
         {
           unsigned int n_free = 0;
@@ -244,8 +246,10 @@ namespace Signorini
     void
     warn_of_bodies(const Scene<dim> &scene, Json &warnings)
     {
+      const std::vector<unsigned int> degrees = scene.degrees();
+      auto                            degree  = degrees.begin();
       for (const Body<dim> &body : scene.bodies)
-        if (body.material.poissons_ratio > 0.49 && scene.degree_of(body.name) == 1)
+        if (*degree++ == 1 && body.material.poissons_ratio > 0.49)
           warnings.push_back(
             "body " + body.name +
             ": nearly incompressible, where degree 1 is too stiff; set Degree = 2 and "
@@ -295,6 +299,12 @@ namespace Signorini
       return out.str() + ")";
     }
 
+    std::string
+    words(const Json &list)
+    {
+      return join(list.get<std::vector<std::string>>());
+    }
+
     void
     print_pair(const std::string &name, const Json &pair, std::ostream &out)
     {
@@ -305,7 +315,7 @@ namespace Signorini
         out << " (" << pair["master_faces"].get<double>() << " of "
             << pair["master_face_size"].get<double>()
             << (pair["matching"].get<bool>() ? ", matching)" : ")");
-      out << "\n";
+      out << (pair["separates"].get<bool>() ? "\n" : ", never to separate\n");
       if (!pair.contains("gap"))
         return;
       const Json &gap = pair["gap"];
@@ -337,9 +347,14 @@ namespace Signorini
       out << "  left out: " << what.get<std::string>() << "\n";
     for (const auto &warning : report["warnings"])
       out << "  WARNING: " << warning.get<std::string>() << "\n";
-    out << "  expected: about " << std::setprecision(2)
-        << report["predicted"]["seconds"].get<double>() << " s and " << std::setprecision(3)
-        << report["predicted"]["memory_mb"].get<double>() << " MB a rank\n"
+    const double seconds = report["predicted"]["seconds"];
+    out << "  expected: " << std::setprecision(2);
+    if (seconds < 1)
+      out << "less than a second";
+    else
+      out << "about " << seconds << " s";
+    out << " and " << std::setprecision(3) << report["predicted"]["memory_mb"].get<double>()
+        << " MB a rank\n"
         << std::flush;
   }
 

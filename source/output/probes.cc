@@ -146,29 +146,12 @@ namespace Signorini
 
 
 
-    /// "from (0, 0) to (1, 1)"; collective.
+    /// "from (0, 0) to (1, 1)"
     template <int dim>
     std::string
     extent_of_body(const Mesh<dim> &mesh, const unsigned int body)
     {
-      // From lowest x, -x, lowest y, ... so that one minimum over the ranks gives all.
-      std::vector<double> lowest(2 * dim, std::numeric_limits<double>::max());
-      for (const auto &cell : mesh.triangulation().active_cell_iterators())
-        if (cell->is_locally_owned() && cell->material_id() == body)
-          for (const unsigned int v : cell->vertex_indices())
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                lowest[2 * d]     = std::min(lowest[2 * d], cell->vertex(v)[d]);
-                lowest[2 * d + 1] = std::min(lowest[2 * d + 1], -cell->vertex(v)[d]);
-              }
-      std::vector<double> all(lowest.size());
-      Utilities::MPI::min(lowest, mesh.communicator(), all);
-      Point<dim> low, high;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          low[d]  = all[2 * d];
-          high[d] = -all[2 * d + 1];
-        }
+      const auto &[low, high] = mesh.extent(body).get_boundary_points();
       return "from " + point_text(low) + " to " + point_text(high);
     }
 

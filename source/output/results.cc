@@ -43,7 +43,7 @@ namespace Signorini
       {}
 
       std::vector<double> force, moment;
-      double              normal_force = 0, area = 0, active_points = 0, points = 0;
+      double normal_force = 0, sum_of_sizes = 0, area = 0, active_points = 0, points = 0;
       // Of each, the maximum.
       double pressure = 0, penetration = 0, minus_gap = -std::numeric_limits<double>::max(),
              tension = 0, complementarity = 0;
@@ -54,7 +54,7 @@ namespace Signorini
         for (auto *numbers : {&force, &moment})
           for (double &x : *numbers)
             x = Utilities::MPI::sum(x, comm);
-        for (double *x : {&normal_force, &area, &active_points, &points})
+        for (double *x : {&normal_force, &sum_of_sizes, &area, &active_points, &points})
           *x = Utilities::MPI::sum(*x, comm);
         for (double *x : {&pressure, &penetration, &minus_gap, &tension, &complementarity})
           *x = Utilities::MPI::max(*x, comm);
@@ -86,6 +86,7 @@ namespace Signorini
             for (unsigned int d = on_circles; d < sums.moment.size(); ++d)
               sums.moment[d] += force * s.contact.moment[d](i);
             sums.normal_force += force;
+            sums.sum_of_sizes += std::abs(force);
             sums.points += 1;
             sums.area += s.active(i) * s.contact.weight(i);
             sums.active_points += s.active(i);
@@ -99,10 +100,13 @@ namespace Signorini
       // the nodes' shape functions are what other methods call the pressure.
       if (!samples_nodes(s.contact))
         {
-          sums.pressure          = 0;
-          const LA::Vector nodal = nodal_field(s, s.pressure, pair);
+          sums.pressure = sums.tension = 0;
+          const LA::Vector nodal       = nodal_field(s, s.pressure, pair);
           for (const auto i : nodal.locally_owned_elements())
-            sums.pressure = std::max(sums.pressure, nodal(i));
+            {
+              sums.pressure = std::max(sums.pressure, nodal(i));
+              sums.tension  = std::max(sums.tension, -nodal(i));
+            }
         }
       sums.over_ranks(s.elasticity.mesh().communicator());
       return sums;
@@ -224,7 +228,7 @@ namespace Signorini
         Tensor<1, dim> force;
         for (unsigned int d = 0; d < dim; ++d)
           force[d] = sums.force[d];
-        largest = std::max({largest, force.norm(), sums.normal_force});
+        largest = std::max({largest, force.norm(), sums.sum_of_sizes});
         if (!master_is_rigid[pair])
           continue;
         sum.force += force;

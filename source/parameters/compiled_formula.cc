@@ -3,7 +3,9 @@
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -66,6 +68,33 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// What muParser would take for an assignment, or for several formulas, is a slip here.
+    void
+    refuse_slips(const std::string &formula)
+    {
+      for (std::size_t i = 0; i < formula.size(); ++i)
+        if (formula[i] == '=')
+          {
+            const char before = i > 0 ? formula[i - 1] : ' ';
+            if (formula[i + 1] == '=')
+              ++i;
+            else if (before != '<' && before != '>' && before != '!')
+              throw SceneError("to compare, write == instead of =");
+          }
+    }
+
+    void
+    refuse_several(const mu::Parser &parser)
+    {
+      if (parser.GetNumResults() > 1)
+        throw SceneError("has a comma outside of brackets; write decimal points: 1.5");
+    }
+  } // namespace
+
+
+
   struct CompiledFormula::Program
   {
     std::vector<double> values; ///< of the variables, then of all definitions
@@ -84,8 +113,7 @@ namespace Signorini
 
   CompiledFormula::CompiledFormula(const Formula                  &formula,
                                    const std::vector<std::string> &variables)
-    : n_variables(variables.size())
-    , program(std::make_unique<Program>())
+    : program(std::make_unique<Program>())
   {
     using Definition = std::pair<std::string, std::string>;
     const std::vector<Definition> definitions =
@@ -97,6 +125,7 @@ namespace Signorini
     };
     // A formula in the first n_known of all names.
     const auto compile = [&](const std::string &text, const std::size_t n_known) {
+      refuse_slips(text);
       mu::Parser parser = basic_parser();
       for (std::size_t i = 0; i < n_known; ++i)
         parser.DefineVar(name(i), &program->values[i]);
@@ -107,6 +136,7 @@ namespace Signorini
       return parser.GetUsedVar().count(name(i)) > 0;
     };
     std::vector<bool> needed(n_all, false), varies(n_all, false);
+    std::string       place; // for messages
     try
       {
         program->formula = compile(formula.text, n_all);
@@ -116,10 +146,13 @@ namespace Signorini
         for (std::size_t k = definitions.size(); k-- > 0;)
           if (needed[n + k])
             {
+              place      = "in the definition of '" + definitions[k].first + "': ";
               parsers[k] = compile(definitions[k].second, n + k);
               for (std::size_t i = 0; i < n + k; ++i)
                 needed[i] = needed[i] || uses(parsers[k], i);
+              place = "";
             }
+        depends.assign(needed.begin(), needed.begin() + n);
         for (std::size_t i = 0; i < n; ++i)
           varies[i] = true;
         for (std::size_t k = 0; k < definitions.size(); ++k)
@@ -127,15 +160,18 @@ namespace Signorini
             {
               for (std::size_t i = 0; i < n + k; ++i)
                 varies[n + k] = varies[n + k] || (varies[i] && uses(parsers[k], i));
+              place                  = "in the definition of '" + definitions[k].first + "': ";
               program->values[n + k] = parsers[k].Eval();
+              place                  = "";
               if (varies[n + k])
                 program->steps.push_back({parsers[k], &program->values[n + k]});
             }
         program->formula.Eval(); // which reads it
+        refuse_several(program->formula);
       }
     catch (const mu::ParserError &error)
       {
-        throw SceneError(error.GetMsg());
+        throw SceneError(place + error.GetMsg());
       }
   }
 
@@ -148,25 +184,36 @@ namespace Signorini
   double
   CompiledFormula::value(const double *values) const
   {
-    for (std::size_t i = 0; i < n_variables; ++i)
-      program->values[i] = values[i];
+    if (values)
+      for (std::size_t i = 0; i < depends.size(); ++i)
+        program->values[i] = values[i];
     try
       {
         for (Program::Step &step : program->steps)
           *step.result = step.parser.Eval();
         return program->formula.Eval();
       }
-    catch (const mu::ParserError &error)
+    catch (const mu::ParserError &)
       {
-        throw SceneError("'" + program->formula.GetExpr() + "': " + error.GetMsg());
+        // Other ranks may not see this: what uses the value says what is wrong.
+        return std::numeric_limits<double>::quiet_NaN();
       }
   }
 
 
 
   bool
-  CompiledFormula::is_function(const std::string &name)
+  CompiledFormula::is_constant() const
   {
-    return basic_parser().GetFunDef().count(name) > 0;
+    return std::none_of(depends.begin(), depends.end(), [](const bool b) { return b; });
+  }
+
+
+
+  bool
+  CompiledFormula::is_known(const std::string &name)
+  {
+    const mu::Parser parser = basic_parser();
+    return parser.GetFunDef().count(name) + parser.GetConst().count(name) > 0;
   }
 } // namespace Signorini

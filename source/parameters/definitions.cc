@@ -17,14 +17,14 @@ namespace Signorini
              std::all_of(text.begin(), text.end(), belongs);
     }
 
-    /// Coordinates, time, functions, and words that may stand where a formula may.
+    /// Coordinates, time, functions, constants, and words that may stand where a formula may.
     bool
     has_meaning(const std::string &name)
     {
-      for (const char *other : {"x", "y", "z", "t", "pi", "free", "closed", "infinity"})
+      for (const char *other : {"x", "y", "z", "t", "free", "closed", "infinity"})
         if (name == other)
           return true;
-      return CompiledFormula::is_function(name);
+      return CompiledFormula::is_known(name);
     }
   } // namespace
 
@@ -35,7 +35,7 @@ namespace Signorini
   {
     if (!is_name(name))
       throw SceneError("a name has letters, digits and _, and no digit first");
-    if (has_meaning(name))
+    if (has_meaning(name) || knows(name))
       throw SceneError("that name has a meaning already");
     CompiledFormula({formula, std::make_shared<Definitions>(*this)}, {"x", "y", "z", "t"});
     formulas.emplace_back(name, formula);

@@ -2,8 +2,6 @@
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>
 
-#include <sstream>
-
 namespace Signorini
 {
   using namespace dealii;
@@ -52,6 +50,27 @@ namespace Signorini
 
 
 
+  template <int dim>
+  bool
+  Expression<dim>::is_zero() const
+  {
+    return compiled->is_constant() && value({}) == 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  Expression<dim>::depends_on_place() const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (compiled->depends_on(d))
+        return true;
+    return false;
+  }
+
+
+
   template <int dim, int n_components>
   VectorExpression<dim, n_components>::VectorExpression(const Formula &text)
   {
@@ -86,11 +105,19 @@ namespace Signorini
   bool
   VectorExpression<dim, n_components>::is_zero(const unsigned int component) const
   {
-    if (!components[component])
-      return true;
-    std::istringstream text(components[component]->formula());
-    double             number;
-    return text >> number && text.eof() && number == 0;
+    return !components[component] || components[component]->is_zero();
+  }
+
+
+
+  template <int dim, int n_components>
+  bool
+  VectorExpression<dim, n_components>::depends_on_place() const
+  {
+    for (const auto &component : components)
+      if (component && component->depends_on_place())
+        return true;
+    return false;
   }
 
 

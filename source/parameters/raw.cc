@@ -195,6 +195,22 @@ namespace Signorini
 
 
 
+  const RawSection::Value *
+  RawSection::find_value(const std::string &key) const
+  {
+    return const_cast<RawSection *>(this)->find_value(key);
+  }
+
+
+
+  const RawSection *
+  RawSection::find_section(const std::string &name) const
+  {
+    return const_cast<RawSection *>(this)->find_section(name);
+  }
+
+
+
   RawSection *
   RawSection::find_section(const std::string &wanted)
   {

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <set>
 #include <sstream>
+#include <type_traits>
 
 namespace Signorini
 {
@@ -92,6 +93,15 @@ namespace Signorini
       return value.text();
     }
 
+    /// Of which the formula that it came from is more than its value.
+    template <typename T>
+    constexpr bool
+    is_number(const T &)
+    {
+      return !(std::is_same_v<T, bool> || std::is_same_v<T, std::string> ||
+               std::is_same_v<T, std::vector<std::string>>);
+    }
+
     template <typename T>
     void
     check_range(const T &, const Range &)
@@ -166,8 +176,12 @@ namespace Signorini
 
 
 
-  Section::Section(std::ostream &out, const bool comments, const unsigned int indentation)
+  Section::Section(std::ostream      &out,
+                   const bool         comments,
+                   const unsigned int indentation,
+                   const RawSection  *given)
     : out(&out)
+    , given(given)
     , comments(comments)
     , indentation(indentation)
   {}
@@ -179,7 +193,7 @@ namespace Signorini
   Section::add(const std::string &key, T &value, const std::string &help, const Range &range)
   {
     if (!reading())
-      return write(key, to_text(value), help);
+      return write(key, is_number(value) ? as_given(key, to_text(value)) : to_text(value), help);
     known_keys.push_back(key);
     if (RawSection::Value *entry = raw->find_value(key))
       {
@@ -273,9 +287,13 @@ namespace Signorini
       if (!value.used)
         throw SceneError(value.where + ": unknown key '" + path_of(value.key) + "' = '" +
                          value.text + "'" + hint(value.key, known_keys));
+    const RawSection::Value *names     = raw->find_value("Names");
+    const bool               is_list   = names && names->used;
+    const bool               is_chosen = is_list && names->where.find("--set") == 0;
     for (const RawSection &section : raw->sections)
-      if (!section.used)
+      if (!section.used && !is_chosen) // else left out on the command line
         throw SceneError(section.where + ": unknown subsection '" + path_of(section.name) + "'" +
+                         (is_list ? ", which is not among the Names there" : "") +
                          hint(section.name, known_sections));
   }
 
@@ -305,7 +323,7 @@ namespace Signorini
     if (comments && !help.empty())
       *out << '\n' << indent << "# " << help << '\n';
     *out << indent << "subsection " << name << '\n';
-    return Section(*out, comments, indentation + 1);
+    return Section(*out, comments, indentation + 1, given ? given->find_section(name) : nullptr);
   }
 
 
@@ -334,6 +352,15 @@ namespace Signorini
 
 
 
+  std::string
+  Section::as_given(const std::string &key, const std::string &otherwise) const
+  {
+    const RawSection::Value *entry = given ? given->find_value(key) : nullptr;
+    return entry ? entry->text : otherwise;
+  }
+
+
+
   void
   Section::write(const std::string &key, const std::string &value, const std::string &help)
   {
@@ -353,8 +380,8 @@ namespace Signorini
       value = (text.text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
     else
       value = evaluate(text, {});
-    if (std::isnan(value))
-      throw SceneError("is not a number");
+    if (!std::isfinite(value) && text.text != "infinity" && text.text != "-infinity")
+      throw SceneError("is not a finite number");
   }
 
 
@@ -364,9 +391,11 @@ namespace Signorini
   {
     double number;
     from_text(text, number);
-    if (number < 0 || number != std::floor(number) || number > 4e9)
-      throw SceneError("must be a whole number that is not negative");
-    value = static_cast<unsigned int>(number);
+    const double whole = std::round(number); // b/0.1 may be a little beside it
+    if (whole < 0 || std::abs(number - whole) > 1e-9 * std::max(1., whole) || whole > 4e9)
+      throw SceneError("is " + number_text(number) +
+                       ", but must be a whole number that is not negative");
+    value = static_cast<unsigned int>(whole);
   }
 
 

@@ -1,3 +1,4 @@
+#include <signorini/parameters/compiled_formula.h>
 #include <signorini/parameters/section.h>
 #include <signorini/scene/expected_result.h>
 
@@ -16,11 +17,9 @@ namespace Signorini
   {
     /// A number, not a formula that may become zero.
     bool
-    is_zero(const std::string &formula)
+    is_zero(const CompiledFormula &formula)
     {
-      std::istringstream text(formula);
-      double             number;
-      return text >> number && text.eof() && number == 0;
+      return formula.is_constant() && formula.value(nullptr) == 0;
     }
   } // namespace
 
@@ -42,9 +41,7 @@ namespace Signorini
     section.add("Source", source, "where the reference comes from");
     if (section.reading() && (quantities.empty() || value.empty()))
       section.fail(value.empty() ? "Value" : "Quantities", "is needed");
-    if (section.reading() && absolute_tolerance == 0 && is_zero(reference.text))
-      section.fail("Reference",
-                   "is zero, of which a relative Tolerance allows nothing; set Absolute tolerance");
+    std::vector<std::string> names;
     for (const std::string &quantity : quantities)
       {
         const auto parts = split(quantity, '=');
@@ -52,7 +49,24 @@ namespace Signorini
           section.fail("Quantities", "'" + quantity + "' is not NAME = PATH");
         if (section.defines(parts[0]))
           section.fail("Quantities", "'" + parts[0] + "' is one of the Definitions; rename one");
+        names.push_back(parts[0]);
       }
+    if (!section.reading())
+      return;
+    const auto compile = [&](const char *key, const Formula &formula) {
+      try
+        {
+          return std::make_unique<CompiledFormula>(formula, names);
+        }
+      catch (const SceneError &error)
+        {
+          section.fail(key, error.what());
+        }
+    };
+    compile("Value", value);
+    if (is_zero(*compile("Reference", reference)) && absolute_tolerance == 0)
+      section.fail("Reference",
+                   "is zero, of which a relative Tolerance allows nothing; set Absolute tolerance");
   }
 
 

@@ -87,18 +87,6 @@ namespace Signorini
 
 
   void
-  ContactSettings::check(const unsigned int slave_degree, const unsigned int master_degree) const
-  {
-    const Integration wanted = integration_of_degrees(slave_degree, master_degree);
-    chosen().check(wanted, slave_degree);
-    if (wanted.rule == "segments" && quadrature_points > 7)
-      throw SceneError("Contact method/Quadrature points = " + std::to_string(quadrature_points) +
-                       ": on segments there are rules with up to 7");
-  }
-
-
-
-  void
   LoadSteps::declare(Section &section)
   {
     section.add("End time",
@@ -311,16 +299,30 @@ namespace Signorini
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
     check_axisymmetric(*this);
-    if (known_pairs().empty())
-      contact.check(degree, degree);
-    for (const ContactPair<dim> &pair : known_pairs())
-      contact.check(degree_of(pair.slave), degree_of(pair.master));
+    check_integration();
     check_contrast(bodies);
     if (mesh.distribution == "METIS" && refinement.cycles > 0)
       throw SceneError(
         "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +
         std::to_string(refinement.cycles) +
         "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::check_integration() const
+  {
+    for (const ContactPair<dim> &pair : known_pairs())
+      {
+        const Integration integration = integration_of(pair);
+        contact.chosen().check(integration, degree_of(pair.slave));
+        if (integration.rule == "segments" && contact.quadrature_points > 7)
+          throw SceneError(
+            "Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
+            ": on segments there are rules with up to 7");
+      }
   }
 
 
@@ -341,9 +343,10 @@ namespace Signorini
   unsigned int
   Scene<dim>::degree_of(const std::string &surface) const
   {
-    for (unsigned int i = 0; i < bodies.size(); ++i)
-      if (bodies[i].name == surface.substr(0, surface.find('.')))
-        return degrees()[i];
+    const auto dot = surface.find('.');
+    for (const Body<dim> &body : bodies)
+      if (dot != std::string::npos && body.name == surface.substr(0, dot))
+        return body.degree > 0 ? body.degree : degree;
     return 0;
   }
 

@@ -23,9 +23,10 @@ namespace Signorini
 
   ActiveSet::ActiveSet(const GapOperator &contact)
     : contact(contact)
-    , now(contact.zero())
-    , last(contact.zero())
+    , now(contact.permanent)
+    , last(contact.permanent)
     , changes(contact.zero())
+    , n_permanent(count(contact.permanent))
   {}
 
 
@@ -56,11 +57,19 @@ namespace Signorini
 
 
 
+  unsigned int
+  ActiveSet::size_of_separating() const
+  {
+    return count(now) - n_permanent;
+  }
+
+
+
   bool
   ActiveSet::keep_last_if_any()
   {
     const unsigned int n = count(last);
-    if (n == 0 || n == size())
+    if (n == n_permanent || n == size())
       return false;
     now = last;
     return true;
@@ -98,13 +107,12 @@ namespace Signorini
       }
     Utilities::MPI::min(deepest, comm, deepest);
     const double rounding = coordinate_rounding();
-    unsigned int k        = 0;
+    pair                  = contact.pair.begin();
     for (const auto i : gap.locally_owned_elements())
       {
-        const double most = deepest[contact.pair[k]];
-        if (last(i) == 0 && gap(i) > most / 2 && most < -rounding && !contact.is_permanent(k))
+        const double most = deepest[*pair++];
+        if (last(i) == 0 && gap(i) > most / 2 && most < -rounding && contact.permanent(i) == 0)
           now(i) = 0;
-        ++k;
       }
     now.compress(VectorOperation::insert);
     return count(now);
@@ -127,19 +135,14 @@ namespace Signorini
   unsigned int
   ActiveSet::drop_touching(const LA::Vector &gap)
   {
-    double       deepest = 0;
-    unsigned int k       = 0;
+    double deepest = 0;
     for (const auto i : gap.locally_owned_elements())
-      if (!contact.is_permanent(k++))
+      if (contact.permanent(i) == 0)
         deepest = std::max(deepest, -gap(i));
     deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
     if (deepest > coordinate_rounding())
       return keep_deepest(gap);
-    k = 0;
-    for (const auto i : gap.locally_owned_elements())
-      if (!contact.is_permanent(k++))
-        now(i) = 0;
-    now.compress(VectorOperation::insert);
+    now = contact.permanent;
     return count(now);
   }
 

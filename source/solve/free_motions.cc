@@ -189,41 +189,77 @@ namespace Signorini
 
   namespace
   {
-    /// Sum of the forces on nodes that move, whatever their direction. The degrees of freedom of a
-    /// node follow each other, dim by dim.
-    double
-    forces_on_what_moves(const LA::Vector &motion, const LA::Vector &force, const unsigned int dim)
+    /// Of forces on nodes that move. The degrees of freedom of a node follow each other, dim by
+    /// dim.
+    struct ForcesOnWhatMoves
     {
-      const IndexSet owned = motion.locally_owned_elements();
-      double         sum   = 0;
-      for (auto i = owned.begin(); i != owned.end();)
-        {
-          const auto node  = *i / dim;
-          bool       moves = false;
-          double     total = 0;
-          for (; i != owned.end() && *i / dim == node; ++i)
-            {
+      double              sum = 0;   ///< of their sizes, whatever their direction
+      std::vector<double> resultant; ///< their sum, component by component
+
+      ForcesOnWhatMoves(const LA::Vector &motion, const LA::Vector &force, const unsigned int dim)
+        : resultant(dim, 0.)
+      {
+        const IndexSet owned = motion.locally_owned_elements();
+        for (auto i = owned.begin(); i != owned.end();)
+          {
+            const auto node  = *i / dim;
+            auto       first = i;
+            bool       moves = false;
+            for (; i != owned.end() && *i / dim == node; ++i)
               moves |= motion(*i) != 0;
-              total += std::abs(force(*i));
-            }
-          sum += moves ? total : 0.;
-        }
-      return Utilities::MPI::sum(sum, motion.get_mpi_communicator());
-    }
+            for (; moves && first != i; ++first)
+              {
+                sum += std::abs(force(*first));
+                resultant[*first % dim] += force(*first);
+              }
+          }
+        sum = Utilities::MPI::sum(sum, motion.get_mpi_communicator());
+        Utilities::MPI::sum(resultant, motion.get_mpi_communicator(), resultant);
+      }
+    };
+
   } // namespace
 
 
 
   double
-  FreeMotions::hold(LA::Vector &r, const LA::Vector &contact_force) const
+  FreeMotions::hold(LA::Vector &r, const LA::Vector &p, const LA::Vector &stress) const
   {
-    constexpr double little  = 0.01;
-    double           largest = 0;
+    constexpr double little = 0.01;
+    if (loose_motions.empty())
+      return 0;
+    // The pressures that push, then those of each pair that never separates.
+    std::vector<LA::Vector> pressures = {p};
+    pressures[0] -= product(p, contact->permanent);
+    const MPI_Comm     comm = springs.get_mpi_communicator();
+    const auto        &pair = contact->pair;
+    const unsigned int n_pairs =
+      Utilities::MPI::max(pair.empty() ? 0u : 1 + *std::max_element(pair.begin(), pair.end()),
+                          comm);
+    for (unsigned int k = 0; k < n_pairs && contact->permanent.linfty_norm() > 0; ++k)
+      {
+        pressures.push_back(contact->zero());
+        auto which = pair.begin();
+        for (const auto i : p.locally_owned_elements())
+          if (*which++ == k)
+            pressures.back()(i) = contact->permanent(i) * p(i);
+        pressures.back().compress(VectorOperation::insert);
+      }
+    std::vector<LA::Vector> forces;
+    for (const LA::Vector &some : pressures)
+      forces.push_back(contact->force(some, stress));
+
+    const unsigned int dim     = contact->position.size();
+    double             largest = 0;
     for (const Loose &one : loose_motions)
       {
         const LA::Vector &z     = one.free.motion;
         const double      share = z * r, force = std::abs(share) / z.linfty_norm();
-        if (force > little * forces_on_what_moves(z, contact_force, contact->position.size()))
+        double            all = ForcesOnWhatMoves(z, forces[0], dim).sum;
+        for (std::size_t k = 1; k < forces.size(); ++k)
+          for (const double component : ForcesOnWhatMoves(z, forces[k], dim).resultant)
+            all += std::abs(component);
+        if (force > little * all)
           continue;
         r.add(-share, one.spring_force);
         largest = std::max(largest, force);
@@ -247,7 +283,7 @@ namespace Signorini
     const double     crawls = 1e-8 * motion.linfty_norm(); // the rounding of normals
     double           first  = std::numeric_limits<double>::infinity();
     for (const auto i : gap.locally_owned_elements())
-      if (speed(i) < -crawls)
+      if (speed(i) < -crawls && contact->permanent(i) == 0)
         first = std::min(first, std::max(0., gap(i)) / -speed(i));
     first = Utilities::MPI::min(first, speed.get_mpi_communicator());
     if (std::isinf(first))

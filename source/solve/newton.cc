@@ -157,7 +157,7 @@ namespace Signorini
     cautious      = false;
     reduction     = settings.reduction;
     largest_force = 0;
-    is_cold       = p.linfty_norm() == 0;
+    is_cold       = has_no_pressure(p);
     softness      = is_cold ? soft_start() : 1;
     if (augments())
       augmented = p;
@@ -184,7 +184,7 @@ namespace Signorini
         if (!factorised)
           system.find_loose_motions(active_set.values());
         if (settings.undetermined == "hold")
-          report.holding_force = system.free_motions().hold(r, contact.force(p, stress));
+          report.holding_force = system.free_motions().hold(r, p, stress);
         rhs.block(0)       = r;
         const double scale = force_scale > 0 ? force_scale : 1.;
         step.residual      = r.l2_norm() / scale;
@@ -339,6 +339,18 @@ namespace Signorini
 
 
 
+  bool
+  Newton::has_no_pressure(const LA::Vector &p) const
+  {
+    double largest = 0;
+    for (const auto i : p.locally_owned_elements())
+      if (contact.permanent(i) == 0)
+        largest = std::max(largest, std::abs(p(i)));
+    return Utilities::MPI::max(largest, K.get_mpi_communicator()) == 0;
+  }
+
+
+
   double
   Newton::soft_start() const
   {
@@ -388,7 +400,8 @@ namespace Signorini
     step.follows = n == 0 && active_set.keep_last_if_any();
     step.active  = active_set.size();
     step.changes = active_set.count_changes();
-    if (softness < 1 && (cautious || (step.active > 0 && step.changes <= 0.2 * step.active)))
+    if (softness < 1 &&
+        (cautious || (step.active > 0 && step.changes <= 0.2 * active_set.size_of_separating())))
       {
         softness   = 1;
         factorised = false;
@@ -456,13 +469,12 @@ namespace Signorini
 
     const MPI_Comm comm       = gap.get_mpi_communicator();
     const auto     derivative = [&](const double a) {
-      double       sum = 0;
-      unsigned int k   = 0;
+      double sum = 0;
       for (const auto i : gap.locally_owned_elements())
         {
           const double epsilon = contact.epsilon(i);
           const double law     = start(i) + a * S_du(i) - epsilon * (gap(i) + a * B_du(i));
-          const double p_new   = contact.is_permanent(k++) ? law : std::max(0., law);
+          const double p_new   = contact.permanent(i) > 0 ? law : std::max(0., law);
           const double dp      = p_new - p(i);
           sum +=
             contact.weight(i) * (dp * B_du(i) + theta / epsilon * S_du(i) * (a * S_du(i) - dp));

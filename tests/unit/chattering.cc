@@ -54,7 +54,7 @@ namespace
         matrix->compress(VectorOperation::insert);
       load.compress(VectorOperation::insert);
       contact.B_free.copy_from(contact.B);
-      contact.initial_gap = contact.rest_gap = contact.zero();
+      contact.initial_gap = contact.rest_gap = contact.permanent = contact.zero();
     }
 
     IndexSet                  owned;

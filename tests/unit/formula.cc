@@ -31,7 +31,7 @@ TEST_CASE("definitions are evaluated in their order, where they vary again and a
     for (const double t : {0.5, 2.})
       CHECK(expression.value({x, 2.}, t) == doctest::Approx((x * x + 4) / 16 * t + 8));
   CHECK(expression.formula() == "gap*t + R");
-  // Copies share nothing that one of them could spoil.
+  // Copies share their values, but set all of them before each use.
   const Expression<2> copy = expression;
   CHECK(copy.value({1, 0}, 16) == doctest::Approx(9));
   CHECK(expression.value({0, 0}, 16) == doctest::Approx(8));
@@ -44,13 +44,29 @@ TEST_CASE("each name is defined once, before it is used, and means nothing else"
 {
   CHECK_THROWS_AS(definitions({{"a", "2*b"}, {"b", "1"}}), SceneError);
   CHECK_THROWS_AS(definitions({{"a", "2*a"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"a", "1"}, {"a", "2"}}), SceneError);
   CHECK_THROWS_AS(definitions({{"t", "1"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"pi", "3"}}), SceneError);
+  CHECK_THROWS_AS(definitions({{"_e", "3"}}), SceneError);
   CHECK_THROWS_AS(definitions({{"sin", "1"}}), SceneError);
   CHECK_THROWS_AS(definitions({{"2a", "1"}}), SceneError);
   CHECK_THROWS_AS(definitions({{"a b", "1"}}), SceneError);
   CHECK_THROWS_AS(definitions({{"a", ""}}), SceneError);
   CHECK_THROWS_AS(definitions({{"a", "1; 2"}}), SceneError);
   CHECK_THROWS_AS(evaluate(Formula("a", definitions({{"a", "x"}})), {}), SceneError);
+}
+
+
+
+TEST_CASE("what a formula depends on is known, through its definitions too")
+{
+  const auto names = definitions({{"zero", "0"}, {"r", "sqrt(x^2 + y^2)"}, {"ramp", "t/2"}});
+  CHECK(Expression<2>(Formula("zero", names)).is_zero());
+  CHECK(Expression<2>("0.0").is_zero());
+  CHECK(!Expression<2>(Formula("zero*x", names)).is_zero());
+  CHECK(Expression<2>(Formula("1 + r", names)).depends_on_place());
+  CHECK(!Expression<2>(Formula("2*ramp", names)).depends_on_place());
+  CHECK(Expression<2>("if(x > 10, 0.5, 1)").depends_on_place());
 }
 
 
@@ -63,6 +79,19 @@ TEST_CASE("a table is linear between its points and constant beyond")
     CHECK(load.value({}, t) == doctest::Approx(value));
   CHECK_THROWS_AS(Expression<2>("table(t, 0, 1, 0, 5)"), SceneError);
   CHECK_THROWS_AS(Expression<2>("table(t, 0, 1)"), SceneError);
+  // Where its points are in order depends on the place: no exception, which others would not see.
+  CHECK(std::isnan(Expression<2>("table(x, 0, 0, 2 - x, 1)").value({3, 0})));
+}
+
+
+
+TEST_CASE("slips are refused that muParser would take for something else")
+{
+  CHECK_THROWS_AS(Expression<2>("if(t = 0.5, 1, 2)"), SceneError);
+  CHECK(Expression<2>("if(t == 0.5, 1, 2) + if(t >= 1, 10, 20)").value({}, 0.5) ==
+        doctest::Approx(21));
+  CHECK_THROWS_AS(evaluate("1,5", {}), SceneError);
+  CHECK_THROWS_AS(definitions({{"a", "1,5"}}), SceneError);
 }
 
 

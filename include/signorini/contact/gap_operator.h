@@ -32,6 +32,7 @@ namespace Signorini
     LA::Vector rest_gap;    ///< from the geometry
     LA::Vector initial_gap; ///< g_0: the same with the share of overlaps that counts now
     std::vector<double>     interference; ///< that share of each pair; empty: all
+    LA::Vector              permanent;    ///< 1 at points of pairs that never separate, else 0
     LA::Vector              stiffness;    ///< E/h [force/length^3]
     LA::Vector              epsilon;  ///< of the contact law, ContactMethod::penalty(), likewise
     std::vector<LA::Vector> position; ///< dim vectors
@@ -40,17 +41,10 @@ namespace Signorini
     std::vector<LA::Vector>
       moment; ///< of a unit force along the normal: x cross n; 1 (2D) or 3 (3D)
     std::vector<unsigned int> pair; ///< contact pair of each locally owned point
-    std::vector<bool> permanent;    ///< those of pairs that never separate; empty: there are none
+
     /// Degree of freedom (first component) of the slave node of each locally owned point; empty for
     /// quadrature points.
     std::vector<dealii::types::global_dof_index> node;
-
-    /// True if the point of that local number is active whatever its gap and pressure are.
-    bool
-    is_permanent(const unsigned int k) const
-    {
-      return !permanent.empty() && permanent[k];
-    }
 
     /// @param shares of initial overlaps that count, pair by pair
     void

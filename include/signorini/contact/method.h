@@ -30,7 +30,8 @@ namespace Signorini
   ///
   ///   p = max(0, p^ - eps g),
   ///
-  /// the active set being where the maximum is not zero. A method says only what p^ is, how large
+  /// the active set being where the maximum is not zero; at points of pairs that never separate
+  /// p = p^ - eps g, and they are always active. A method says only what p^ is, how large
   /// eps, and at which points the law holds: one file pair under contact/methods and one line in
   /// the registry.
   class ContactMethod

@@ -20,17 +20,29 @@ namespace Signorini
     CompiledFormula(const Formula &formula, const std::vector<std::string> &variables);
     ~CompiledFormula();
 
-    /// @param values of the variables, in their order
+    /// @param values of the variables, in their order; null for a constant. Not a number where the
+    /// formula cannot be evaluated, as a table whose points are not in order.
     double
     value(const double *values) const;
 
-    /// True if formulas know a function of that name.
+    /// True if the formula, or what it refers to, contains variable i.
+    bool
+    depends_on(const std::size_t i) const
+    {
+      return depends[i];
+    }
+
+    /// True if it contains none of the variables.
+    bool
+    is_constant() const;
+
+    /// True if formulas know a function or a constant of that name.
     static bool
-    is_function(const std::string &name);
+    is_known(const std::string &name);
 
   private:
     struct Program;
-    std::size_t              n_variables;
+    std::vector<bool>        depends;
     std::unique_ptr<Program> program;
   };
 } // namespace Signorini

@@ -28,6 +28,14 @@ namespace Signorini
     double
     value(const dealii::Point<dim> &p, double t = 0) const;
 
+    /// True if it is the number zero, everywhere and at all times.
+    bool
+    is_zero() const;
+
+    /// True if it is not a function of the time alone.
+    bool
+    depends_on_place() const;
+
     /// As the user wrote it.
     const std::string &
     formula() const
@@ -65,6 +73,10 @@ namespace Signorini
     bool
     is_zero(unsigned int component) const;
 
+    /// True if any component is not a function of the time alone.
+    bool
+    depends_on_place() const;
+
     /// False for the empty text.
     bool
     given() const
@@ -83,21 +95,6 @@ namespace Signorini
     std::array<std::optional<Expression<dim>>, n_components> components;
     bool                                                     is_given = false;
   };
-
-  /// True if a formula that is to depend on the time alone varies in space. Compares a few values.
-  template <typename AnyExpression>
-  bool
-  depends_on_place(const AnyExpression &expression)
-  {
-    constexpr int      dim = AnyExpression::dimension;
-    dealii::Point<dim> elsewhere;
-    for (unsigned int d = 0; d < dim; ++d)
-      elsewhere[d] = 1.37 + d;
-    for (const double t : {0.31, 1., 2.7})
-      if (expression.value(elsewhere, t) != expression.value(dealii::Point<dim>(), t))
-        return true;
-    return false;
-  }
 
   /// Value of a formula in named constants, e.g. evaluate("2*a", {{"a", 3}}). Throws SceneError.
   double

@@ -37,8 +37,12 @@ namespace Signorini
 
     Value *
     find_value(const std::string &key);
+    const Value *
+    find_value(const std::string &key) const;
     RawSection *
     find_section(const std::string &name);
+    const RawSection *
+    find_section(const std::string &name) const;
     RawSection &
     get_section(const std::string &name, const std::string &where);
     void

@@ -40,7 +40,11 @@ namespace Signorini
     explicit Section(RawSection &raw, const std::string &path = "");
 
     /// Writing: `comments` adds the documentation of each key.
-    Section(std::ostream &out, bool comments, unsigned int indentation = 0);
+    /// @param given what was read: numbers are written as they stand there
+    Section(std::ostream     &out,
+            bool              comments,
+            unsigned int      indentation = 0,
+            const RawSection *given       = nullptr);
 
     template <typename T>
     void
@@ -143,6 +147,8 @@ namespace Signorini
     end();
     void
     check_names(const std::vector<std::string> &names) const;
+    std::string
+    as_given(const std::string &key, const std::string &otherwise) const;
     void
     write(const std::string &key, const std::string &value, const std::string &help);
 
@@ -150,9 +156,10 @@ namespace Signorini
     std::string                        my_path;
     std::shared_ptr<const Definitions> definitions = std::make_shared<Definitions>();
 
-    std::ostream *out         = nullptr;
-    bool          comments    = false;
-    unsigned int  indentation = 0;
+    std::ostream     *out         = nullptr;
+    const RawSection *given       = nullptr;
+    bool              comments    = false;
+    unsigned int      indentation = 0;
 
     std::vector<std::string> known_keys, known_sections;
   };

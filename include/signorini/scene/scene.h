@@ -9,6 +9,7 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/mesh/mesh.h>
 #include <signorini/output/settings.h>
+#include <signorini/parameters/raw.h>
 #include <signorini/scene/expected_result.h>
 #include <signorini/solve/newton.h>
 
@@ -47,10 +48,6 @@ namespace Signorini
     Integration
     integration_of_degrees(unsigned int slave, unsigned int master) const;
 
-    /// Throws SceneError where method and integration do not go together.
-    void
-    check(unsigned int slave_degree, unsigned int master_degree) const;
-
     void
     declare(Section &section);
   };
@@ -76,7 +73,8 @@ namespace Signorini
   {
     std::string model = model_names<dim>().front();
     std::string title;
-    std::string name; ///< of the scene file, without folder and .prm
+    std::string name;  ///< of the scene file, without folder and .prm
+    RawSection  given; ///< what was read
 
     Definitions                   definitions;
     std::vector<Body<dim>>        bodies;
@@ -121,6 +119,10 @@ namespace Signorini
 
     Integration
     integration_of(const ContactPair<dim> &pair) const;
+
+    /// Throws SceneError where the method and the integration of a pair do not go together.
+    void
+    check_integration() const;
 
     /// The obstacle that is a pair's master, or null.
     const Obstacle<dim> *

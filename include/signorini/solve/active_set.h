@@ -7,8 +7,9 @@
 
 namespace Signorini
 {
-  /// The contact points where the law has a pressure, and what Newton's method remembers of them:
-  /// the set of the step before, those that were, and how often points have changed.
+  /// The contact points where the law has a pressure, among them always those of pairs that never
+  /// separate; and what Newton's method remembers of them: the set of the step before, those that
+  /// were, and how often points have changed.
   class ActiveSet
   {
   public:
@@ -23,6 +24,10 @@ namespace Signorini
 
     unsigned int
     size() const;
+
+    /// Without those of pairs that never separate.
+    unsigned int
+    size_of_separating() const;
 
     /// Keep the set, but forget the way to it.
     void
@@ -55,7 +60,8 @@ namespace Signorini
     void
     keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p);
 
-    /// Take back all changes if there was an active point. Returns true if that changes anything.
+    /// Take back all changes if there was an active point that may separate. Returns true if that
+    /// changes anything.
     bool
     keep_last_if_any();
 
@@ -78,6 +84,7 @@ namespace Signorini
 
     const GapOperator &contact;
     LA::Vector         now, last, changes;
+    const unsigned int n_permanent;
     std::set<uint64_t> history;
   };
 } // namespace Signorini

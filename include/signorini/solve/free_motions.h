@@ -61,8 +61,10 @@ namespace Signorini
 
     /// Take the part along loose motions out of the forces r, as a support would, where it is less
     /// than 1 % of what the contact forces on what moves add up to. Returns the largest such force.
+    /// @param p pressures; of those of a pair that never separates, which may pull here and push
+    /// there, the resultant counts
     double
-    hold(LA::Vector &r, const LA::Vector &contact_force) const;
+    hold(LA::Vector &r, const LA::Vector &p, const LA::Vector &stress) const;
 
     /// Move u along the loose motions, as r drives them, up to the first contact and a little
     /// further. Returns false if nothing stands in the way.

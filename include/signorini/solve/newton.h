@@ -120,6 +120,10 @@ namespace Signorini
                  const LA::BlockVector &rhs,
                  double                 reduction,
                  double                 tolerance);
+    /// At points that may separate.
+    bool
+    has_no_pressure(const LA::Vector &p) const;
+
     /// What a cold start multiplies the penalties by, until the active set is nearly found.
     double
     soft_start() const;

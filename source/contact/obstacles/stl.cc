@@ -3,6 +3,8 @@
 #include <signorini/mesh/generators/file.h>
 #include <signorini/parameters/section.h>
 
+#include <filesystem>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -55,8 +57,10 @@ namespace Signorini
           section.fail("File", "an obstacle from a file needs its name");
         try
           {
-            const std::string path      = found_beside_scene(file);
-            Triangles         triangles = read_stl(path);
+            const std::string path = found_beside_scene(file);
+            if (std::filesystem::exists(path))
+              file = std::filesystem::absolute(path).lexically_normal(); // for the written scene
+            Triangles triangles = read_stl(path);
             for (auto &vertex : triangles.vertices)
               for (unsigned int d = 0; d < dim; ++d)
                 vertex[d] = scale * vertex[d] + offset[d];

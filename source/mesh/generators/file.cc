@@ -143,7 +143,9 @@ namespace Signorini
       section.fail("File", "a mesh from a file needs its name");
     const auto        surfaces = read_curved_boundaries<dim>(curved_text, section);
     const std::string path     = found_beside_scene(file);
-    std::string       key      = "File";
+    if (std::filesystem::exists(path))
+      file = std::filesystem::absolute(path).lexically_normal(); // for the scene that is written
+    std::string key = "File";
     try
       {
         const MeshFile all = read_mesh_file(path);
