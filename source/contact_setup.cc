@@ -46,7 +46,11 @@ namespace Signorini
                                                    reach[i]));
     }
     TimerOutput::Scope scope(timer, "contact");
-    contact = make_gap_operator(elasticity, my_surfaces, method);
+    contact           = make_gap_operator(elasticity, my_surfaces, method);
+    const auto n_rows = [&](const unsigned int i) {
+      const auto own = std::count(contact->pair.begin(), contact->pair.end(), i);
+      return Utilities::MPI::sum(own, elasticity.mesh().communicator());
+    };
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       {
         const ContactPair<dim> &pair = scene.pairs[i];
@@ -54,7 +58,7 @@ namespace Signorini
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
             "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
-        if (my_surfaces[i].is_apart && !pair.separates)
+        if (!pair.separates && n_rows(i) == 0)
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
             "' touches the master of this pair, which is never to separate; move them "

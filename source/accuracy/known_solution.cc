@@ -88,8 +88,7 @@ namespace Signorini
     {
       const Elasticity<dim>           &elasticity = s.elasticity;
       const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
-      const hp::MappingCollection<dim> mappings(elasticity.mesh().mapping());
-      hp::FEValues<dim>                all_values(mappings,
+      hp::FEValues<dim>                all_values(elasticity.mesh().mappings(),
                                    elasticity.finite_elements(),
                                    hp::QCollection<dim>(QGauss<dim>(elasticity.degree() + 3)),
                                    update_values | update_gradients | update_quadrature_points |

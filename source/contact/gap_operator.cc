@@ -203,7 +203,7 @@ namespace Signorini
       for (const auto i : contact.weight.locally_owned_elements())
         rows_of.emplace(*row++, i);
 
-      CellNodes<dim> nodes_of(elasticity.mesh().mapping(), elasticity.finite_elements());
+      CellNodes<dim> nodes_of(elasticity.mesh(), elasticity.finite_elements());
       std::vector<types::global_dof_index> indices;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())

@@ -2,7 +2,6 @@
 #include <signorini/contact/lagrange.h>
 #include <signorini/contact/normal_stress.h>
 #include <signorini/elasticity/cell_nodes.h>
-#include <signorini/elasticity/kernel.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
@@ -20,6 +19,7 @@ namespace Signorini
   NormalStress<dim>::NormalStress(const Elasticity<dim> &elasticity)
     : elasticity(elasticity)
     , geometry_degree(elasticity.mesh().geometry_degree())
+    , kernel(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
   {
     const unsigned int n = geometry_degree + 1;
     for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i)
@@ -146,13 +146,10 @@ namespace Signorini
 
   template <int dim>
   double
-  NormalStress<dim>::bound(const unsigned int face) const
+  NormalStress<dim>::bound(const unsigned int face)
   {
-    const unsigned int   n = indices.size();
-    StiffnessKernel<dim> kernel(elasticity.mesh().mapping(),
-                                elasticity.finite_elements(),
-                                elasticity.model());
-    FullMatrix<double>   stiffness;
+    const unsigned int n = indices.size();
+    FullMatrix<double> stiffness;
     kernel.assemble(cell, elasticity.material(cell->material_id()), stiffness);
     Eigen::MatrixXd K(n, n);
     for (unsigned int i = 0; i < n; ++i)

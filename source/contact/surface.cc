@@ -34,7 +34,7 @@ namespace Signorini
 
       /// @param stress on the cell of face i
       double
-      operator()(const NormalStress<dim> &stress, const unsigned int i)
+      operator()(NormalStress<dim> &stress, const unsigned int i)
       {
         if (bounds[i] < 0)
           bounds[i] = stress.bound(faces[i].second) * faces_of_cell(i);

@@ -20,9 +20,8 @@ namespace Signorini
 
 
   template <int dim>
-  CellNodes<dim>::CellNodes(const Mapping<dim> &mapping, const hp::FECollection<dim> &elements)
-    : mappings(mapping)
-    , values(mappings, elements, nodes_of(elements), update_quadrature_points)
+  CellNodes<dim>::CellNodes(const Mesh<dim> &mesh, const hp::FECollection<dim> &elements)
+    : values(mesh.mappings(), elements, nodes_of(elements), update_quadrature_points)
   {}
 
 

@@ -153,7 +153,7 @@ namespace Signorini
     sparsity.compress();
     matrix.reinit(sparsity);
 
-    StiffnessKernel<dim> kernel(my_mesh.mapping(), elements, my_model);
+    StiffnessKernel<dim> kernel(my_mesh, elements, my_model);
     FullMatrix<double>   cell_matrix;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -179,7 +179,7 @@ namespace Signorini
   Elasticity<dim>::load() const
   {
     LA::Vector           f = zero_vector();
-    StiffnessKernel<dim> kernel(my_mesh.mapping(), elements, my_model);
+    StiffnessKernel<dim> kernel(my_mesh, elements, my_model);
     LoadKernel<dim>      load_kernel(my_mesh, elements, my_model, loads, time);
 
     FullMatrix<double>                   cell_matrix;
@@ -303,14 +303,14 @@ namespace Signorini
     // Unconstrained residual: internal forces - loads, hanging nodes resolved.
     const LA::Vector     ghosted  = with_ghosts(u);
     LA::Vector           residual = zero_vector();
-    StiffnessKernel<dim> kernel(my_mesh.mapping(), elements, my_model);
+    StiffnessKernel<dim> kernel(my_mesh, elements, my_model);
     LoadKernel<dim>      load_kernel(my_mesh, elements, my_model, loads, time);
 
     FullMatrix<double>                   cell_matrix;
     Vector<double>                       cell_force, cell_load, values;
     std::vector<types::global_dof_index> indices;
     Resultant<dim>                       total_load;
-    CellNodes<dim>                       nodes_of(my_mesh.mapping(), elements);
+    CellNodes<dim>                       nodes_of(my_mesh, elements);
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {

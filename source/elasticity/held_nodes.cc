@@ -85,7 +85,7 @@ namespace Signorini
         : mesh(mesh)
         , dofs(dofs)
         , hanging(hanging)
-        , nodes_of(mesh.mapping(), dofs.get_fe_collection())
+        , nodes_of(mesh, dofs.get_fe_collection())
       {
         for (const auto &fe : dofs.get_fe_collection())
           {

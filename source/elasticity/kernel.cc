@@ -53,13 +53,12 @@ namespace Signorini
 
 
   template <int dim>
-  StiffnessKernel<dim>::StiffnessKernel(const Mapping<dim>          &mapping,
+  StiffnessKernel<dim>::StiffnessKernel(const Mesh<dim>             &mesh,
                                         const hp::FECollection<dim> &elements,
                                         const Model                  model)
     : model(model)
-    , mappings(mapping)
     , scalar_elements(scalar(elements))
-    , all_values(mappings,
+    , all_values(mesh.mappings(),
                  scalar_elements,
                  gauss<dim, dim>(elements, 1),
                  update_gradients | update_JxW_values |
@@ -159,13 +158,12 @@ namespace Signorini
                               const double                  t)
     : model(model)
     , t(t)
-    , mappings(mesh.mapping())
     , scalar_elements(scalar(elements))
-    , all_values(mappings,
+    , all_values(mesh.mappings(),
                  scalar_elements,
                  gauss<dim, dim>(elements, 2),
                  update_values | update_quadrature_points | update_JxW_values)
-    , all_face_values(mappings,
+    , all_face_values(mesh.mappings(),
                       scalar_elements,
                       gauss<dim, dim - 1>(elements, 2),
                       update_values | update_quadrature_points | update_normal_vectors |

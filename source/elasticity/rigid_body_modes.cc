@@ -70,7 +70,7 @@ namespace Signorini
       if (locally_owned.is_element(i))
         modes[(i - dofs.n_dofs()) % dim][locally_owned.index_within_set(i)] = 1;
 
-    CellNodes<dim>                       nodes_of(my_mesh.mapping(), elements);
+    CellNodes<dim>                       nodes_of(my_mesh, elements);
     std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -244,7 +244,7 @@ namespace Signorini
     for (const BodyMotion &motion : body_motions)
       extents.push_back(center_and_size(my_mesh.extent(motion.body)));
 
-    CellNodes<dim>                       nodes_of(my_mesh.mapping(), elements);
+    CellNodes<dim>                       nodes_of(my_mesh, elements);
     std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())

@@ -150,7 +150,7 @@ namespace Signorini
     const CoarseMesh<dim> coarse = merge(bodies);
     if (settings.geometry_degree > 0)
       degree = settings.geometry_degree;
-    my_mapping = std::make_unique<MappingQ<dim>>(degree);
+    my_mappings.push_back(MappingQ<dim>(degree));
     std::vector<types::boundary_id> slaves;
     for (const auto &[slave, master] : contact_surfaces)
       slaves.push_back(boundary_id(slave));

@@ -113,10 +113,9 @@ namespace Signorini
                  const Fields<dim>   &fields,
                  Table<2, float>     &data) const;
 
-      const unsigned int               n_subdivisions;
-      const hp::MappingCollection<dim> mappings;
-      hp::FEValues<dim>                values_on_faces; ///< rule f: points of face f
-      std::vector<Patch>               patches;
+      const unsigned int n_subdivisions;
+      hp::FEValues<dim>  values_on_faces; ///< rule f: points of face f
+      std::vector<Patch> patches;
     };
 
 
@@ -124,8 +123,7 @@ namespace Signorini
     template <int dim>
     ContactFaces<dim>::ContactFaces(const Snapshot<dim> &snapshot)
       : n_subdivisions(snapshot.elasticity.degree())
-      , mappings(snapshot.elasticity.mesh().mapping())
-      , values_on_faces(mappings,
+      , values_on_faces(snapshot.elasticity.mesh().mappings(),
                         snapshot.elasticity.finite_elements(),
                         points_of_faces<dim>(n_subdivisions),
                         update_values | update_quadrature_points)

@@ -66,7 +66,7 @@ namespace Signorini
     count_cells(const Elasticity<dim> &elasticity)
     {
       constexpr std::size_t            enough = 300;
-      StiffnessKernel<dim>             kernel(elasticity.mesh().mapping(),
+      StiffnessKernel<dim>             kernel(elasticity.mesh(),
                                   elasticity.finite_elements(),
                                   dim == 2 ? Model::plane_strain : Model::solid);
       FullMatrix<double>               matrix;

@@ -392,6 +392,15 @@ namespace Signorini
     scene.supports[0].boundaries = {"block.top"};
     scene.supports[0].displacement =
       VectorExpression<dim>(dim == 2 ? "0; -0.01*t" : "0; 0; -0.01*t");
+    scene.loads.resize(1);
+    scene.loads[0].name       = "weight";
+    scene.loads[0].bodies     = {"block"};
+    scene.loads[0].body_force = VectorExpression<dim>(dim == 2 ? "0; -1e-6" : "0; 0; -1e-6");
+    scene.mesh.zones.resize(1);
+    scene.mesh.zones[0].name  = "foot";
+    scene.mesh.zones[0].where = Expression<dim>(dim == 2 ? "0.1 - y" : "0.1 - z");
+    scene.output.probes.resize(1);
+    scene.output.probes[0].name = "corner";
     scene.pairs.resize(1);
     scene.pairs[0].name   = "foot";
     scene.pairs[0].slave  = "block.bottom";

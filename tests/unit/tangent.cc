@@ -180,7 +180,7 @@ namespace
     stress.reinit(cell);
     const double bound = stress.bound(face);
 
-    StiffnessKernel<dim> kernel(scene.mesh.mapping(),
+    StiffnessKernel<dim> kernel(scene.mesh,
                                 scene.elasticity.finite_elements(),
                                 scene.elasticity.model());
     FullMatrix<double>   K;

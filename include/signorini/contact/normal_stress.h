@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/contact/trace.h>
+#include <signorini/elasticity/kernel.h>
 
 #include <array>
 #include <vector>
@@ -35,7 +36,7 @@ namespace Signorini
     /// eigenvalue of the generalised problem, which is of the order of E/h [force/length^3]
     /// (thesis 3.5; Griebel, Schweitzer, Geometric Analysis and Nonlinear PDE (2002) 519-542).
     double
-    bound(unsigned int face) const;
+    bound(unsigned int face);
 
   private:
     /// The entries of row(), for each degree of freedom of the cell.
@@ -52,6 +53,7 @@ namespace Signorini
 
     const Elasticity<dim>                       &elasticity;
     const unsigned int                           geometry_degree;
+    StiffnessKernel<dim>                         kernel;
     std::vector<std::array<unsigned int, dim>>   lattice; ///< places of the geometry's nodes
     Cell                                         cell;
     std::vector<dealii::Point<dim>>              nodes; ///< of the geometry

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/mesh/mesh.h>
+
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/hp/fe_values.h>
 
@@ -23,14 +25,13 @@ namespace Signorini
   {
   public:
     /// @param elements that cells have, by their index
-    CellNodes(const dealii::Mapping<dim> &mapping, const dealii::hp::FECollection<dim> &elements);
+    CellNodes(const Mesh<dim> &mesh, const dealii::hp::FECollection<dim> &elements);
 
     /// One point for each degree of freedom of the cell; valid until the next call.
     const std::vector<dealii::Point<dim>> &
     operator()(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
 
   private:
-    const dealii::hp::MappingCollection<dim> mappings; ///< `values` refers to it
-    dealii::hp::FEValues<dim>                values;
+    dealii::hp::FEValues<dim> values;
   };
 } // namespace Signorini

@@ -21,7 +21,7 @@ namespace Signorini
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
     /// @param elements that cells have, by their index
-    StiffnessKernel(const dealii::Mapping<dim>          &mapping,
+    StiffnessKernel(const Mesh<dim>                     &mesh,
                     const dealii::hp::FECollection<dim> &elements,
                     Model                                model);
 
@@ -38,11 +38,10 @@ namespace Signorini
              dealii::FullMatrix<double>       &cell_matrix);
 
     const Model model;
-    // What the values refer to. The gradients of the scalar element serve all components.
-    const dealii::hp::MappingCollection<dim> mappings;
-    const dealii::hp::FECollection<dim>      scalar_elements;
-    dealii::hp::FEValues<dim>                all_values;
-    std::vector<double>                      weights; ///< of the quadrature points
+    // The gradients of the scalar element serve all components; the values refer to it.
+    const dealii::hp::FECollection<dim> scalar_elements;
+    dealii::hp::FEValues<dim>           all_values;
+    std::vector<double>                 weights; ///< of the quadrature points
   };
 
   /// Load vector of one cell: body forces, tractions and pressures, thesis (39).
@@ -71,12 +70,11 @@ namespace Signorini
                  const Load<dim>        &load,
                  dealii::Vector<double> &cell_load);
 
-    const Model                              model;
-    const double                             t;
-    const dealii::hp::MappingCollection<dim> mappings;        ///< the values refer to them
-    const dealii::hp::FECollection<dim>      scalar_elements; ///< likewise
-    dealii::hp::FEValues<dim>                all_values;
-    dealii::hp::FEFaceValues<dim>            all_face_values;
+    const Model                         model;
+    const double                        t;
+    const dealii::hp::FECollection<dim> scalar_elements; ///< the values refer to it
+    dealii::hp::FEValues<dim>           all_values;
+    dealii::hp::FEFaceValues<dim>       all_face_values;
 
     std::map<unsigned int, std::vector<const Load<dim> *>>               by_body;
     std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>> by_boundary;

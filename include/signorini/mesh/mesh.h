@@ -4,8 +4,8 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/tria_base.h>
-#include <deal.II/fe/mapping.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/hp/mapping_collection.h>
 
 namespace Signorini
 {
@@ -67,7 +67,14 @@ namespace Signorini
     const dealii::Mapping<dim> &
     mapping() const
     {
-      return *my_mapping;
+      return my_mappings[0];
+    }
+
+    /// The same as a collection, for elements of different degree.
+    const dealii::hp::MappingCollection<dim> &
+    mappings() const
+    {
+      return my_mappings;
     }
 
     unsigned int
@@ -133,7 +140,7 @@ namespace Signorini
     dealii::BoundingBox<dim>              whole_extent;
 
     std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;
-    std::unique_ptr<dealii::Mapping<dim>>                                my_mapping;
+    dealii::hp::MappingCollection<dim>                                   my_mappings;
   };
 
   /// Partition a serial triangulation by METIS into `n_parts`, so that cells that face each other
