@@ -27,8 +27,8 @@ namespace Signorini
     calibration(const unsigned int dim, const unsigned int degree)
     {
       if (dim == 2)
-        return degree == 1 ? Calibration{40, 0.75, 70, 0.02, 88} :
-                             Calibration{14, 0.42, 130, 0.02, 46};
+        return degree == 1 ? Calibration{40, 0.75, 70, 0.1, 88} :
+                             Calibration{14, 0.42, 130, 0.1, 46};
       return degree == 1 ? Calibration{14, 0.22, 28, 0.1, 52} : Calibration{6, 0.14, 40, 0.1, 31};
     }
 
@@ -119,6 +119,7 @@ namespace Signorini
     result.seconds_before = Utilities::MPI::max(seconds, elasticity.mesh().communicator());
     result.memory_mb      = base_memory_mb;
     const double most     = std::max(1., refinement.maximum_cells / all_cells);
+    const double loose    = 1 + elasticity.free_motion_names().size() / 12.; // vectors of all unknowns
     double       size     = 1; // of this mesh, in that of the first
     for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
       {
@@ -134,7 +135,7 @@ namespace Signorini
                                    costs.factorisation * newton_steps * std::sqrt(dofs) :
                                    costs.iteration * costs.iterations / n_ranks;
             result.seconds += counted[i].seconds * n *
-                              (costs.set_up / n_ranks * (1 + set_up_of_steps * steps) +
+                              (loose * costs.set_up / n_ranks * (1 + set_up_of_steps * steps) +
                                solve * (starts + warm_share * steps));
           }
         if (cycle < refinement.cycles)
