@@ -158,10 +158,6 @@ namespace Signorini
       contact.rest_gap.reinit(contact.weight);
       contact.stiffness.reinit(contact.weight);
       contact.permanent.reinit(contact.weight);
-      auto pair = rows.pair.begin();
-      for (const auto i : rows.owned)
-        contact.permanent(i) = surfaces[*pair++].separates ? 0. : 1.;
-      contact.permanent.compress(VectorOperation::insert);
       contact.epsilon.reinit(contact.weight);
       contact.position.assign(dim, contact.zero());
       contact.normal.assign(dim, contact.zero());
@@ -266,6 +262,13 @@ namespace Signorini
     assemble_matrices(contact, rows, surfaces, method, comm);
     assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), comm);
     normalise(contact);
+    auto pair = rows.pair.begin();
+    for (const auto i : rows.owned)
+      {
+        const bool stays     = !surfaces[*pair++].separates && contact.weight(i) > 0;
+        contact.permanent(i) = stays ? 1. : 0.;
+      }
+    contact.permanent.compress(VectorOperation::insert);
     if (method.sampling() == Sampling::nodes)
       move_to_nodes(contact, elasticity);
 

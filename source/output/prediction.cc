@@ -119,8 +119,8 @@ namespace Signorini
     result.seconds_before = Utilities::MPI::max(seconds, elasticity.mesh().communicator());
     result.memory_mb      = base_memory_mb;
     const double most     = std::max(1., refinement.maximum_cells / all_cells);
-    const double loose    = 1 + elasticity.free_motion_names().size() / 12.; // vectors of all unknowns
-    double       size     = 1; // of this mesh, in that of the first
+    const double loose = 1 + elasticity.free_motion_names().size() / 12.; // vectors of all unknowns
+    double       size  = 1; // of this mesh, in that of the first
     for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
       {
         const double starts = cycle == 0 ? 1 : warm_share, // in cold ones

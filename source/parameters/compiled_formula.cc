@@ -64,12 +64,7 @@ namespace Signorini
         "&", +[](Number a, Number b) { return a != 0 && b != 0 ? 1. : 0.; }, 2);
       return parser;
     }
-  } // namespace
 
-
-
-  namespace
-  {
     /// What muParser would take for an assignment, or for several formulas, is a slip here.
     void
     refuse_slips(const std::string &formula)

@@ -41,6 +41,18 @@ namespace Signorini
 
 
   void
+  ActiveSet::set(const LA::Vector &values)
+  {
+    now = values;
+    for (const auto i : now.locally_owned_elements())
+      if (contact.permanent(i) > 0)
+        now(i) = 1;
+    now.compress(VectorOperation::insert);
+  }
+
+
+
+  void
   ActiveSet::update(const LA::Vector &gap, const LA::Vector &predicted)
   {
     last = now;
@@ -69,7 +81,7 @@ namespace Signorini
   ActiveSet::keep_last_if_any()
   {
     const unsigned int n = count(last);
-    if (n == n_permanent || n == size())
+    if (n <= n_permanent || n == size())
       return false;
     now = last;
     return true;

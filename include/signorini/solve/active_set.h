@@ -33,12 +33,9 @@ namespace Signorini
     void
     restart();
 
-    /// Start from another set.
+    /// Start from another set, and what is always in it.
     void
-    set(const LA::Vector &values)
-    {
-      now = values;
-    }
+    set(const LA::Vector &values);
 
     /// The set that the contact law asks for; what was the present one becomes the last one.
     void
