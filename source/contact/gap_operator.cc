@@ -319,6 +319,15 @@ namespace Signorini
 
 
 
+  unsigned int
+  GapOperator::n_pairs() const
+  {
+    const unsigned int own = pair.empty() ? 0 : 1 + *std::max_element(pair.begin(), pair.end());
+    return Utilities::MPI::max(own, weight.get_mpi_communicator());
+  }
+
+
+
   LA::Vector
   GapOperator::stress(const LA::Vector &u) const
   {

@@ -105,19 +105,14 @@ namespace Signorini
   unsigned int
   ActiveSet::keep_deepest(const LA::Vector &gap)
   {
-    const MPI_Comm      comm = gap.get_mpi_communicator();
-    std::vector<double> deepest(contact.pair.empty() ?
-                                  0 :
-                                  1 + *std::max_element(contact.pair.begin(), contact.pair.end()),
-                                0.);
-    deepest.resize(Utilities::MPI::max(deepest.size(), comm), 0.);
-    auto pair = contact.pair.begin();
+    std::vector<double> deepest(contact.n_pairs(), 0.);
+    auto                pair = contact.pair.begin();
     for (const auto i : gap.locally_owned_elements())
       {
         deepest[*pair] = std::min(deepest[*pair], gap(i));
         ++pair;
       }
-    Utilities::MPI::min(deepest, comm, deepest);
+    Utilities::MPI::min(deepest, gap.get_mpi_communicator(), deepest);
     const double rounding = coordinate_rounding();
     pair                  = contact.pair.begin();
     for (const auto i : gap.locally_owned_elements())

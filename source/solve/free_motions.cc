@@ -72,12 +72,9 @@ namespace Signorini
   LA::Vector
   FreeMotions::shares_of_pairs(const LA::Vector &active) const
   {
-    const MPI_Comm     comm = springs.get_mpi_communicator();
-    const auto        &pair = contact->pair;
-    const unsigned int n_pairs =
-      Utilities::MPI::max(pair.empty() ? 0u : 1 + *std::max_element(pair.begin(), pair.end()),
-                          comm);
-    std::vector<double> area(n_pairs, 0.);
+    const MPI_Comm      comm = springs.get_mpi_communicator();
+    const auto         &pair = contact->pair;
+    std::vector<double> area(contact->n_pairs(), 0.);
     auto                which = pair.begin();
     for (const auto i : active.locally_owned_elements())
       area[*which++] += active(i) * contact->weight(i);
@@ -231,15 +228,12 @@ namespace Signorini
     // The pressures that push, then those of each pair that never separates.
     std::vector<LA::Vector> pressures = {p};
     pressures[0] -= product(p, contact->permanent);
-    const MPI_Comm     comm = springs.get_mpi_communicator();
-    const auto        &pair = contact->pair;
-    const unsigned int n_pairs =
-      Utilities::MPI::max(pair.empty() ? 0u : 1 + *std::max_element(pair.begin(), pair.end()),
-                          comm);
-    for (unsigned int k = 0; k < n_pairs && contact->permanent.linfty_norm() > 0; ++k)
+    const bool         any     = contact->permanent.linfty_norm() > 0;
+    const unsigned int n_pairs = any ? contact->n_pairs() : 0;
+    for (unsigned int k = 0; k < n_pairs; ++k)
       {
         pressures.push_back(contact->zero());
-        auto which = pair.begin();
+        auto which = contact->pair.begin();
         for (const auto i : p.locally_owned_elements())
           if (*which++ == k)
             pressures.back()(i) = contact->permanent(i) * p(i);

@@ -87,6 +87,10 @@ namespace Signorini
       return weight.size() == 0;
     }
 
+    /// One more than the largest number of a pair that has points, on any rank. Collective.
+    unsigned int
+    n_pairs() const;
+
     /// Bytes of its matrices and vectors on this rank.
     std::size_t
     memory() const;
