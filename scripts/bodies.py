@@ -11,9 +11,12 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap, Normalize
 
+from figures import MADE_BY
+from profiles import in_contact, normals, positions
+
 # Pale where there is little stress, so that the mesh can be seen; not down to black, so that it can be seen elsewhere.
 COLOURS = ListedColormap(plt.get_cmap("magma_r")(np.linspace(0, 0.8, 256)))
-LINE, FRAME = np.array([0.07, 0.07, 0.1]), "#d1495b"
+LINE, FRAME, OBSTACLE = np.array([0.07, 0.07, 0.1]), "#d1495b", "#b9bec6"
 # The faces of a hexahedron by its corners in VTK's order, anticlockwise seen from outside.
 FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 
@@ -22,7 +25,7 @@ class Picture:
     """The deformed bodies of a mesh, coloured by a field, to be drawn into axes with one displacement factor or another."""
 
     def __init__(self, mesh, profiles, field="von_mises", from_below=False):
-        self.mesh, self.field = mesh, field
+        self.mesh, self.profiles, self.field = mesh, profiles, field
         self.values, self.displacement = mesh.field(field), mesh.field("displacement")
         if self.values.ndim > 1:
             self.values = np.linalg.norm(self.values, axis=1)
@@ -42,10 +45,12 @@ class Picture:
         # Single peaks are clipped, but not the contact zone, however small a part of the points it is.
         samples = [self.values, self.values[self.zone]] if self.zone.any() else [self.values]
         most = max(np.percentile(sample, 99.5) for sample in samples)
+        if self.values.max() < 1.15 * most:
+            most = self.values.max()
         self.norm = Normalize(min(0, np.percentile(self.values, 0.5)), most or 1)
 
     def visible_scale(self):
-        return visible_scale(self.displacement, self.body, self.zone, self.size)
+        return visible_scale(self.displacement, self.profiles, self.size)
 
     def positions(self, factor):
         return (self.mesh.points + factor * self.displacement) @ self.turn.T
@@ -67,30 +72,69 @@ class Picture:
         beyond = (self.values.max() > self.norm.vmax) + 2 * (self.values.min() < self.norm.vmin)
         beyond = ("neither", "max", "min", "both")[beyond]
         bar = figure.colorbar(ScalarMappable(self.norm, COLOURS), ax=axes, extend=beyond, **style)
-        bar.set_label("von Mises stress" if self.field == "von_mises" else self.field.replace("_", " "))
+        bar.set_label(self.legend())
         return bar
 
+    def legend(self):
+        """What the colours mean, and where the bar ends below the values, how far they go."""
+        words = "von Mises stress" if self.field == "von_mises" else self.field.replace("_", " ")
+        if self.mesh.field(self.field).ndim > 1:
+            words += ", length" if self.mesh.field(self.field).shape[1] == 3 else ", norm"
+        if self.values.max() > self.norm.vmax:
+            words += f", at most {self.values.max():.4g}"
+        if self.values.min() < self.norm.vmin:
+            words += f", at least {self.values.min():.4g}"
+        return words
 
-def plot_bodies(mesh, profiles, field, scale, title, file):
+
+def plot_bodies(mesh, profiles, field, scale, title, file, rigid=(), axes_names=("x", "y")):
+    """@param rigid names of the pairs whose master is an obstacle"""
     picture = Picture(mesh, profiles, field)
     zone = picture.zone
     scales = [picture.visible_scale() if scale is None else scale]
-    if zone.any() and np.ptp(mesh.points[zone], axis=0).max() < picture.size / 4:
+    x = mesh.points @ picture.turn.T
+    if zone.any() and np.ptp(close_up(x, zone), axis=1).max() < 0.6 * np.ptp(whole(x), axis=1).max():
         # Magnified displacements show gaps and overlaps that are none, which is plain to see from close by.
         scales.append(1 if scale is None else scale)
 
-    figure, axes = panels(mesh.points @ picture.turn.T, len(scales))
+    figure, axes = panels(x, len(scales))
     for ax, factor in zip(axes, scales):
         x = picture.positions(factor)
-        picture.draw(ax, factor, whole(x) if ax is axes[0] else close_up(x, zone))
+        window = whole(x) if ax is axes[0] else close_up(x, zone)
+        obstacles = [draw_obstacle(ax, picture, profiles[pair], factor, window) for pair in rigid if pair in profiles]
+        picture.draw(ax, factor, window)
+        if mesh.dimension == 2:
+            ax.set(xlabel=axes_names[0], ylabel=axes_names[1])
         name = "" if ax is axes[0] else "contact zone, "
-        ax.set_title(f"{name}displacement × {factor:g}{picture.remark}", fontsize=10)
+        remark = picture.remark + (", obstacles grey" if any(obstacles) else "")
+        ax.set_title(f"{name}displacement × {factor:g}{remark}", fontsize=10)
     if len(axes) == 2:
         frame(axes, close_up(picture.positions(scales[0]), zone))
 
     figure.suptitle(title, fontsize=11)
     picture.colour_bar(figure, list(axes), shrink=0.85, aspect=28, pad=0.02)
-    figure.savefig(file, dpi=100, facecolor="white")
+    figure.savefig(file, dpi=100, facecolor="white", metadata=MADE_BY)
+
+
+def draw_obstacle(ax, picture, profile, factor, window):
+    """In 2D the surface of the obstacle, a piece before each point of the slave. Returns whether there is one to see.
+
+    It lies beyond the slave by the gap, which is magnified as the displacement is: as far as it has changed.
+    """
+    if picture.mesh.dimension == 3 or "initial_gap" not in profile.dtype.names:
+        return False
+    x, normal = positions(profile), normals(profile)
+    nearest = np.array([int(np.argmin(((picture.mesh.points - point) ** 2).sum(axis=1))) for point in x])
+    gap = profile["initial_gap"] + factor * (profile["gap"] - profile["initial_gap"])
+    at = (x + factor * picture.displacement[nearest] - gap[:, None] * normal)[:, :2]
+    along = np.stack([-normal[:, 1], normal[:, 0]], axis=1)
+    between = np.linalg.norm(x[:, None] - x, axis=2) + np.diag(np.full(len(x), np.inf))
+    half = 0.6 * (between.min(axis=1) if len(x) > 1 else np.array([0.02 * picture.size]))[:, None] * along
+    below = 0.02 * np.ptp(window, axis=1).max() * normal[:, :2]
+    # Behind the bodies, so that what lies on the obstacle hides its rim.
+    areas = np.stack([at - half, at + half, at + half - below, at - half - below], axis=1)
+    ax.add_collection(PolyCollection(areas, facecolors=OBSTACLE, edgecolors=OBSTACLE, linewidths=0.5, zorder=0.5), autolim=False)
+    return bool(np.all((at >= window[:, 0]) & (at <= window[:, 1]), axis=1).any())
 
 
 # What to look at -----------------------------------------------------------------------------------------------------
@@ -113,17 +157,23 @@ def contact_zone(mesh, profiles):
     return inside
 
 
-def visible_scale(displacement, body, zone, size):
-    """A round factor with which the displacement is seen: 1 if it is seen anyway."""
+def visible_scale(displacement, profiles, size):
+    """A round factor with which the displacement is seen: 1 if it is seen anyway.
+
+    Where a gap of g0 has become g, magnified displacements show g0 + factor * (g - g0): bodies that touch would overlap, or
+    where they overlapped at first, part. The factor is such that this is not seen.
+    """
     largest = np.linalg.norm(displacement, axis=1).max()
     if largest == 0 or largest > 0.02 * size:
         return 1
-    scale = 0.04 * size / largest
-    # Where an initial gap has closed, the bodies have moved differently, and magnifying that makes them overlap.
-    motions = [displacement[zone & (body == part)].mean(axis=0) for part in np.unique(body[zone])]
-    closed = max((np.linalg.norm(motion - motions[0]) for motion in motions), default=0)
-    if closed > 0:
-        scale = min(scale, 1 + 0.01 * size / closed)
+    scale, seen = 0.04 * size / largest, 0.004 * size
+    for profile in profiles.values():
+        if "initial_gap" in profile.dtype.names:
+            gap, change, touching = profile["gap"], profile["gap"] - profile["initial_gap"], in_contact(profile)
+            # Points in touch stay so, open ones do not overlap.
+            room = seen + np.where(touching, 0, np.maximum(gap, 0))
+            limited = touching & (change != 0) | (change < 0)
+            scale = min(scale, 1 + (room[limited] / abs(change[limited])).min(initial=np.inf))
     power = 10 ** np.floor(np.log10(scale))
     return max(1, power * max(digit for digit in (1, 2, 5) if digit * power <= scale * 1.0001))
 
@@ -275,13 +325,14 @@ def whole(x):
 
 
 def close_up(x, zone):
-    """Square window four times as large as the contact zone, shifted where it would show mere emptiness."""
+    """Window four times as large as the contact zone, shifted and cut where it would show mere emptiness."""
     limits = whole(x)
     low, high = x[zone, :2].min(axis=0), x[zone, :2].max(axis=0)
     half = max(2 * (high - low).max(), 0.02 * np.ptp(limits))
     centre, middle = (low + high) / 2, limits.mean(axis=1)
     centre = np.clip(centre, np.minimum(limits[:, 0] + half, middle), np.maximum(limits[:, 1] - half, middle))
-    return np.stack([centre - half, centre + half], axis=1)
+    window = np.stack([centre - half, centre + half], axis=1)
+    return np.stack([np.maximum(window[:, 0], limits[:, 0]), np.minimum(window[:, 1], limits[:, 1])], axis=1)
 
 
 def frame(axes, window):

@@ -13,3 +13,6 @@ except ImportError:
     os.execv(system, [system, *sys.argv])
 
 matplotlib.use("Agg")
+
+# In each picture of a run, so that the next run in its directory knows it for one.
+MADE_BY = {"Software": "Signorini scripts/plot"}

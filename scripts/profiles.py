@@ -10,10 +10,10 @@ def read_results(directory):
     return json.loads(file.read_text()) if file.exists() else {}
 
 
-def read_profiles(directory):
-    """Name -> table with the columns x, y, z, pressure, gap, status, and perhaps reference."""
+def read_profiles(directory, step=None):
+    """Pair -> table with the columns that doc/results.md names, of a load step by its number or of the last one."""
     profiles = {}
-    for file in sorted(directory.glob("profiles/*.csv")):
+    for file in sorted(directory.glob("profiles/*.csv" if step is None else f"profiles/step-{step:04d}/*.csv")):
         table = np.atleast_1d(np.genfromtxt(file, delimiter=",", names=True))
         if table.size and table.dtype.names and {"pressure", "gap", "status"} <= set(table.dtype.names):
             profiles[file.stem] = table
@@ -26,3 +26,8 @@ def positions(profile):
 
 def in_contact(profile):
     return profile["status"] > 0.5
+
+
+def normals(profile):
+    """The direction of the force on the slave at each point."""
+    return np.stack([profile["normal_" + axis] for axis in "xyz"], axis=1)

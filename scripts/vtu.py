@@ -2,7 +2,7 @@
 
 import base64
 import zlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -18,18 +18,32 @@ class Mesh:
     points: np.ndarray  # (n, 3), reference positions; each cell has its own copies of its points
     cells: np.ndarray  # (m, 4) in 2D or (m, 8) in 3D, indices of points in VTK's order
     fields: dict  # name -> (n,) or (n, components)
+    names: dict = field(default_factory=dict)  # "body" or "pair" -> what the numbers in that field stand for
 
     @property
     def dimension(self):
         return 2 if self.cells.shape[1] == 4 else 3
 
     def field(self, name):
-        """The field of that name; 'von Mises' and 'von_mises' are the same name."""
+        """The field of that name, or a component: stress_xy, displacement_x. 'von Mises' and 'von_mises' are the same."""
+        name = name.lower().replace(" ", "_")
         plain = {key.lower().replace(" ", "_"): key for key in self.fields}
-        try:
-            return self.fields[plain[name.lower().replace(" ", "_")]]
-        except KeyError:
-            raise SystemExit(f"There is no field '{name}'; there are: {', '.join(sorted(self.fields))}.") from None
+        if name in plain:
+            return self.fields[plain[name]]
+        whole, _, axes = name.rpartition("_")
+        if whole in plain and axes and set(axes) <= set("xyz"):
+            values = self.fields[plain[whole]]
+            if values.ndim == 2 and values.shape[1] == 3 ** len(axes):
+                return values[:, sum("xyz".index(axis) * 3**i for i, axis in enumerate(reversed(axes)))]
+        raise SystemExit(f"There is no field '{name}'; there are: {', '.join(sorted(self.fields))}, and components of vectors "
+                         "and tensors, like displacement_x and stress_xy.")
+
+
+def steps(path):
+    """The files of a .pvd file with their times, in the order of the load steps."""
+    path = Path(path)
+    entries = ElementTree.parse(path).getroot().findall("Collection/DataSet")
+    return [(float(entry.get("timestep")), path.parent / entry.get("file")) for entry in entries]
 
 
 def read(path):
@@ -37,10 +51,14 @@ def read(path):
     path = Path(path)
     root = ElementTree.parse(path).getroot()
     if root.get("type") == "Collection":
-        return read(path.parent / root.findall("Collection/DataSet")[-1].get("file"))
+        return read(steps(path)[-1][1])
     if root.get("type") == "PUnstructuredGrid":
         return merge([read(path.parent / piece.get("Source")) for piece in root.iter("Piece")])
-    return merge([read_piece(piece, root) for piece in root.iter("Piece")])
+    mesh = merge([read_piece(piece, root) for piece in root.iter("Piece")])
+    for array in root.findall("UnstructuredGrid/FieldData/DataArray[@type='String']"):
+        words = bytes(int(code) for code in array.text.split()).decode().split("\0")
+        mesh.names[array.get("Name").removesuffix("_names")] = words[:-1]
+    return mesh
 
 
 def merge(meshes):
@@ -51,6 +69,7 @@ def merge(meshes):
         points=np.concatenate([mesh.points for mesh in meshes]),
         cells=np.concatenate([mesh.cells + first for mesh, first in zip(meshes, first_point)]),
         fields={name: np.concatenate([mesh.fields[name] for mesh in meshes]) for name in meshes[0].fields},
+        names=meshes[0].names,
     )
 
 

@@ -124,12 +124,14 @@ namespace Signorini
 
   template <int dim>
   void
-  ContactSetup<dim>::set_interference(const double t)
+  ContactSetup<dim>::set_time(const double t)
   {
     std::vector<double> shares;
     for (const ContactPair<dim> &pair : scene.pairs)
       shares.push_back(pair.interference.value({}, t));
     contact->set_interference(shares);
+    if (contact->S_thermal.m() > 0)
+      contact->set_rises(elasticity.thermal().coefficients());
   }
 
 

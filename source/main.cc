@@ -1,10 +1,12 @@
-#include <signorini/mesh/generators/file.h>
-#include <signorini/parameters/section.h>
-#include <signorini/simulation.h>
+#include <signorini/import/import_deck.h>
+#include <signorini/parameters/raw.h>
+#include <signorini/run_scene.h>
+#include <signorini/scene/reference.h>
+#include <signorini/scene/template.h>
 
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
-#include <filesystem>
+#include <cstdlib>
 #include <iostream>
 
 using namespace Signorini;
@@ -15,7 +17,11 @@ namespace
 
   signorini SCENE.prm [--set "Section/Key=value"]...   solve a scene
   signorini --check SCENE.prm [--set ...]              read and check it, report what would be solved
-  signorini --print-template [2|3]                     a complete commented scene
+  signorini --import DECK.inp                          the scene that a deck of Abaqus or CalculiX describes
+  signorini --print-template [2|3] [--set ...]         a complete commented scene
+  signorini --print-template [2|3] WORDS...            its parts about a mesh, an obstacle's shape, a method,
+                                                       a preconditioner, a section: ring plane penalty "Load steps"
+  signorini --print-reference                          all keys, as doc/reference.md
   signorini --help | --version
 
 In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal error,
@@ -26,7 +32,7 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
   {
     std::string              scene, action = "solve";
     std::vector<std::string> overrides;
-    unsigned int             dimension = 2;
+    TemplateRequest          wanted;
   };
 
   Arguments
@@ -40,17 +46,21 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
             throw SceneError("--set needs \"Section/Key=value\"");
           arguments.overrides.push_back(words[i]);
         }
-      else if (words[i] == "--check" || words[i] == "--help" || words[i] == "--version")
+      else if (words[i] == "--check" || words[i] == "--help" || words[i] == "--version" ||
+               words[i] == "--print-reference")
         arguments.action = words[i].substr(2);
+      else if (words[i] == "--import")
+        {
+          if (++i == words.size())
+            throw SceneError("--import needs an input file of Abaqus or CalculiX");
+          arguments.action = "import";
+          arguments.scene  = words[i];
+        }
       else if (words[i] == "--print-template")
         {
-          arguments.action = "template";
-          if (i + 1 < words.size() && words[i + 1].substr(0, 1) != "-")
-            {
-              if (words[++i] != "2" && words[i] != "3")
-                throw SceneError("--print-template " + words[i] + ": the dimension is 2 or 3");
-              arguments.dimension = std::stoi(words[i]);
-            }
+          arguments.action = "print-template";
+          while (i + 1 < words.size() && words[i + 1].substr(0, 1) != "-")
+            arguments.wanted.words.push_back(words[++i]);
         }
       else if (words[i].substr(0, 1) == "-")
         throw SceneError("unknown option '" + words[i] + "'\n\n" + usage);
@@ -58,66 +68,81 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
         throw SceneError("two scenes: '" + arguments.scene + "' and '" + words[i] + "'");
       else
         arguments.scene = words[i];
+    TemplateRequest &wanted = arguments.wanted;
+    if (!wanted.words.empty() && (wanted.words[0] == "2" || wanted.words[0] == "3"))
+      {
+        wanted.dimension = std::stoi(wanted.words[0]);
+        wanted.words.erase(wanted.words.begin());
+      }
+    wanted.overrides = arguments.overrides;
     if (arguments.scene.empty() && (arguments.action == "solve" || arguments.action == "check"))
       throw SceneError("no scene is given\n\n" + usage);
     return arguments;
   }
 
-  template <int dim>
-  int
-  run(RawSection &raw, const Arguments &arguments)
+  /// True if mpirun or the like has started this process, perhaps as one of several.
+  bool
+  was_launched()
   {
-    Scene<dim> scene;
-    Section    section(raw);
-    scene.declare(section);
-    section.close();
-    scene.given = raw;
-    scene.name  = std::filesystem::path(arguments.scene).stem();
-    scene.check();
-    Simulation<dim> simulation(scene, MPI_COMM_WORLD);
-    if (arguments.action == "solve")
-      return simulation.run();
-    simulation.preflight();
-    return solved;
+    for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+      if (std::getenv(name))
+        return true;
+    return false;
   }
 
-  template <int dim>
-  void
-  print_template()
+  /// A process that is alone needs neither the daemon that Open MPI 4 would start beside it, nor
+  /// networks.
+  bool
+  prepare_environment()
   {
-    std::cout
-      << "# A complete scene with all keys; values are defaults. Lengths, forces and times in any consistent units.\n";
-    Section section(std::cout, true);
-    Scene<dim>::example().declare(section);
+    if (!was_launched())
+      for (const auto &[name, value] : {std::pair("OMPI_MCA_ess_singleton_isolated", "1"),
+                                        std::pair("OMPI_MCA_pml", "ob1"),
+                                        std::pair("OMPI_MCA_btl", "self")})
+        setenv(name, value, 0);
+    return true;
   }
 
+  /// MPI and the libraries that need it. They do not see the command line, in which they would look
+  /// for options of theirs.
+  class Libraries
+  {
+  public:
+    Libraries()
+      : is_prepared(prepare_environment())
+      , mpi(n_words, words, 1)
+    {}
+
+  private:
+    const bool                               is_prepared;
+    char                                     name[10] = "signorini";
+    char                                    *list[2]  = {name, nullptr};
+    char                                   **words    = list;
+    int                                      n_words  = 1;
+    dealii::Utilities::MPI::MPI_InitFinalize mpi;
+  };
+
   int
-  act(const Arguments &arguments, const bool first_rank)
+  act(const Arguments &arguments, std::unique_ptr<Libraries> &libraries, const bool speaks)
   {
     if (arguments.action == "solve" || arguments.action == "check")
       {
-        RawSection raw = read_raw(arguments.scene);
-        for (const std::string &assignment : arguments.overrides)
-          override_value(raw, assignment);
-        mesh_search_path().push_back(std::filesystem::path(arguments.scene).parent_path());
-
-        const RawSection::Value *dimension = raw.find_value("Dimension");
-        if (!dimension)
-          throw SceneError(arguments.scene +
-                           ": 'Dimension' is not set; write set Dimension = 2 or 3 at the top");
-        if (dimension->text == "2")
-          return run<2>(raw, arguments);
-        if (dimension->text == "3")
-          return run<3>(raw, arguments);
-        throw SceneError(dimension->where + ": Dimension = " + dimension->text +
-                         ": must be 2 or 3");
+        const auto scene =
+          PreparedScene::read({arguments.scene, arguments.overrides, arguments.action == "check"});
+        if (!libraries)
+          libraries = std::make_unique<Libraries>();
+        return scene->run(MPI_COMM_WORLD, std::cout);
       }
-    if (first_rank && arguments.action == "help")
+    if (speaks && arguments.action == "import")
+      import_deck(arguments.scene, std::cout, std::cerr);
+    else if (speaks && arguments.action == "help")
       std::cout << usage;
-    else if (first_rank && arguments.action == "version")
+    else if (speaks && arguments.action == "version")
       std::cout << "Signorini " << SIGNORINI_VERSION << "\n";
-    else if (first_rank)
-      arguments.dimension == 2 ? print_template<2>() : print_template<3>();
+    else if (speaks && arguments.action == "print-reference")
+      print_reference(std::cout);
+    else if (speaks)
+      print_template(arguments.wanted, std::cout);
     return solved;
   }
 } // namespace
@@ -127,27 +152,17 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
 int
 main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  try
-    {
-      return act(parse({argv + 1, argv + argc}), first_rank);
-    }
-  catch (const SceneError &error)
-    {
-      // All ranks read the same input and end here together.
-      if (first_rank)
-        std::cerr << "error: " << error.what() << std::endl;
-      return bad_scene;
-    }
-  catch (const std::exception &error)
-    {
-      std::cerr << "internal error on rank "
-                << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) << ": " << error.what()
-                << std::endl;
-      // Other ranks may wait for this one forever.
-      if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        MPI_Abort(MPI_COMM_WORLD, internal_error);
-      return internal_error;
-    }
+  dealii::MultithreadInfo::set_thread_limit(1);
+  // To start MPI takes longer than to refuse a scene. Of several ranks, though, one is to speak for
+  // all, and none may be gone before it has.
+  std::unique_ptr<Libraries> libraries;
+  if (was_launched())
+    libraries = std::make_unique<Libraries>();
+  const bool speaks = !libraries || dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  return exit_code_of(
+    [&] {
+      return act(parse({argv + 1, argv + argc}), libraries, speaks);
+    },
+    speaks,
+    std::cerr);
 }

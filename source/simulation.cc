@@ -1,13 +1,9 @@
 #include <signorini/output/preflight.h>
-#include <signorini/output/summary.h>
-#include <signorini/parameters/section.h>
 #include <signorini/simulation.h>
 #include <signorini/solve/linear_reference.h>
 
 #include <cmath>
-#include <fstream>
 #include <iomanip>
-#include <iostream>
 #include <limits>
 #include <sstream>
 
@@ -34,9 +30,13 @@ namespace Signorini
     std::unique_ptr<Elasticity<dim>>
     make_elasticity(const Scene<dim> &scene, const Mesh<dim> &mesh)
     {
-      std::vector<Material> materials;
+      std::vector<Material>              materials;
+      std::vector<ThermalExpansion<dim>> expansions;
       for (const Body<dim> &body : scene.bodies)
-        materials.push_back(body.material);
+        {
+          materials.push_back(body.material);
+          expansions.push_back(body.expansion);
+        }
       std::vector<RigidBody<dim>> rigid_bodies;
       for (const Obstacle<dim> &obstacle : scene.obstacles)
         if (obstacle.body.can_move())
@@ -48,7 +48,8 @@ namespace Signorini
                                                scene.degrees(),
                                                model_of(scene.model),
                                                rigid_bodies,
-                                               scene.newton.stabilisation);
+                                               scene.newton.stabilisation,
+                                               expansions);
     }
 
     std::string
@@ -63,10 +64,10 @@ namespace Signorini
 
 
   template <int dim>
-  Simulation<dim>::Simulation(const Scene<dim> &scene, const MPI_Comm comm)
+  Simulation<dim>::Simulation(const Scene<dim> &scene, const MPI_Comm comm, std::ostream &stream)
     : scene(scene)
     , comm(comm)
-    , out(std::cout, Utilities::MPI::this_mpi_process(comm) == 0)
+    , out(stream, Utilities::MPI::this_mpi_process(comm) == 0)
     // Each rank measures for itself: no barriers, and no waiting for ranks that have failed.
     , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
   {
@@ -84,27 +85,26 @@ namespace Signorini
   ExitCode
   Simulation<dim>::run()
   {
-    const std::string directory =
-      scene.output.directory.empty() ? "output/" + scene.name : scene.output.directory;
-    writer = std::make_unique<Writer<dim>>(scene.output, directory, comm);
-    if (Utilities::MPI::this_mpi_process(comm) == 0)
+    recorder = std::make_unique<Recorder<dim>>(scene, clock, timer, comm);
+    if (!recorder->note().empty())
+      out << "  note: " << recorder->note() << std::endl;
+    try
       {
-        std::ofstream resolved(directory + "/scene.prm");
-        Section       section(resolved, false, 0, &scene.given);
-        Scene<dim>(scene).declare(section);
+        return solve_scene();
       }
-    results               = {{"scene", scene.name},
-                             {"title", scene.title},
-                             {"version", SIGNORINI_VERSION},
-                             {"libraries", library_versions()},
-                             {"ranks", Utilities::MPI::n_mpi_processes(comm)},
-                             {"dimension", dim},
-                             {"method", scene.contact.method},
-                             {"converged", false},
-                             {"reason", ""},
-                             {"output_directory", directory}};
-    results["cycles"]     = Json::array();
-    results["load_steps"] = Json::array();
+    catch (const std::exception &error)
+      {
+        recorder->stop(error.what());
+        throw;
+      }
+  }
+
+
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::solve_scene()
+  {
     try
       {
         set_up();
@@ -136,10 +136,10 @@ namespace Signorini
   void
   Simulation<dim>::preflight()
   {
+    only_checks = true;
     set_up();
     build_contact();
     report_set_up();
-    make_free_motions();
     out << "The scene is complete; nothing was solved." << std::endl;
   }
 
@@ -177,19 +177,72 @@ namespace Signorini
   void
   Simulation<dim>::report_set_up()
   {
-    const unsigned int cycle = results["cycles"].size();
+    const unsigned int cycle = recorder ? recorder->n_cycles() : 0;
     out << "\nMesh " << cycle << ": " << elasticity->dof_handler().n_dofs()
         << " degrees of freedom, " << mesh->triangulation().n_global_active_cells() << " cells"
         << std::endl;
+    if (recorder)
+      recorder->add_sizes(*elasticity, *contact);
     if (cycle > 0)
       return;
+    make_free_motions(); // refuses those that nothing stops
+    check_wanted();
     TimerOutput::Scope scope(timer, "preflight");
     const Json         report = Signorini::preflight(
       scene, *elasticity, contact->surfaces(), contact->gap_operator(), clock.wall_time());
     std::ostringstream text;
-    print_preflight(report, text);
+    print_preflight(report, text, only_checks);
     out << text.str() << std::flush;
-    results["preflight"] = report;
+    if (recorder)
+      recorder->add_preflight(report);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::check_wanted()
+  {
+    // On a mesh that is to be refined, curved surfaces are not yet where they will be.
+    const bool is_final = scene.refinement.cycles == 0;
+    check_probes(*elasticity, scene.output.probes, is_final ? probe_tolerance : 0.5);
+    if (scene.expected.empty())
+      return;
+    const LA::Vector nothing = contact->gap_operator().zero(),
+                     gap     = contact->gap_operator().gap(displacement);
+    const Snapshot<dim> start{*elasticity,
+                              scene.pairs,
+                              contact->surfaces(),
+                              contact->gap_operator(),
+                              displacement,
+                              gap,
+                              nothing,
+                              nothing,
+                              scene.load_steps.ends().front(),
+                              0};
+    Json                step =
+      results_at(scene, start, is_final ? scene.output.probes : std::vector<Probe<dim>>());
+    for (const char *number :
+         {"time", "newton_iterations", "active_points", "residual", "multigrid_cycles"})
+      step[number] = 0;
+    std::vector<std::string> whole{"ranks",
+                                   "dimension",
+                                   "cycles",
+                                   "load_steps",
+                                   "cells",
+                                   "dofs",
+                                   "multiplier_dofs",
+                                   "contact_faces",
+                                   "contact_candidates",
+                                   "contact_bytes",
+                                   "seconds",
+                                   "shares_of_ranks",
+                                   "peak_memory_mb",
+                                   "preflight",
+                                   "linear_reference"};
+    if (!is_final)
+      whole.push_back("probes");
+    check_paths(scene.expected, step, whole);
   }
 
 
@@ -296,7 +349,7 @@ namespace Signorini
       f = elasticity->load();
     }
     elasticity->distribute(displacement);
-    contact->set_interference(t);
+    contact->set_time(t);
     report = newton->solve(f, displacement, pressure, out);
     elasticity->distribute(displacement);
     mesh_clock.stop();
@@ -327,7 +380,7 @@ namespace Signorini
     const double estimate =
       refine(scene.refinement, *mesh, *elasticity, displacement, {&displacement, &nodal});
     pressure = nodal;
-    results["cycles"].push_back({{"newton_iterations", n_steps}, {"estimate", estimate}});
+    recorder->add_cycle(n_steps, estimate);
   }
 
 
@@ -437,58 +490,20 @@ namespace Signorini
   void
   Simulation<dim>::record_step(const unsigned int step, const double t)
   {
-    TimerOutput::Scope  scope(timer, "output");
-    const LA::Vector    gap = contact->gap_operator().gap(displacement);
-    const Snapshot<dim> now{*elasticity,
-                            scene.pairs,
-                            contact->surfaces(),
-                            contact->gap_operator(),
-                            displacement,
-                            gap,
-                            pressure,
-                            newton->active(),
-                            t,
-                            step};
-
-    Json         krylov = Json::array(), augmentations = Json::array();
-    unsigned int before = 0;
-    for (const NewtonStep &row : report.steps)
-      {
-        if (row.krylov_iterations > 0)
-          krylov.push_back(row.krylov_iterations);
-        if (row.augments)
-          {
-            augmentations.push_back(krylov.size() - before);
-            before = krylov.size();
-          }
-      }
-    Json one = {{"time", t},
-                {"newton_iterations", krylov.size()},
-                {"active_points", report.steps.back().active},
-                {"residual", report.steps.back().residual},
-                {"krylov_iterations", krylov},
-                {"newton_iterations_before_augmentations", augmentations},
-                {"multigrid_cycles", newton->multigrid_cycles()},
-                {"pairs", pair_results(now)}};
-
-    if (!report.undetermined.empty())
-      one["held_motions"] = {{"names", report.undetermined},
-                             {"largest_force", report.holding_force}};
-    std::vector<bool> rigid;
-    for (const ContactPair<dim> &pair : scene.pairs)
-      rigid.push_back(scene.obstacle_of(pair) != nullptr);
-    one.update(force_results(now, rigid));
-    one["probes"]                  = probe_results(now, scene.output.probes);
-    const SolutionErrors deviation = errors(now, scene.known);
-    if (!scene.known.displacement.empty())
-      {
-        one["errors"]["displacement"] = deviation.displacement;
-        one["errors"]["energy"]       = deviation.energy;
-      }
-    if (!scene.known.pressure.empty())
-      one["errors"]["pressure"] = deviation.pressure;
-    results["load_steps"].push_back(one);
-    writer->write(now, scene.known.pressure);
+    TimerOutput::Scope scope(timer, "output");
+    const LA::Vector   gap = contact->gap_operator().gap(displacement);
+    recorder->add_step({*elasticity,
+                        scene.pairs,
+                        contact->surfaces(),
+                        contact->gap_operator(),
+                        displacement,
+                        gap,
+                        pressure,
+                        newton->active(),
+                        t,
+                        step},
+                       report,
+                       newton->multigrid_cycles());
   }
 
 
@@ -504,16 +519,7 @@ namespace Signorini
       TimerOutput::Scope scope(timer, "linear reference");
       return solve_without_contact(*elasticity, scene.solver, scene.newton.tolerance);
     }();
-    results["linear_reference"] = {{"seconds",
-                                    {{"assembly", linear.seconds_assembly},
-                                     {"preconditioner", linear.seconds_preconditioner},
-                                     {"krylov", linear.seconds_krylov}}},
-                                   {"krylov_iterations", linear.iterations},
-                                   {"near_null_space", linear.near_null_space},
-                                   {"contact_seconds", seconds},
-                                   {"contact_multigrid_cycles", cycles},
-                                   {"R", seconds / linear.seconds()},
-                                   {"W", cycles / linear.iterations}};
+    recorder->add_linear_reference(linear, seconds, cycles);
   }
 
 
@@ -522,49 +528,14 @@ namespace Signorini
   ExitCode
   Simulation<dim>::finish()
   {
-    results["converged"]       = report.converged;
-    results["reason"]          = report.reason;
-    results["cells"]           = mesh->triangulation().n_global_active_cells();
-    results["dofs"]            = elasticity->dof_handler().n_dofs();
-    const GapOperator &gaps    = contact->gap_operator();
-    results["multiplier_dofs"] = scene.contact.chosen().has_multipliers() ? gaps.weight.size() : 0;
-    results["left_out"]        = contact->left_out();
-    unsigned int faces = 0, candidates = 0;
-    for (const ContactSurface<dim> &surface : contact->surfaces())
-      {
-        faces += surface.faces;
-        candidates += surface.points.size();
-      }
-    results["contact_faces"]      = Utilities::MPI::sum(faces, comm);
-    results["contact_candidates"] = Utilities::MPI::sum(candidates, comm);
-    results["contact_bytes"]      = Utilities::MPI::sum(gaps.memory(), comm);
-
-    results["seconds"]["total"] = Utilities::MPI::max(clock.wall_time(), comm);
-    for (const auto &[name, time] : timer.get_summary_data(TimerOutput::total_wall_time))
-      results["seconds"][name] = Utilities::MPI::max(time, comm);
-    results["shares_of_ranks"] = shares_of_ranks(*elasticity, contact->surfaces());
-    results["peak_memory_mb"]  = peak_memory(comm);
-
-    const std::string directory = results["output_directory"];
-    const std::string file      = directory + "/results.json";
-    write_json(results, file, comm);
-
-    ExitCode           code = report.converged ? solved : not_converged;
+    recorder->add_sizes(*elasticity, *contact);
     std::ostringstream text;
-    if (report.converged)
-      {
-        print_summary(results, text);
-        if (!compare(scene.expected, results, text))
-          code = missed;
-        write_json(results, file, comm);
-      }
-    else
-      text << "\nNot solved: " << report.reason << "\n";
-    out << text.str();
-    out << "\n"
-        << seconds(results["seconds"]["total"]) << ", results in " << directory << "/results.json\n"
-        << "Output directory: " << directory << std::endl;
-    return code;
+    const bool         as_expected = recorder->finish(report, text);
+    out << text.str() << "\n"
+        << seconds(clock.wall_time()) << ", results in " << recorder->directory()
+        << "/results.json\n"
+        << "Output directory: " << recorder->directory() << std::endl;
+    return !report.converged ? not_converged : as_expected ? solved : missed;
   }
 
 

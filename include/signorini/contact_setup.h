@@ -60,9 +60,10 @@ namespace Signorini
     bool
     look_farther();
 
-    /// The share of initial overlaps that counts at time t.
+    /// The share of initial overlaps that counts at time t, and the stress of the temperatures that
+    /// the bodies have now.
     void
-    set_interference(double t);
+    set_time(double t);
 
     /// What was left out, for the results.
     std::vector<std::string>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <signorini/contact_setup.h>
-#include <signorini/output/results.h>
-#include <signorini/output/writer.h>
+#include <signorini/exit_code.h>
+#include <signorini/output/recorder.h>
 #include <signorini/scene/scene.h>
 
 #include <deal.II/base/conditional_ostream.h>
@@ -13,22 +13,13 @@
 
 namespace Signorini
 {
-  /// Exit codes of the program.
-  enum ExitCode
-  {
-    solved         = 0,
-    internal_error = 1,
-    bad_scene      = 2, ///< or bad command line
-    not_converged  = 3,
-    missed         = 4 ///< solved, but an expected result of the scene is missed
-  };
-
   /// One run: scene -> mesh -> solve -> estimate -> refine -> load history -> results.
   template <int dim>
   class Simulation
   {
   public:
-    Simulation(const Scene<dim> &scene, MPI_Comm comm);
+    /// @param out where the first rank reports
+    Simulation(const Scene<dim> &scene, MPI_Comm comm, std::ostream &out);
 
     /// Print what will be solved, and solve nothing.
     void
@@ -39,10 +30,15 @@ namespace Signorini
 
   private:
     // In the order in which they happen.
+    ExitCode
+    solve_scene();
     void
     set_up();
     void
     report_set_up();
+    /// Probes and expected results, before they cost a solution. Throws SceneError.
+    void
+    check_wanted();
     void
     build_contact();
     /// Once more, on the same mesh and with the pressure that there is.
@@ -92,13 +88,13 @@ namespace Signorini
     std::unique_ptr<Elasticity<dim>>   elasticity;
     std::unique_ptr<ContactSetup<dim>> contact;
     std::unique_ptr<Newton>            newton;
-    bool                               assembled = false;
-    unsigned int                       n_steps   = 0; ///< of Newton's method on a coarse mesh
+    bool                               only_checks = false;
+    bool                               assembled   = false;
+    unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
 
     LA::Vector displacement, pressure;
 
-    std::unique_ptr<Writer<dim>> writer;
-    NewtonReport                 report;
-    Json                         results;
+    std::unique_ptr<Recorder<dim>> recorder; ///< none where nothing is to be written
+    NewtonReport                   report;
   };
 } // namespace Signorini

@@ -7,12 +7,12 @@ namespace Signorini
   template <int dim>
   BoundaryFaces<dim>::BoundaryFaces(const Elasticity<dim> &elasticity, const std::string &boundary)
   {
-    const Mesh<dim> &mesh = elasticity.mesh();
-    const auto       id   = mesh.boundary_id(boundary);
+    const Mesh<dim>   &mesh = elasticity.mesh();
+    const BoundaryIds &ids  = mesh.boundary_ids(boundary);
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+          if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
             {
               faces.emplace_back(cell, f);
               patches.emplace_back(mesh.mapping(), mesh.geometry_degree(), cell, f);

@@ -1,6 +1,7 @@
 #include <signorini/contact/face_patch.h>
 #include <signorini/contact/find_pairs.h>
 #include <signorini/contact/search.h>
+#include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
@@ -44,9 +45,11 @@ namespace Signorini
     std::vector<Face<dim>>
     all_faces(const Mesh<dim> &mesh)
     {
+      // Of a face with several names, the first counts.
       std::map<types::boundary_id, unsigned int> number_of;
       for (unsigned int i = 0; i < mesh.boundaries().size(); ++i)
-        number_of[mesh.boundary_id(mesh.boundaries()[i])] = i;
+        for (const types::boundary_id id : mesh.boundary_ids(mesh.boundaries()[i]))
+          number_of.insert({id, i});
       std::vector<Face<dim>> own, all;
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
@@ -143,6 +146,20 @@ namespace Signorini
       return result;
     }
 
+    /// A face in two pairs would be in contact twice.
+    template <int dim>
+    void
+    check_names(const std::vector<ContactPair<dim>> &pairs, const Mesh<dim> &mesh)
+    {
+      std::map<types::boundary_id, std::string> name_of;
+      for (const ContactPair<dim> &pair : pairs)
+        for (const types::boundary_id id : mesh.boundary_ids(pair.slave))
+          if (const auto &name = name_of.insert({id, pair.slave}).first->second; name != pair.slave)
+            throw SceneError("Contact pairs/Names = auto: '" + name + "' and '" + pair.slave +
+                             "' are names of the same faces; list the pairs by their names, or the "
+                             "boundaries that count by the key 'Boundaries' of the body");
+    }
+
     bool
     first_is_slave(const Fineness &a, const Fineness &b, const std::vector<double> &moduli)
     {
@@ -182,6 +199,7 @@ namespace Signorini
     for (const Obstacle<dim> &obstacle : obstacles)
       for (const unsigned int boundary : boundaries_at(faces, *obstacle.shape, distance))
         add(names[boundary], obstacle.name);
+    check_names(result, mesh);
     return result;
   }
 

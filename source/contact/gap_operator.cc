@@ -1,6 +1,7 @@
 #include <signorini/contact/contact_rows.h>
 #include <signorini/contact/gap_operator.h>
 #include <signorini/contact/method.h>
+#include <signorini/contact/thermal_stress.h>
 #include <signorini/contact/tied_columns.h>
 #include <signorini/elasticity/cell_nodes.h>
 
@@ -262,6 +263,8 @@ namespace Signorini
     assemble_matrices(contact, rows, surfaces, method, comm);
     assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), comm);
     normalise(contact);
+    if (contact.has_stress())
+      assemble_thermal_stress(elasticity.thermal(), rows, surfaces, contact);
     auto pair = rows.pair.begin();
     for (const auto i : rows.owned)
       {
@@ -307,6 +310,17 @@ namespace Signorini
 
 
 
+  void
+  GapOperator::set_rises(const LA::Vector &rises)
+  {
+    if (S_thermal.m() == 0)
+      return;
+    thermal_stress = zero();
+    S_thermal.vmult(thermal_stress, rises);
+  }
+
+
+
   LA::Vector
   GapOperator::gap(const LA::Vector &u) const
   {
@@ -334,6 +348,8 @@ namespace Signorini
     LA::Vector s = zero();
     if (has_stress() && !empty())
       S.vmult(s, u);
+    if (thermal_stress.size() > 0)
+      s += thermal_stress;
     return s;
   }
 
@@ -386,7 +402,7 @@ namespace Signorini
   GapOperator::memory() const
   {
     std::size_t bytes = 0;
-    for (const LA::SparseMatrix *matrix : {&B, &B_free, &S, &S_free})
+    for (const LA::SparseMatrix *matrix : {&B, &B_free, &S, &S_free, &S_thermal})
       if (matrix->m() > 0)
         bytes += matrix->trilinos_matrix().NumMyNonzeros() * (sizeof(double) + sizeof(int));
     const std::size_t n_vectors = 5 + position.size() + normal.size() + moment.size();

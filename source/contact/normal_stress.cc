@@ -145,6 +145,28 @@ namespace Signorini
 
 
   template <int dim>
+  SparseRow
+  NormalStress<dim>::thermal_row(const Point<dim>     &unit_point,
+                                 const Tensor<1, dim> &n,
+                                 const Tensor<1, dim> &m) const
+  {
+    const ThermalStrain<dim> &thermal = elasticity.thermal();
+    const unsigned int        body    = cell->material_id();
+    if (!thermal.expands(body))
+      return {};
+    const Tensor<1, 3> of_unit_rise = thermal.stress_of_unit_rise(elasticity.material(body), body);
+    double             normal       = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      normal += n[d] * of_unit_rise[d] * m[d];
+    SparseRow result = thermal.row(*cell, position(unit_point));
+    for (auto &entry : result)
+      entry.second *= -normal;
+    return result;
+  }
+
+
+
+  template <int dim>
   double
   NormalStress<dim>::bound(const unsigned int face)
   {

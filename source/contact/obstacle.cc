@@ -2,7 +2,7 @@
 #include <signorini/contact/obstacles/shapes.h>
 #include <signorini/parameters/section.h>
 
-#include <functional>
+#include <deal.II/base/exceptions.h>
 
 namespace Signorini
 {
@@ -28,17 +28,37 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  Obstacle<dim>::declare(Section &section)
+  std::vector<std::string>
+  obstacle_names()
   {
     std::vector<std::string> names;
     for (const auto &entry : registry<dim>)
       names.push_back(entry.first);
-    section.add_choice("Shape", type, names, "shape of the rigid surface");
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_shape(const std::string &name)
+  {
+    for (const auto &[known, make] : registry<dim>)
+      if (known == name)
+        return make();
+    AssertThrow(false, ExcMessage("unknown shape " + name));
+    return nullptr;
+  }
+
+
+
+  template <int dim>
+  void
+  Obstacle<dim>::declare(Section &section)
+  {
+    section.add_choice("Shape", type, obstacle_names<dim>(), "shape of the rigid surface");
     if (section.reading() || !shape)
-      for (const auto &[name, make] : registry<dim>)
-        if (name == type)
-          shape = make();
+      shape = make_shape<dim>(type);
     shape->declare(section);
     body.name = name;
     body.declare(section);
@@ -48,4 +68,12 @@ namespace Signorini
 
   template struct Obstacle<2>;
   template struct Obstacle<3>;
+  template std::unique_ptr<ObstacleShape<2>>
+  make_shape(const std::string &);
+  template std::unique_ptr<ObstacleShape<3>>
+  make_shape(const std::string &);
+  template std::vector<std::string>
+  obstacle_names<2>();
+  template std::vector<std::string>
+  obstacle_names<3>();
 } // namespace Signorini

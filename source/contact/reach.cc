@@ -94,7 +94,7 @@ namespace Signorini
   largest_displacements(const Elasticity<dim> &elasticity, const LA::Vector &u)
   {
     const LA::Vector                     ghosted = elasticity.with_ghosts(u);
-    std::vector<double>                  largest(1 + elasticity.mesh().boundaries().size(), 0.);
+    std::vector<double>                  largest(elasticity.mesh().end_of_boundary_ids(), 0.);
     std::vector<types::global_dof_index> indices;
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
@@ -127,10 +127,14 @@ namespace Signorini
                    const LA::Vector          &u,
                    const std::vector<double> &of_boundaries)
   {
-    const Mesh<dim> &mesh = elasticity.mesh();
-    return of_boundaries[mesh.boundary_id(pair.slave)] +
-           (obstacle ? largest_displacement(elasticity, *obstacle, u) :
-                       of_boundaries[mesh.boundary_id(pair.master)]);
+    const auto largest = [&](const std::string &boundary) {
+      double result = 0;
+      for (const types::boundary_id id : elasticity.mesh().boundary_ids(boundary))
+        result = std::max(result, of_boundaries[id]);
+      return result;
+    };
+    return largest(pair.slave) +
+           (obstacle ? largest_displacement(elasticity, *obstacle, u) : largest(pair.master));
   }
 
 

@@ -86,8 +86,9 @@ namespace Signorini
         if (!with_stress)
           return;
         stress->reinit(cell);
-        partner.stress = stress->row(place, -n, n);
-        partner.bound  = bound(*stress, i);
+        partner.stress         = stress->row(place, -n, n);
+        partner.thermal_stress = stress->thermal_row(place, -n, n);
+        partner.bound          = bound(*stress, i);
       };
       return master;
     }
@@ -155,6 +156,7 @@ namespace Signorini
     template <int dim>
     void
     set_stress(const SparseRow    &own,
+               const SparseRow    &own_thermal,
                const double        own_bound,
                const Partner<dim> &partner,
                const bool          own_alone,
@@ -162,13 +164,19 @@ namespace Signorini
     {
       const double share =
         own_alone || std::isinf(partner.bound) ? 1. : partner.bound / (own_bound + partner.bound);
-      for (const auto &[index, value] : own)
-        point.stress.emplace_back(index, share * value);
-      if (share < 1)
-        for (const auto &[index, value] : partner.stress)
-          point.stress.emplace_back(index, (1 - share) * value);
-      unite(point.stress);
-      point.bound = share * own_bound;
+      const auto mean = [share](const SparseRow &own, const SparseRow &other) {
+        SparseRow row;
+        for (const auto &[index, value] : own)
+          row.emplace_back(index, share * value);
+        if (share < 1)
+          for (const auto &[index, value] : other)
+            row.emplace_back(index, (1 - share) * value);
+        unite(row);
+        return row;
+      };
+      point.stress         = mean(own, partner.stress);
+      point.thermal_stress = mean(own_thermal, partner.thermal_stress);
+      point.bound          = share * own_bound;
     }
 
     /// Of the circle that a point stands for, or 1. That of a node is the mean over its shape
@@ -236,7 +244,9 @@ namespace Signorini
             continue;
           if (is_new)
             stress.reinit(cell);
-          set_stress(stress.row(place, paired.partner.normal, patch.normal(paired.xi)),
+          const Tensor<1, dim> n = patch.normal(paired.xi);
+          set_stress(stress.row(place, paired.partner.normal, n),
+                     stress.thermal_row(place, paired.partner.normal, n),
                      bound(stress, paired.face),
                      paired.partner,
                      method.unbiased(),

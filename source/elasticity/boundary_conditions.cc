@@ -7,8 +7,32 @@ namespace Signorini
   void
   Material::declare(Section &section)
   {
-    section.add("Young's modulus", youngs_modulus, "E [stress]", positive);
-    section.add("Poisson's ratio", poissons_ratio, "nu [-]", Range{-1, 0.5, false, false});
+    section.add_required("Young's modulus", youngs_modulus, "E [stress]", positive);
+    section.add_required("Poisson's ratio", poissons_ratio, "nu [-]", Range{-1, 0.5, false, false});
+  }
+
+
+
+  void
+  NodeChoice::declare(Section &section, const unsigned int dim, const std::string &what)
+  {
+    section.add("Nodes",
+                sets,
+                what +
+                  " at sets of nodes of mesh files, or at nodes by their numbers: BODY.SET, ...");
+    section.add("Point",
+                point,
+                what + " at a point of a body: its coordinates x,y" + (dim == 3 ? ",z" : "") +
+                  "; empty: none [length]");
+    section.add("Point body", body, "that has the point; empty: the only one there");
+    if (!section.reading())
+      return;
+    sets_place  = section.place_of("Nodes");
+    point_place = section.place_of("Point");
+    if (!point.empty() && point.size() != dim)
+      section.fail("Point", "needs " + std::to_string(dim) + " coordinates, separated by commas");
+    if (!body.empty() && point.empty())
+      section.fail("Point body", "belongs to a Point");
   }
 
 
@@ -18,6 +42,7 @@ namespace Signorini
   Support<dim>::declare(Section &section)
   {
     section.add("Boundaries", boundaries, "where: BODY.BOUNDARY, several separated by commas");
+    nodes.declare(section, dim, "or where:");
     section.add_choice(
       "Type",
       type,
@@ -36,8 +61,13 @@ namespace Signorini
     if (!section.reading())
       return;
     place = section.place_of("Boundaries");
-    if (boundaries.empty())
-      section.fail("Boundaries", "a support needs at least one boundary");
+    if (boundaries.empty() && nodes.empty())
+      section.fail("Boundaries", "a support needs at least one boundary, or Nodes, or a Point");
+    const bool has_normal = nodes.empty() || direction.norm() > 0;
+    if (type == "symmetry" && !nodes.empty())
+      section.fail("Type", "nodes and points have no normal; prescribe components there");
+    if (type == "roller" && !has_normal)
+      section.fail("Direction", "is needed: nodes and points have no normal");
     if (type == "displacement" && displacement.empty())
       section.fail("Displacement", "a support must prescribe at least one component");
     if (type != "displacement" && displacement.given())
@@ -62,6 +92,16 @@ namespace Signorini
     section.add("Pressure",
                 pressure,
                 "formula in x,y,z,t; positive pushes into the body [force/area]");
+    section.add(
+      "Total force",
+      total_force,
+      "on all Boundaries together, as a uniform traction, or shared equally by the Nodes: "
+      "one formula in t a component, separated by ';' [force]");
+    nodes.declare(section, dim, "where the force acts,");
+    section.add("Force",
+                force,
+                "at each of the Nodes, or at the Point, around which stresses are singular: one "
+                "formula in x,y,z,t a component, separated by ';' [force]");
     section.add("Bodies", bodies, "where the body force acts");
     section.add("Body force",
                 body_force,
@@ -70,16 +110,31 @@ namespace Signorini
       return;
     place        = section.place_of("Boundaries");
     bodies_place = section.place_of("Bodies");
-    if (boundaries.empty() && bodies.empty())
-      section.fail(
-        "Boundaries",
-        "a load needs Boundaries (for a traction or pressure) or Bodies (for a body force)");
+    if (boundaries.empty() && bodies.empty() && nodes.empty())
+      section.fail("Boundaries",
+                   "a load needs Boundaries (for a traction, pressure or total force), Nodes or a "
+                   "Point (for a force) or Bodies (for a body force)");
+    if (nodes.empty() && force.given())
+      section.fail("Force", "needs Nodes or a Point; on Boundaries there is a Total force");
+    if (!nodes.empty() && !force.given() && !total_force.given())
+      section.fail("Force", "is needed where Nodes or a Point are named");
+    if (force.given() && total_force.given())
+      section.fail("Total force", "and a Force exclude each other; make two loads of them");
+    if (total_force.given() && !nodes.point.empty())
+      section.fail("Total force", "belongs to Boundaries or Nodes; at a Point there is a Force");
+    if (total_force.given() && !boundaries.empty() && !nodes.empty())
+      section.fail("Total force", "acts on Boundaries or on Nodes; make two loads of them");
+    if (total_force.given() && boundaries.empty() && nodes.empty())
+      section.fail("Total force", "needs Boundaries or Nodes");
+    if (total_force.depends_on_place())
+      section.fail("Total force", "is one for all; it depends on t alone");
     if (!bodies.empty() && body_force.empty())
       section.fail("Body force", "is needed where Bodies are named");
     if (bodies.empty() && !body_force.empty())
       section.fail("Bodies", "are needed where a Body force is given");
-    if (!boundaries.empty() && traction.empty() && pressure.is_zero())
-      section.fail("Traction", "or Pressure is needed where Boundaries are named");
+    const bool acts = !traction.empty() || section.is_set("Pressure") || total_force.given();
+    if (!boundaries.empty() && !acts)
+      section.fail("Traction", "Pressure or Total force is needed where Boundaries are named");
   }
 
 

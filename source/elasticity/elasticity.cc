@@ -1,7 +1,10 @@
+#include <signorini/compatibility.h>
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/elasticity/kernel.h>
+#include <signorini/elasticity/stress.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -16,15 +19,28 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <int dim>
+    std::vector<unsigned int>
+    one_a_body(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
+    {
+      return degrees.size() == 1 ? std::vector<unsigned int>(mesh.n_bodies(), degrees[0]) : degrees;
+    }
+  } // namespace
+
+
+
   template <int dim>
-  Elasticity<dim>::Elasticity(const Mesh<dim>                   &mesh,
-                              const std::vector<Material>       &materials,
-                              const std::vector<Support<dim>>   &supports,
-                              const std::vector<Load<dim>>      &loads,
-                              const std::vector<unsigned int>   &degrees,
-                              const Model                        model,
-                              const std::vector<RigidBody<dim>> &rigid_bodies,
-                              const double                       stabilisation)
+  Elasticity<dim>::Elasticity(const Mesh<dim>                          &mesh,
+                              const std::vector<Material>              &materials,
+                              const std::vector<Support<dim>>          &supports,
+                              const std::vector<Load<dim>>             &loads,
+                              const std::vector<unsigned int>          &degrees,
+                              const Model                               model,
+                              const std::vector<RigidBody<dim>>        &rigid_bodies,
+                              const double                              stabilisation,
+                              const std::vector<ThermalExpansion<dim>> &expansions)
     : my_mesh(mesh)
     , materials(materials)
     , my_supports(supports)
@@ -32,6 +48,7 @@ namespace Signorini
     , my_model(model)
     , my_rigid_bodies(rigid_bodies)
     , strength(stabilisation)
+    , thermal_strain(mesh, expansions, one_a_body(degrees, mesh), model)
     , dofs(mesh.triangulation())
   {
     Assert(degrees.size() == 1 || degrees.size() == mesh.n_bodies(),
@@ -39,10 +56,8 @@ namespace Signorini
     const std::set<unsigned int> different(degrees.begin(), degrees.end());
     for (const unsigned int degree : different)
       elements.push_back(FESystem<dim>(FE_Q<dim>(degree), dim));
-    for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
-      element_of_body.push_back(
-        std::distance(different.begin(),
-                      different.find(degrees.size() == 1 ? degrees[0] : degrees[body])));
+    for (const unsigned int degree : one_a_body(degrees, mesh))
+      element_of_body.push_back(std::distance(different.begin(), different.find(degree)));
   }
 
 
@@ -61,16 +76,14 @@ namespace Signorini
     const auto         n_mesh = dofs.n_dofs(), n = n_mesh + n_rigid_dofs();
     const unsigned int rank    = Utilities::MPI::this_mpi_process(my_mesh.communicator()),
                        n_ranks = Utilities::MPI::n_mpi_processes(my_mesh.communicator());
-    IndexSet relevant_of_mesh;
-    DoFTools::extract_locally_relevant_dofs(dofs, relevant_of_mesh);
     locally_owned = locally_relevant = IndexSet(n);
     locally_owned.add_indices(dofs.locally_owned_dofs());
-    locally_relevant.add_indices(relevant_of_mesh);
+    locally_relevant.add_indices(DoFTools::extract_locally_relevant_dofs(dofs));
     locally_relevant.add_range(n_mesh, n);
     if (rank == n_ranks - 1)
       locally_owned.add_range(n_mesh, n);
 
-    hanging.reinit(locally_relevant);
+    Compatibility::reinit(hanging, locally_owned, locally_relevant);
     DoFTools::make_hanging_node_constraints(dofs, hanging);
     hanging.close();
 
@@ -84,7 +97,30 @@ namespace Signorini
     inclined = Utilities::MPI::max(inclined ? 1 : 0, my_mesh.communicator()) == 1;
     find_free_motions();
     set_stabilisation();
+    thermal_strain.reinit();
   }
+
+
+
+  namespace
+  {
+    /// Throws SceneError where a formula has no finite value at time t.
+    template <int dim>
+    void
+    check_motion(const RigidBody<dim> &body, const double t)
+    {
+      const auto check = [&](const char *key, const auto &formulas) {
+        if (!std::isfinite(formulas.value(Point<dim>(), t).norm()))
+          throw SceneError(
+            "Obstacles/" + body.name + "/" + key + " = " + shortened(formulas.text()) +
+            ": is not a finite number at t = " + Utilities::to_string(t) + "; correct the formula");
+      };
+      check("Displacement", body.displacement);
+      check("Rotation", body.rotation);
+      check("Force", body.force);
+      check("Moment", body.moment);
+    }
+  } // namespace
 
 
 
@@ -94,6 +130,9 @@ namespace Signorini
   {
     if (t != time)
       make_constraints(t);
+    for (const RigidBody<dim> &body : my_rigid_bodies)
+      check_motion(body, t);
+    thermal_strain.set_time(t);
   }
 
 
@@ -103,7 +142,7 @@ namespace Signorini
   Elasticity<dim>::make_constraints(const double t)
   {
     time = t;
-    all_constraints.reinit(locally_relevant);
+    Compatibility::reinit(all_constraints, locally_owned, locally_relevant);
     all_constraints.merge(hanging);
     constrain(held, my_mesh, t, all_constraints);
     for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
@@ -181,6 +220,7 @@ namespace Signorini
     LA::Vector           f = zero_vector();
     StiffnessKernel<dim> kernel(my_mesh, elements, my_model);
     LoadKernel<dim>      load_kernel(my_mesh, elements, my_model, loads, time);
+    ThermalLoad<dim>     thermal_load(my_mesh, elements, thermal_strain, my_model);
 
     FullMatrix<double>                   cell_matrix;
     Vector<double>                       cell_load;
@@ -189,18 +229,24 @@ namespace Signorini
       if (cell->is_locally_owned())
         {
           read_indices<dim>(cell, indices);
-          const bool loaded = load_kernel.assemble(cell, cell_load);
-          const bool moved  = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+          const Material &material = materials[cell->material_id()];
+          const bool      acts     = load_kernel.assemble(cell, cell_load);
+          const bool      loaded   = thermal_load.add(cell, material, cell_load) || acts;
+          const bool      moved    = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
             return all_constraints.is_inhomogeneously_constrained(i);
           });
           // Only these few cells need their matrix again: K of the others stays untouched.
           if (moved)
-            kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
+            kernel.assemble(cell, material, cell_matrix);
           if (moved)
             all_constraints.distribute_local_to_global(cell_load, indices, f, cell_matrix);
           else if (loaded)
             all_constraints.distribute_local_to_global(cell_load, indices, f);
         }
+    for (const std::string &fault :
+         Utilities::MPI::all_gather(my_mesh.communicator(), load_kernel.fault()))
+      if (!fault.empty())
+        throw SceneError(fault);
     for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
       for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
         if (locally_owned.is_element(first_dof(body) + i))
@@ -208,6 +254,22 @@ namespace Signorini
     f.compress(VectorOperation::add);
     all_constraints.set_zero(f);
     return f;
+  }
+
+
+
+  template <int dim>
+  SymmetricTensor<2, 3>
+  Elasticity<dim>::stress(const CellAccessor<dim> &cell,
+                          const Tensor<2, dim>    &gradient,
+                          const Tensor<1, dim>    &u,
+                          const Point<dim>        &x) const
+  {
+    const Material &material = materials[cell.material_id()];
+    if (!thermal_strain.expands(cell.material_id()))
+      return Signorini::stress(material, strain(my_model, material, gradient, u, x));
+    return Signorini::stress(
+      material, elastic_strain(my_model, material, gradient, u, x, thermal_strain.strain(cell, x)));
   }
 
 
@@ -305,6 +367,7 @@ namespace Signorini
     LA::Vector           residual = zero_vector();
     StiffnessKernel<dim> kernel(my_mesh, elements, my_model);
     LoadKernel<dim>      load_kernel(my_mesh, elements, my_model, loads, time);
+    ThermalLoad<dim>     thermal_load(my_mesh, elements, thermal_strain, my_model);
 
     FullMatrix<double>                   cell_matrix;
     Vector<double>                       cell_force, cell_load, values;
@@ -332,13 +395,14 @@ namespace Signorini
               total_load.force += force;
               total_load.moment += moment_of(nodes[i], force);
             }
-          kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
+          const Material &material = materials[cell->material_id()];
+          kernel.assemble(cell, material, cell_matrix);
           values.reinit(indices.size());
           cell_force.reinit(indices.size());
           cell->get_dof_values(ghosted, values);
           cell_matrix.vmult(cell_force, values);
-          if (loaded)
-            cell_force -= cell_load;
+          thermal_load.add(cell, material, cell_load); // in balance within the body, no load of it
+          cell_force -= cell_load;
           hanging.distribute_local_to_global(cell_force, indices, residual);
         }
     residual.compress(VectorOperation::add);

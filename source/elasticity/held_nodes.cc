@@ -1,5 +1,7 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/held_nodes.h>
+#include <signorini/elasticity/node_places.h>
+#include <signorini/elasticity/not_finite.h>
 #include <signorini/mesh/extent.h>
 #include <signorini/mesh/face_parameter.h>
 #include <signorini/parameters/raw.h>
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace Signorini
@@ -99,12 +102,12 @@ namespace Signorini
       /// by face.
       template <typename Visit>
       void
-      on_boundary(const types::boundary_id id, const bool with_normals, const Visit &visit)
+      on_boundary(const BoundaryIds &ids, const bool with_normals, const Visit &visit)
       {
         for (const auto &cell : dofs.active_cell_iterators())
           if (!cell->is_artificial() && cell->at_boundary())
             for (const unsigned int f : cell->face_indices())
-              if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+              if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
                 {
                   const FaceNodes<dim> &face = faces[cell->active_fe_index()][f];
                   read(cell);
@@ -117,6 +120,81 @@ namespace Signorini
                             with_normals ? without_rounding<dim>(face.normals->normal_vector(k)) :
                                            Tensor<1, dim>());
                 }
+      }
+
+      /// Calls visit(node) for the nodes of a set of the coarse mesh.
+      template <typename Visit>
+      void
+      on_set(const std::string &name, const std::string &place, const Visit &visit)
+      {
+        ListedNodes<dim> listed(mesh.node_set(name));
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (!cell->is_artificial() && listed.has_some(cell->id().get_coarse_cell_id()))
+            {
+              read(cell);
+              for (unsigned int i = 0; i < fe->base_element(0).n_dofs_per_cell(); ++i)
+                if (listed.contains(cell->id(), fe->base_element(0).unit_support_point(i)))
+                  if (HeldNode<dim> *node = held(i))
+                    visit(*node);
+            }
+        if (const unsigned int n = listed.n_missing(mesh.communicator()); n > 0)
+          throw SceneError(place + ": " + std::to_string(n) + " nodes of '" + name +
+                           "' in the middle of edges or faces are no nodes of the mesh that is "
+                           "solved; refine it, take Degree = 2 for this body, or a set with the "
+                           "corners");
+      }
+
+      /// Calls visit(node) for the node at a point; throws if there is none, or if it is not clear
+      /// of which body.
+      template <typename Visit>
+      void
+      on_point(const NodeChoice &choice, const Visit &visit)
+      {
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = choice.point[d];
+        std::vector<unsigned int> found(mesh.n_bodies(), 0);
+        double                    nearest = std::numeric_limits<double>::max();
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (!cell->is_artificial() &&
+              (choice.body.empty() || mesh.body_name(cell->material_id()) == choice.body))
+            {
+              const double reach = 1e-6 * cell->diameter(), far = cell->center().distance(x);
+              nearest = std::min(nearest, far);
+              if (far > cell->diameter())
+                continue;
+              read(cell);
+              for (unsigned int i = 0; i < fe->base_element(0).n_dofs_per_cell(); ++i)
+                {
+                  nearest = std::min(nearest, position(i).distance(x));
+                  if (position(i).distance(x) <= reach)
+                    {
+                      found[cell->material_id()] = 1;
+                      if (HeldNode<dim> *node = held(i))
+                        visit(*node);
+                    }
+                }
+            }
+        Utilities::MPI::max(found, mesh.communicator(), found);
+        nearest      = Utilities::MPI::min(nearest, mesh.communicator());
+        const auto n = std::count(found.begin(), found.end(), 1u);
+        if (n == 0)
+          throw SceneError(choice.point_place + ": there is no node of the mesh; the nearest is " +
+                           std::to_string(nearest) + " away");
+        if (n > 1)
+          throw SceneError(choice.point_place +
+                           ": several bodies have a node there; say which one by 'Point body'");
+      }
+
+      /// All nodes of a support that are named by sets and points.
+      template <typename Visit>
+      void
+      on_nodes(const NodeChoice &choice, const Visit &visit)
+      {
+        for (const std::string &set : choice.sets)
+          on_set(set, choice.sets_place, visit);
+        if (!choice.point.empty())
+          on_point(choice, visit);
       }
 
       /// The axis of an axisymmetric body: there is no radial displacement.
@@ -156,7 +234,8 @@ namespace Signorini
       void
       read(const Cell &cell)
       {
-        fe = &cell->get_fe();
+        fe    = &cell->get_fe();
+        piece = mesh.piece(cell);
         read_indices<dim>(cell, indices);
         positions = &nodes_of(cell);
       }
@@ -178,6 +257,7 @@ namespace Signorini
         if (hanging.is_constrained(node.dofs[0]))
           return nullptr;
         node.position = position(i);
+        node.piece    = piece;
         return &result.emplace(node.dofs[0], node).first->second;
       }
 
@@ -189,6 +269,7 @@ namespace Signorini
 
       // Of the present cell.
       const FiniteElement<dim>            *fe        = nullptr;
+      unsigned int                         piece     = 0;
       const std::vector<Point<dim>>       *positions = nullptr;
       std::vector<types::global_dof_index> indices;
     };
@@ -197,14 +278,18 @@ namespace Signorini
     void
     hold_components(Finder<dim> &finder, const Mesh<dim> &mesh, const Support<dim> &support)
     {
+      const auto hold = [&](HeldNode<dim> &node) {
+        if (!node.holds.empty() && node.holds.back().support == &support)
+          return; // from the face or cell beside
+        for (unsigned int d = 0; d < dim; ++d)
+          if (support.displacement.prescribed(d))
+            node.holds.push_back({axis<dim>(d), &support});
+      };
       for (const std::string &boundary : support.boundaries)
-        finder.on_boundary(mesh.boundary_id(boundary), false, [&](HeldNode<dim> &node, auto) {
-          if (!node.holds.empty() && node.holds.back().support == &support)
-            return; // from the face beside
-          for (unsigned int d = 0; d < dim; ++d)
-            if (support.displacement.prescribed(d))
-              node.holds.push_back({axis<dim>(d), &support});
+        finder.on_boundary(mesh.boundary_ids(boundary), false, [&](HeldNode<dim> &node, auto) {
+          hold(node);
         });
+      finder.on_nodes(support.nodes, hold);
     }
 
     template <int dim>
@@ -234,7 +319,7 @@ namespace Signorini
       for (const std::string &boundary : support.boundaries)
         {
           std::vector<Tensor<1, dim>> normals;
-          finder.on_boundary(mesh.boundary_id(boundary),
+          finder.on_boundary(mesh.boundary_ids(boundary),
                              along_normal,
                              [&](HeldNode<dim> &node, const Tensor<1, dim> &n) {
                                normals.push_back(n);
@@ -247,6 +332,9 @@ namespace Signorini
           if (support.type == "symmetry")
             check_plane(mesh, support, boundary, normals);
         }
+      finder.on_nodes(support.nodes, [&](HeldNode<dim> &node) {
+        sums[&node] = {without_rounding<dim>(support.direction / support.direction.norm())};
+      });
       for (auto &[node, directions] : sums)
         {
           for (Tensor<1, dim> &n : directions)
@@ -372,6 +460,19 @@ namespace Signorini
 
     template <int dim>
     std::string
+    not_finite(const Support<dim> &support, const Point<dim> &x, const double t)
+    {
+      const bool is_vector = support.type == "displacement";
+      return Signorini::not_finite("Supports/" + support.name +
+                                     (is_vector ? "/Displacement" : "/Normal displacement"),
+                                   is_vector ? support.displacement.text() :
+                                               support.normal_displacement.formula(),
+                                   x,
+                                   t);
+    }
+
+    template <int dim>
+    std::string
     contradiction(const HeldNode<dim> &node, const Support<dim> &support, const double t)
     {
       const std::string what =
@@ -393,15 +494,22 @@ namespace Signorini
             AffineConstraints<double> &constraints)
   {
     const double negligible = 1e-12 * mesh.size(); // collective
-    std::string  contradicts;
+    std::string  wrong;
     for (const auto &[index, node] : nodes)
       {
         std::vector<Equation<dim>> equations;
         for (const Hold<dim> &hold : node.holds)
-          if (!eliminate(equations,
-                         Equation<dim>{hold.direction, prescribed(node, hold, t), 0},
-                         negligible))
-            contradicts = contradiction(node, *hold.support, t);
+          {
+            double value = prescribed(node, hold, t);
+            if (!std::isfinite(value))
+              {
+                if (t > 0) // the start is not solved for, and formulas may begin after it
+                  wrong = not_finite(*hold.support, node.position, t);
+                value = 0;
+              }
+            if (!eliminate(equations, Equation<dim>{hold.direction, value, 0}, negligible))
+              wrong = contradiction(node, *hold.support, t);
+          }
         for (const Equation<dim> &one : equations)
           {
             const auto line = node.dofs[one.pivot];
@@ -412,7 +520,7 @@ namespace Signorini
             constraints.set_inhomogeneity(line, one.value);
           }
       }
-    for (const std::string &message : Utilities::MPI::all_gather(mesh.communicator(), contradicts))
+    for (const std::string &message : Utilities::MPI::all_gather(mesh.communicator(), wrong))
       if (!message.empty())
         throw SceneError(message);
   }

@@ -1,4 +1,5 @@
 #include <signorini/elasticity/kernel.h>
+#include <signorini/elasticity/not_finite.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -158,6 +159,7 @@ namespace Signorini
                               const double                  t)
     : model(model)
     , t(t)
+    , nodal_forces(mesh, loads)
     , scalar_elements(scalar(elements))
     , all_values(mesh.mappings(),
                  scalar_elements,
@@ -171,13 +173,48 @@ namespace Signorini
   {
     for (const Load<dim> &load : loads)
       {
+        BoundaryIds ids; // names may have faces in common, which are loaded once
         for (const std::string &boundary : load.boundaries)
-          by_boundary[mesh.boundary_id(boundary)].push_back(&load);
+          ids.insert(mesh.boundary_ids(boundary).begin(), mesh.boundary_ids(boundary).end());
+        for (const types::boundary_id id : ids)
+          by_boundary[id].push_back(&load);
         for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
           for (const std::string &name : load.bodies)
             if (mesh.body_name(body) == name)
               by_body[body].push_back(&load);
       }
+    measure_boundaries(mesh, loads);
+  }
+
+
+
+  /// The areas on which total forces act, by the rule that integrates them.
+  template <int dim>
+  void
+  LoadKernel<dim>::measure_boundaries(const Mesh<dim> &mesh, const std::vector<Load<dim>> &loads)
+  {
+    for (const Load<dim> &load : loads)
+      if (load.total_force.given() && !load.boundaries.empty())
+        areas[&load] = 0;
+    if (areas.empty())
+      return;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (const auto found = by_boundary.find(cell->face(f)->boundary_id());
+              cell->face(f)->at_boundary() && found != by_boundary.end())
+            {
+              all_face_values.reinit(cell, f, 0, 0, 0);
+              const FEFaceValues<dim> &values = all_face_values.get_present_fe_values();
+              double                   area   = 0;
+              for (const unsigned int q : values.quadrature_point_indices())
+                area += values.JxW(q) * measure(model, values.quadrature_point(q));
+              for (const Load<dim> *load : found->second)
+                if (const auto of_load = areas.find(load); of_load != areas.end())
+                  of_load->second += area;
+            }
+    for (auto &[load, area] : areas)
+      area = Utilities::MPI::sum(area, mesh.communicator());
   }
 
 
@@ -194,6 +231,11 @@ namespace Signorini
           add_body_force(cell, *load, cell_load);
           loaded = true;
         }
+    if (nodal_forces.on(cell->active_cell_index()))
+      {
+        add_nodal_forces(cell, cell_load);
+        loaded = true;
+      }
     if (!by_boundary.empty() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary())
@@ -211,6 +253,20 @@ namespace Signorini
 
   template <int dim>
   void
+  LoadKernel<dim>::check(const double       size,
+                         const Load<dim>   &load,
+                         const std::string &key,
+                         const std::string &formula,
+                         const Point<dim>  &x)
+  {
+    if (!std::isfinite(size) && what_is_wrong.empty())
+      what_is_wrong = not_finite("Loads/" + load.name + "/" + key, formula, x, t);
+  }
+
+
+
+  template <int dim>
+  void
   LoadKernel<dim>::add_body_force(const Cell      &cell,
                                   const Load<dim> &load,
                                   Vector<double>  &cell_load)
@@ -218,13 +274,31 @@ namespace Signorini
     const FEValues<dim> &values = reinit(all_values, cell);
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const Point<dim>    &x = values.quadrature_point(q);
-        const Tensor<1, dim> force =
-          load.body_force.value(x, t) * values.JxW(q) * measure(model, x);
+        const Point<dim>    &x       = values.quadrature_point(q);
+        const Tensor<1, dim> density = load.body_force.value(x, t);
+        check(density.norm(), load, "Body force", load.body_force.text(), x);
+        const Tensor<1, dim> force = density * values.JxW(q) * measure(model, x);
         for (const unsigned int i : values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
             cell_load[cell->get_fe().component_to_system_index(d, i)] +=
               force[d] * values.shape_value(i, q);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  LoadKernel<dim>::add_nodal_forces(const Cell &cell, Vector<double> &cell_load)
+  {
+    const FiniteElement<dim> &fe = cell->get_fe();
+    for (const auto &one : *nodal_forces.on(cell->active_cell_index()))
+      {
+        const Tensor<1, dim> force = one.value(t);
+        for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            cell_load[fe.component_to_system_index(d, i)] +=
+              force[d] * fe.base_element(0).shape_value(i, one.unit);
       }
   }
 
@@ -238,12 +312,18 @@ namespace Signorini
                                 Vector<double>    &cell_load)
   {
     const FEFaceValues<dim> &face_values = reinit(all_face_values, cell, face);
+    const auto               area        = areas.find(&load);
     for (const unsigned int q : face_values.quadrature_point_indices())
       {
-        const Point<dim>    &x = face_values.quadrature_point(q);
-        const Tensor<1, dim> force =
-          (load.traction.value(x, t) - load.pressure.value(x, t) * face_values.normal_vector(q)) *
-          face_values.JxW(q) * measure(model, x);
+        const Point<dim>    &x        = face_values.quadrature_point(q);
+        const Tensor<1, dim> traction = load.traction.value(x, t);
+        const double         pressure = load.pressure.value(x, t);
+        check(traction.norm(), load, "Traction", load.traction.text(), x);
+        check(pressure, load, "Pressure", load.pressure.formula(), x);
+        Tensor<1, dim> force = traction - pressure * face_values.normal_vector(q);
+        if (area != areas.end())
+          force += load.total_force.value(x, t) / area->second;
+        force *= face_values.JxW(q) * measure(model, x);
         for (const unsigned int i : face_values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
             cell_load[cell->get_fe().component_to_system_index(d, i)] +=

@@ -87,6 +87,29 @@ namespace Signorini
 
 
 
+  template <int dim>
+  SymmetricTensor<2, 3>
+  elastic_strain(const Model           model,
+                 const Material       &material,
+                 const Tensor<2, dim> &gradient,
+                 const Tensor<1, dim> &u,
+                 const Point<dim>     &x,
+                 const Tensor<1, 3>   &thermal_strain)
+  {
+    // In plane stress the sheet takes the eps_zz that makes sigma_zz zero, whatever the rise does.
+    Tensor<2, dim> elastic = gradient;
+    for (unsigned int d = 0; d < dim; ++d)
+      elastic[d][d] -= thermal_strain[d];
+    SymmetricTensor<2, 3> result = strain(model, material, elastic, u, x);
+    if (model == Model::plane_strain)
+      result[2][2] = -thermal_strain[2];
+    else if (model == Model::axisymmetric)
+      result[2][2] = strain(model, material, gradient, u, x)[2][2] - thermal_strain[2];
+    return result;
+  }
+
+
+
   template const std::vector<std::string> &
   model_names<2>();
   template const std::vector<std::string> &
@@ -99,4 +122,18 @@ namespace Signorini
   strain(Model, const Material &, const Tensor<2, 2> &, const Tensor<1, 2> &, const Point<2> &);
   template SymmetricTensor<2, 3>
   strain(Model, const Material &, const Tensor<2, 3> &, const Tensor<1, 3> &, const Point<3> &);
+  template SymmetricTensor<2, 3>
+  elastic_strain(Model,
+                 const Material &,
+                 const Tensor<2, 2> &,
+                 const Tensor<1, 2> &,
+                 const Point<2> &,
+                 const Tensor<1, 3> &);
+  template SymmetricTensor<2, 3>
+  elastic_strain(Model,
+                 const Material &,
+                 const Tensor<2, 3> &,
+                 const Tensor<1, 3> &,
+                 const Point<3> &,
+                 const Tensor<1, 3> &);
 } // namespace Signorini

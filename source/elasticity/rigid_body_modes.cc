@@ -123,29 +123,18 @@ namespace Signorini
   void
   Elasticity<dim>::find_free_motions()
   {
-    // Body by body, the Gram matrix of the modes over the directions that supports hold: modes in
+    // Piece by piece, the Gram matrix of the modes over the directions that supports hold: modes in
     // its kernel move nothing there.
     constexpr unsigned int                     n = n_modes<dim>;
-    std::vector<FullMatrix<double>>            gram(my_mesh.n_bodies(), FullMatrix<double>(n));
+    std::vector<FullMatrix<double>>            gram(my_mesh.pieces().size(), FullMatrix<double>(n));
     std::vector<std::pair<Point<dim>, double>> extents;
-    for (unsigned int body = 0; body < my_mesh.n_bodies(); ++body)
-      extents.push_back(center_and_size(my_mesh.extent(body)));
+    for (const BodyPiece<dim> &piece : my_mesh.pieces())
+      extents.push_back(center_and_size(piece.extent));
 
-    std::map<types::global_dof_index, unsigned int> body_of;
-    std::vector<types::global_dof_index>            indices;
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (!cell->is_artificial() && cell->at_boundary())
-        {
-          read_indices<dim>(cell, indices);
-          for (const auto i : indices)
-            if (held.count(i) > 0)
-              body_of[i] = cell->material_id();
-        }
     for (const auto &[index, node] : held)
       if (locally_owned.is_element(index))
         {
-          const unsigned int body    = body_of.at(index);
-          const auto &[center, size] = extents[body];
+          const auto &[center, size] = extents[node.piece];
           for (const Tensor<1, dim> &direction : node.orthonormal())
             {
               std::array<double, n> along{};
@@ -157,21 +146,21 @@ namespace Signorini
                 }
               for (unsigned int a = 0; a < n; ++a)
                 for (unsigned int b = 0; b < n; ++b)
-                  gram[body](a, b) += along[a] * along[b];
+                  gram[node.piece](a, b) += along[a] * along[b];
             }
         }
 
     body_motions.clear();
-    for (unsigned int body = 0; body < my_mesh.n_bodies(); ++body)
+    for (unsigned int piece = 0; piece < gram.size(); ++piece)
       {
-        Utilities::MPI::sum(gram[body], my_mesh.communicator(), gram[body]);
+        Utilities::MPI::sum(gram[piece], my_mesh.communicator(), gram[piece]);
         if (my_model == Model::axisymmetric)
           // The hoop holds the radius, and so all but the translation along the axis.
           for (const unsigned int a : {0, 2})
-            gram[body](a, a) += 1 + gram[body].linfty_norm();
-        for (const Vector<double> &modes : kernel_of<dim>(gram[body]))
+            gram[piece](a, a) += 1 + gram[piece].linfty_norm();
+        for (const Vector<double> &modes : kernel_of<dim>(gram[piece]))
           body_motions.push_back(
-            {body, my_mesh.body_name(body) + ": " + mode_name<dim>(modes), modes});
+            {piece, my_mesh.pieces()[piece].name + ": " + mode_name<dim>(modes), modes});
       }
   }
 
@@ -191,18 +180,19 @@ namespace Signorini
     if (!any)
       return;
 
-    std::vector<double> per_volume(my_mesh.n_bodies(), 0.);
+    std::vector<double> per_volume(my_mesh.pieces().size(), 0.);
     for (const BodyMotion &motion : body_motions)
       {
-        const double size       = center_and_size(my_mesh.extent(motion.body)).second;
-        per_volume[motion.body] = strength * materials[motion.body].youngs_modulus / (size * size);
+        const BodyPiece<dim> &piece = my_mesh.pieces()[motion.piece];
+        const double          size  = center_and_size(piece.extent).second;
+        per_volume[motion.piece] = strength * materials[piece.body].youngs_modulus / (size * size);
       }
     std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned() && per_volume[cell->material_id()] > 0)
+      if (cell->is_locally_owned() && per_volume[my_mesh.piece(cell)] > 0)
         {
           read_indices<dim>(cell, indices);
-          const double share = per_volume[cell->material_id()] * cell->measure() *
+          const double share = per_volume[my_mesh.piece(cell)] * cell->measure() *
                                measure(my_model, cell->center()) * dim / indices.size();
           for (const auto i : indices)
             if (!all_constraints.is_constrained(i))
@@ -242,14 +232,14 @@ namespace Signorini
       result.push_back({name, zero_vector()});
     std::vector<std::pair<Point<dim>, double>> extents;
     for (const BodyMotion &motion : body_motions)
-      extents.push_back(center_and_size(my_mesh.extent(motion.body)));
+      extents.push_back(center_and_size(my_mesh.pieces()[motion.piece].extent));
 
     CellNodes<dim>                       nodes_of(my_mesh, elements);
     std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         for (unsigned int k = 0; k < body_motions.size(); ++k)
-          if (body_motions[k].body == cell->material_id())
+          if (body_motions[k].piece == my_mesh.piece(cell))
             {
               const auto &[center, size]           = extents[k];
               const std::vector<Point<dim>> &nodes = nodes_of(cell);

@@ -55,20 +55,22 @@ namespace Signorini
 
   template <int dim>
   CoarseMesh<dim>
-  CoarseMesh<dim>::from_triangulation(const Triangulation<dim>       &triangulation,
-                                      const std::vector<std::string> &boundaries)
+  CoarseMesh<dim>::from_triangulation(const Triangulation<dim>                     &triangulation,
+                                      const std::vector<std::string>               &boundaries,
+                                      const std::vector<std::vector<unsigned int>> &names_of_ids)
   {
     Assert(triangulation.n_levels() == 1, ExcInternalError());
     CoarseMesh<dim> mesh;
-    mesh.boundaries = boundaries;
+    mesh.boundaries   = boundaries;
+    mesh.names_of_ids = names_of_ids;
     std::tie(mesh.vertices, mesh.cells, mesh.faces) =
       GridTools::get_coarse_mesh_description(triangulation);
     keep_what_matters(mesh.faces.boundary_lines, dim == 2);
     keep_what_matters(mesh.faces.boundary_quads, dim == 3);
     if (dim == 2)
-      check_names(mesh.faces.boundary_lines, boundaries.size());
+      check_names(mesh.faces.boundary_lines, mesh.n_boundary_ids());
     else
-      check_names(mesh.faces.boundary_quads, boundaries.size());
+      check_names(mesh.faces.boundary_quads, mesh.n_boundary_ids());
 
     std::map<types::manifold_id, types::manifold_id> new_ids{
       {numbers::flat_manifold_id, numbers::flat_manifold_id}};
@@ -79,6 +81,21 @@ namespace Signorini
       return entry->second;
     });
     return mesh;
+  }
+
+
+
+  template <int dim>
+  std::set<types::boundary_id>
+  CoarseMesh<dim>::ids_of(const unsigned int name) const
+  {
+    if (names_of_ids.empty())
+      return {name};
+    std::set<types::boundary_id> ids;
+    for (types::boundary_id id = 0; id < names_of_ids.size(); ++id)
+      if (std::count(names_of_ids[id].begin(), names_of_ids[id].end(), name) > 0)
+        ids.insert(id);
+    return ids;
   }
 
 
@@ -123,6 +140,16 @@ namespace Signorini
               {"file", make<3, FileMesh<3>>}};
     }
   } // namespace
+
+
+
+  template <int dim>
+  const std::vector<double> &
+  MeshGenerator<dim>::temperature() const
+  {
+    static const std::vector<double> none;
+    return none;
+  }
 
 
 

@@ -1,5 +1,7 @@
+#include <signorini/compatibility.h>
 #include <signorini/mesh/extent.h>
 #include <signorini/mesh/mesh.h>
+#include <signorini/mesh/pieces.h>
 #include <signorini/mesh/transformed_manifold.h>
 #include <signorini/parameters/section.h>
 
@@ -10,6 +12,7 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Signorini
 {
@@ -109,9 +112,9 @@ namespace Signorini
     /// refined is asked for each of its children, half of which are at a face of it.
     template <int dim>
     void
-    weigh(Triangulation<dim>                    &triangulation,
-          const std::vector<types::boundary_id> &slaves,
-          const double                           slave_face_weight)
+    weigh(Triangulation<dim> &triangulation,
+          const BoundaryIds  &slaves,
+          const double        slave_face_weight)
     {
       constexpr unsigned int unit = 10; // of integer weights, whose sum METIS has 32 bits for
       triangulation.signals.weight.connect(
@@ -119,10 +122,9 @@ namespace Signorini
           unsigned int n_slaves = 0;
           if (cell->at_boundary())
             for (const auto &face : cell->face_iterators())
-              n_slaves += face->at_boundary() &&
-                          std::count(slaves.begin(), slaves.end(), face->boundary_id()) > 0;
-          const bool is_itself = status == Triangulation<dim>::CELL_PERSIST ||
-                                 status == Triangulation<dim>::CELL_COARSEN;
+              n_slaves += face->at_boundary() && slaves.count(face->boundary_id()) > 0;
+          const bool is_itself = status == Compatibility::cell_will_persist<dim> ||
+                                 status == Compatibility::children_will_be_coarsened<dim>;
           return unit * (1 + n_slaves * slave_face_weight * (is_itself ? 1. : 0.5));
         });
     }
@@ -151,15 +153,18 @@ namespace Signorini
     if (settings.geometry_degree > 0)
       degree = settings.geometry_degree;
     my_mappings.push_back(MappingQ<dim>(degree));
-    std::vector<types::boundary_id> slaves;
+    find_pieces(coarse);
+    check_slaves_and_masters(contact_surfaces);
+    BoundaryIds slaves;
     for (const auto &[slave, master] : contact_surfaces)
-      slaves.push_back(boundary_id(slave));
+      slaves.insert(boundary_ids(slave).begin(), boundary_ids(slave).end());
 
     if (settings.distribution == "p4est")
       {
         tria = std::make_unique<parallel::distributed::Triangulation<dim>>(comm);
         weigh(*tria, slaves, settings.slave_face_weight);
         create(*tria, coarse);
+        number_coarse_cells(*tria);
         refine_initially(*tria, bodies, settings, contact_surfaces);
       }
     else
@@ -167,11 +172,12 @@ namespace Signorini
         Triangulation<dim> serial(Triangulation<dim>::limit_level_difference_at_vertices);
         weigh(serial, slaves, settings.slave_face_weight);
         create(serial, coarse);
+        number_coarse_cells(serial);
         refine_initially(serial, bodies, settings, contact_surfaces);
-        std::vector<std::pair<types::boundary_id, types::boundary_id>> pairs;
+        std::vector<std::pair<BoundaryIds, BoundaryIds>> pairs;
         for (const auto &[slave, master] : contact_surfaces)
           if (!master.empty())
-            pairs.emplace_back(boundary_id(slave), boundary_id(master));
+            pairs.emplace_back(boundary_ids(slave), boundary_ids(master));
         partition_by_metis(serial, Utilities::MPI::n_mpi_processes(comm), pairs);
         const auto description =
           TriangulationDescription::Utilities::create_description_from_triangulation(serial, comm);
@@ -200,6 +206,7 @@ namespace Signorini
         if (is_curved)
           degree = 2;
 
+        my_temperature.append(one.cells, body.generator->temperature());
         const types::manifold_id first_manifold =
           all.manifolds.empty() ? 0 : all.manifolds.rbegin()->first + 1;
         for (const auto &[id, manifold] : one.manifolds)
@@ -208,8 +215,12 @@ namespace Signorini
         shift(one.cells, all.vertices.size(), first_manifold);
         shift(one.faces.boundary_lines, all.vertices.size(), first_manifold);
         shift(one.faces.boundary_quads, all.vertices.size(), first_manifold);
-        shift_boundary(one.faces.boundary_lines, first_boundary_id + boundary_names.size());
-        shift_boundary(one.faces.boundary_quads, first_boundary_id + boundary_names.size());
+        const types::boundary_id first_id = first_boundary_id + n_ids;
+        shift_boundary(one.faces.boundary_lines, first_id);
+        shift_boundary(one.faces.boundary_quads, first_id);
+        n_ids += one.n_boundary_ids();
+        first_cells.push_back(all.cells.size());
+        generators.push_back(body.generator);
         for (CellData<dim> &cell : one.cells)
           cell.material_id = names.size();
 
@@ -217,8 +228,13 @@ namespace Signorini
         append(all.cells, one.cells);
         append(all.faces.boundary_lines, one.faces.boundary_lines);
         append(all.faces.boundary_quads, one.faces.boundary_quads);
-        for (const std::string &boundary : one.boundaries)
-          boundary_names.push_back(name + "." + boundary);
+        for (unsigned int i = 0; i < one.boundaries.size(); ++i)
+          {
+            boundary_names.push_back(name + "." + one.boundaries[i]);
+            ids_of_names.emplace_back();
+            for (const types::boundary_id id : one.ids_of(i))
+              ids_of_names.back().insert(first_id + id);
+          }
         names.push_back(name);
       }
     return all;
@@ -251,15 +267,14 @@ namespace Signorini
         return cell->material_id() == b;
       });
 
-    std::vector<types::boundary_id> surfaces;
+    BoundaryIds surfaces;
     for (const auto &[slave, master] : contact_surfaces)
       for (const std::string &surface : {slave, master})
         if (!surface.empty())
-          surfaces.push_back(boundary_id(surface));
+          surfaces.insert(boundary_ids(surface).begin(), boundary_ids(surface).end());
     refine_where(triangulation, settings.contact_refinements, [&](const auto &cell) {
       for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() &&
-            std::count(surfaces.begin(), surfaces.end(), cell->face(f)->boundary_id()))
+        if (cell->face(f)->at_boundary() && surfaces.count(cell->face(f)->boundary_id()) > 0)
           return true;
       return false;
     });
@@ -275,14 +290,109 @@ namespace Signorini
 
 
   template <int dim>
-  types::boundary_id
-  Mesh<dim>::boundary_id(const std::string &name) const
+  const BoundaryIds &
+  Mesh<dim>::boundary_ids(const std::string &name) const
   {
     const auto found = std::find(boundary_names.begin(), boundary_names.end(), name);
     if (found == boundary_names.end())
       throw SceneError("there is no boundary '" + name + "'; the boundaries are " +
                        join(boundary_names));
-    return first_boundary_id + (found - boundary_names.begin());
+    return ids_of_names[found - boundary_names.begin()];
+  }
+
+
+
+  template <int dim>
+  NodeSet<dim>
+  Mesh<dim>::node_set(const std::string &name) const
+  {
+    std::vector<std::string> known;
+    for (unsigned int body = 0; body < n_bodies(); ++body)
+      {
+        const std::string start = names[body] + ".";
+        for (const std::string &set : generators[body]->node_sets())
+          known.push_back(start + set);
+        if (name.compare(0, start.size(), start) != 0)
+          continue;
+        NodeSet<dim> nodes = generators[body]->node_set(name.substr(start.size()));
+        for (auto &places : nodes)
+          for (NodePlace<dim> &place : places)
+            place.cell = coarse_ids[first_cells[body] + place.cell];
+        if (!nodes.empty())
+          return nodes;
+      }
+    throw SceneError("there is no set of nodes '" + name + "'; " +
+                     (known.empty() ? "no body has any" : "there are " + join(known)));
+  }
+
+
+
+  template <int dim>
+  void
+  Mesh<dim>::find_pieces(const CoarseMesh<dim> &coarse)
+  {
+    piece_of_coarse_cell = pieces_of(coarse.cells, coarse.vertices.size());
+    std::vector<unsigned int> of_body(n_bodies());
+    for (unsigned int c = 0; c < coarse.cells.size(); ++c)
+      {
+        const Point<dim> &first = coarse.vertices[coarse.cells[c].vertices[0]];
+        if (piece_of_coarse_cell[c] == my_pieces.size())
+          {
+            my_pieces.push_back(
+              {coarse.cells[c].material_id, "", BoundingBox<dim>({first, first})});
+            ++of_body[my_pieces.back().body];
+          }
+        for (const unsigned int v : coarse.cells[c].vertices)
+          my_pieces[piece_of_coarse_cell[c]].extent.merge_with(
+            BoundingBox<dim>({coarse.vertices[v], coarse.vertices[v]}));
+      }
+    for (unsigned int i = 0, k = 1; i < my_pieces.size(); ++i, ++k)
+      {
+        BodyPiece<dim> &piece = my_pieces[i];
+        if (i > 0 && my_pieces[i - 1].body != piece.body)
+          k = 1;
+        piece.name = names[piece.body];
+        if (of_body[piece.body] > 1)
+          {
+            std::ostringstream place;
+            place << piece.extent.center();
+            piece.name += ", piece " + std::to_string(k) + " of " +
+                          std::to_string(of_body[piece.body]) + " about (" + place.str() + ")";
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Mesh<dim>::number_coarse_cells(const Triangulation<dim> &triangulation)
+  {
+    std::vector<unsigned int> of_ids(piece_of_coarse_cell.size());
+    coarse_ids.resize(of_ids.size());
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      {
+        coarse_ids[cell->index()]         = cell->id().get_coarse_cell_id();
+        of_ids[coarse_ids[cell->index()]] = piece_of_coarse_cell[cell->index()];
+      }
+    piece_of_coarse_cell = of_ids;
+    my_temperature.number(coarse_ids);
+  }
+
+
+
+  template <int dim>
+  void
+  Mesh<dim>::check_slaves_and_masters(
+    const std::vector<std::pair<std::string, std::string>> &contact_surfaces) const
+  {
+    for (const auto &[slave, master] : contact_surfaces)
+      if (!master.empty())
+        for (const types::boundary_id id : boundary_ids(slave))
+          if (boundary_ids(master).count(id) > 0)
+            throw SceneError("a contact pair has the slave '" + slave + "' and the master '" +
+                             master +
+                             "', which have faces in common; a surface cannot touch itself");
   }
 
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -40,6 +41,19 @@ namespace Signorini
         {{0, 1}, {1, 2}, {2, 3}, {2, 4}, {3, 4}, {3, 5}, {3, 6}, {3, 8}, {4, 0}}};
       return table[static_cast<unsigned int>(shape)];
     }
+
+
+
+    /// Binary files may have anything; text was looked at while it was read.
+    void
+    check_finite(const MeshFile &file, const std::string &file_name)
+    {
+      for (std::size_t i = 0; i < file.nodes.size(); ++i)
+        for (unsigned int d = 0; d < 3; ++d)
+          if (!std::isfinite(file.nodes[i][d]))
+            throw SceneError("mesh file '" + file_name + "' has point " + std::to_string(i) +
+                             ", counted from 0, whose " + "xyz"[d] + " is no finite number");
+    }
   } // namespace
 
 
@@ -53,6 +67,19 @@ namespace Signorini
       return *found;
     groups.push_back({name, {}, {}, {}});
     return groups.back();
+  }
+
+
+
+  const MeshFile::Nodes &
+  MeshFile::whole_face(const Nodes &corners) const
+  {
+    if (whole_faces.empty())
+      return corners;
+    Nodes key = corners;
+    std::sort(key.begin(), key.end());
+    const auto found = whole_faces.find(key);
+    return found == whole_faces.end() ? corners : found->second;
   }
 
 
@@ -107,7 +134,9 @@ namespace Signorini
         {
           if (!std::ifstream(file_name))
             throw SceneError("mesh file '" + file_name + "' cannot be opened");
-          return format.read(file_name);
+          MeshFile file = format.read(file_name);
+          check_finite(file, file_name);
+          return file;
         }
     throw SceneError("mesh file '" + file_name + "' has the unknown extension '" + extension +
                      "'; there are " + mesh_formats() +

@@ -15,12 +15,12 @@ namespace Signorini
     /// Centers of the faces with that boundary id, with the index of the active cell behind each.
     template <int dim>
     std::vector<std::pair<Point<dim>, unsigned int>>
-    surface_cells(const Triangulation<dim> &triangulation, const types::boundary_id id)
+    surface_cells(const Triangulation<dim> &triangulation, const BoundaryIds &ids)
     {
       std::vector<std::pair<Point<dim>, unsigned int>> surface;
       for (const auto &cell : triangulation.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && face->boundary_id() == id)
+          if (face->at_boundary() && ids.count(face->boundary_id()) > 0)
             surface.emplace_back(face->center(), cell->active_cell_index());
       return surface;
     }
@@ -30,9 +30,9 @@ namespace Signorini
 
   template <int dim>
   void
-  partition_by_metis(Triangulation<dim> &triangulation,
-                     const unsigned int  n_parts,
-                     const std::vector<std::pair<types::boundary_id, types::boundary_id>> &pairs)
+  partition_by_metis(Triangulation<dim>                                     &triangulation,
+                     const unsigned int                                      n_parts,
+                     const std::vector<std::pair<BoundaryIds, BoundaryIds>> &pairs)
   {
     if (n_parts == 1)
       return;
@@ -60,9 +60,9 @@ namespace Signorini
   template void
   partition_by_metis(Triangulation<2> &,
                      unsigned int,
-                     const std::vector<std::pair<types::boundary_id, types::boundary_id>> &);
+                     const std::vector<std::pair<BoundaryIds, BoundaryIds>> &);
   template void
   partition_by_metis(Triangulation<3> &,
                      unsigned int,
-                     const std::vector<std::pair<types::boundary_id, types::boundary_id>> &);
+                     const std::vector<std::pair<BoundaryIds, BoundaryIds>> &);
 } // namespace Signorini

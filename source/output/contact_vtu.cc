@@ -1,6 +1,6 @@
 #include <signorini/output/contact_vtu.h>
 #include <signorini/output/nodal_fields.h>
-#include <signorini/output/pvd.h>
+#include <signorini/output/pieces.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/hp/fe_values.h>
@@ -42,7 +42,8 @@ namespace Signorini
     template <int dim>
     struct Fields
     {
-      LA::Vector displacement, pressure, gap, status, coverage;
+      LA::Vector              displacement, pressure, gap, status, coverage;
+      std::vector<LA::Vector> traction; ///< dim components
 
       Fields(const Snapshot<dim> &snapshot, const unsigned int pair)
       {
@@ -54,6 +55,12 @@ namespace Signorini
         gap          = nodal(snapshot.gap);
         status       = nodal(snapshot.active);
         coverage     = snapshot.elasticity.with_ghosts(nodal_coverage(snapshot, pair));
+        for (const LA::Vector &normal : snapshot.contact.normal)
+          {
+            LA::Vector component = snapshot.pressure;
+            component.scale(normal);
+            traction.push_back(nodal(component));
+          }
       }
     };
 
@@ -68,12 +75,20 @@ namespace Signorini
 
       ContactFaces(const Snapshot<dim> &snapshot);
 
+      std::string
+      write(const PieceSettings &settings, const MPI_Comm comm) const
+      {
+        return write_pieces(
+          patches, get_dataset_names(), get_nonscalar_data_ranges(), settings, comm);
+      }
+
     private:
-      // Rows of the data: first the components of the displacement, then these; the library wants
-      // the positions last.
+      // Rows of the data: first the components of the displacement and of the traction, then these;
+      // the library wants the positions last.
       enum Row : unsigned int
       {
-        pressure = dim,
+        traction = dim,
+        pressure = 2 * dim,
         gap,
         status,
         pair,
@@ -90,18 +105,17 @@ namespace Signorini
       get_dataset_names() const override
       {
         std::vector<std::string> names(dim, "displacement");
+        names.insert(names.end(), dim, "traction");
         names.insert(names.end(), {"pressure", "gap", "status", "pair"});
         return names;
       }
 
-      std::vector<std::tuple<unsigned int,
-                             unsigned int,
-                             std::string,
-                             DataComponentInterpretation::DataComponentInterpretation>>
+      NonscalarRanges
       get_nonscalar_data_ranges() const override
       {
-        return {std::make_tuple(
-          0, dim - 1, "displacement", DataComponentInterpretation::component_is_part_of_vector)};
+        constexpr auto vector = DataComponentInterpretation::component_is_part_of_vector;
+        return {std::make_tuple(0, dim - 1, "displacement", vector),
+                std::make_tuple(Row::traction, Row::traction + dim - 1, "traction", vector)};
       }
 
       void
@@ -138,12 +152,12 @@ namespace Signorini
     void
     ContactFaces<dim>::add_pair(const Snapshot<dim> &snapshot, const unsigned int pair)
     {
-      const Fields<dim> fields(snapshot, pair);
-      const auto        id = snapshot.elasticity.mesh().boundary_id(snapshot.pairs[pair].slave);
+      const Fields<dim>  fields(snapshot, pair);
+      const BoundaryIds &ids = snapshot.elasticity.mesh().boundary_ids(snapshot.pairs[pair].slave);
       for (const auto &cell : snapshot.elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
           for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+            if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
               {
                 values_on_faces.reinit(cell, f);
                 add_patch(values_on_faces.get_present_fe_values(), fields, pair);
@@ -186,7 +200,8 @@ namespace Signorini
                                   Table<2, float>     &data) const
     {
       std::vector<Tensor<1, dim>> u(values.n_quadrature_points);
-      std::vector<double>         p(u.size()), g(u.size()), active(u.size()), coverage(u.size());
+      std::vector<double>         p(u.size()), g(u.size()), active(u.size()), coverage(u.size()),
+        traction(u.size());
       // Nodal fields live in the first component.
       const FEValuesExtractors::Scalar first(0);
       values[FEValuesExtractors::Vector(0)].get_function_values(fields.displacement, u);
@@ -194,6 +209,12 @@ namespace Signorini
       values[first].get_function_values(fields.gap, g);
       values[first].get_function_values(fields.status, active);
       values[first].get_function_values(fields.coverage, coverage);
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          values[first].get_function_values(fields.traction[d], traction);
+          for (unsigned int q = 0; q < u.size(); ++q)
+            data[Row::traction + d][q] = traction[q];
+        }
       for (unsigned int q = 0; q < u.size(); ++q)
         {
           for (unsigned int d = 0; d < dim; ++d)
@@ -213,10 +234,12 @@ namespace Signorini
   std::string
   write_contact(const Snapshot<dim> &snapshot, const std::string &directory)
   {
-    ContactFaces<dim> out(snapshot);
-    out.set_flags(vtk_flags());
-    return out.write_vtu_with_pvtu_record(
-      directory + "/", "contact", snapshot.step, snapshot.elasticity.mesh().communicator(), 4);
+    std::vector<std::string> names;
+    for (const ContactPair<dim> &pair : snapshot.pairs)
+      names.push_back(pair.name);
+    return ContactFaces<dim>(snapshot).write(
+      {directory, "contact", snapshot.step, snapshot.time, "pair", names},
+      snapshot.elasticity.mesh().communicator());
   }
 
 

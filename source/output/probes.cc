@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace Signorini
@@ -23,7 +24,7 @@ namespace Signorini
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
     // Distances in units of the cell. Within `same`, points on faces belong to both their cells.
-    constexpr double same = 1e-6, farthest = 0.02;
+    constexpr double same = 1e-6;
 
     /// What decides between the cells that a probe may lie in; the same on whatever rank they are.
     template <int dim>
@@ -71,7 +72,10 @@ namespace Signorini
 
     template <int dim>
     Place<dim>
-    place_in(const Mapping<dim> &mapping, const Cell<dim> &cell, const Point<dim> &x)
+    place_in(const Mapping<dim> &mapping,
+             const Cell<dim>    &cell,
+             const Point<dim>   &x,
+             const double        farthest)
     {
       Place<dim> place;
       try
@@ -109,7 +113,9 @@ namespace Signorini
     /// The best place of each probe on this rank.
     template <int dim>
     std::vector<Place<dim>>
-    own_places(const Elasticity<dim> &elasticity, const std::vector<Probe<dim>> &probes)
+    own_places(const Elasticity<dim>         &elasticity,
+               const std::vector<Probe<dim>> &probes,
+               const double                   farthest)
     {
       const Mesh<dim>        &mesh = elasticity.mesh();
       std::vector<Place<dim>> best(probes.size());
@@ -123,7 +129,8 @@ namespace Signorini
             for (unsigned int i = 0; i < probes.size(); ++i)
               if (may_be_in(probes[i], mesh.body_name(cell->material_id()), box))
                 {
-                  const Place<dim> place = place_in<dim>(mesh.mapping(), cell, probes[i].point);
+                  const Place<dim> place =
+                    place_in<dim>(mesh.mapping(), cell, probes[i].point, farthest);
                   if (goes_before(place.claim, best[i].claim))
                     best[i] = place;
                 }
@@ -179,25 +186,64 @@ namespace Signorini
 
 
 
+    /// The cells of one piece of the body that share the point of a place, with their own points:
+    /// found from face to face, so that the other side of a slit is none of them. All of them are
+    /// owned by this rank or ghosts.
+    template <int dim>
+    std::vector<Place<dim>>
+    cells_about(const Mapping<dim> &mapping, const Place<dim> &first, const Point<dim> &x)
+    {
+      std::vector<Place<dim>> places = {first};
+      std::set<Cell<dim>>     seen   = {first.cell};
+      const auto              visit  = [&](const Cell<dim> &cell) {
+        if (!cell->is_artificial() && seen.insert(cell).second)
+          if (const Place<dim> place = place_in<dim>(mapping, cell, x, first.claim.distance + same);
+              place.claim.distance <= first.claim.distance + same)
+            places.push_back(place);
+      };
+      for (unsigned int i = 0; i < places.size(); ++i)
+        {
+          const Cell<dim> cell = places[i].cell;
+          for (const unsigned int f : cell->face_indices())
+            if (!cell->at_boundary(f))
+              {
+                if (!cell->neighbor(f)->has_children())
+                  visit(cell->neighbor(f));
+                else
+                  for (unsigned int c = 0; c < cell->face(f)->n_children(); ++c)
+                    visit(cell->neighbor_child_on_subface(f, c));
+              }
+        }
+      return places;
+    }
+
+
+
+    /// The mean over cells that share the point.
     template <int dim>
     void
-    evaluate(const Elasticity<dim> &elasticity,
-             const LA::Vector      &displacement,
-             const Place<dim>      &place,
-             Tensor<1, dim>        &u,
-             Tensor<2, dim>        &gradient)
+    evaluate(const Elasticity<dim>         &elasticity,
+             const LA::Vector              &displacement,
+             const std::vector<Place<dim>> &places,
+             const Point<dim>              &x,
+             Tensor<1, dim>                &u,
+             SymmetricTensor<2, 3>         &stress)
     {
-      FEValues<dim> values(elasticity.mesh().mapping(),
-                           place.cell->get_fe(),
-                           Quadrature<dim>(place.unit),
-                           update_values | update_gradients);
-      values.reinit(place.cell);
-      std::vector<Tensor<1, dim>> us(1);
-      std::vector<Tensor<2, dim>> gradients(1);
-      values[FEValuesExtractors::Vector(0)].get_function_values(displacement, us);
-      values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement, gradients);
-      u        = us[0];
-      gradient = gradients[0];
+      const double share = 1. / places.size();
+      for (const Place<dim> &place : places)
+        {
+          FEValues<dim> values(elasticity.mesh().mapping(),
+                               place.cell->get_fe(),
+                               Quadrature<dim>(place.unit),
+                               update_values | update_gradients);
+          values.reinit(place.cell);
+          std::vector<Tensor<1, dim>> us(1);
+          std::vector<Tensor<2, dim>> gradients(1);
+          values[FEValuesExtractors::Vector(0)].get_function_values(displacement, us);
+          values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement, gradients);
+          u += share * us[0];
+          stress += share * elasticity.stress(*place.cell, gradients[0], us[0], x);
+        }
     }
 
 
@@ -214,7 +260,33 @@ namespace Signorini
                               }) -
              claims.begin();
     }
+
+    /// Of each rank.
+    template <int dim>
+    std::vector<std::vector<Claim<dim>>>
+    all_claims(const std::vector<Place<dim>> &places, const MPI_Comm comm)
+    {
+      std::vector<Claim<dim>> claims;
+      for (const Place<dim> &place : places)
+        claims.push_back(place.claim);
+      return Utilities::MPI::all_gather(comm, claims);
+    }
   } // namespace
+
+
+
+  template <int dim>
+  void
+  check_probes(const Elasticity<dim>         &elasticity,
+               const std::vector<Probe<dim>> &probes,
+               const double                   tolerance)
+  {
+    const auto claims =
+      all_claims(own_places(elasticity, probes, tolerance), elasticity.mesh().communicator());
+    for (unsigned int i = 0; i < probes.size(); ++i)
+      if (claims[winner(claims, i)][i].distance > tolerance)
+        refuse(probes[i], elasticity.mesh());
+  }
 
 
 
@@ -226,40 +298,41 @@ namespace Signorini
   {
     const MPI_Comm                comm    = elasticity.mesh().communicator();
     const LA::Vector              ghosted = elasticity.with_ghosts(displacement);
-    const std::vector<Place<dim>> places  = own_places(elasticity, probes);
-    std::vector<Claim<dim>>       claims;
-    for (const Place<dim> &place : places)
-      claims.push_back(place.claim);
-    const auto all_claims = Utilities::MPI::all_gather(comm, claims);
+    const std::vector<Place<dim>> places  = own_places(elasticity, probes, probe_tolerance);
+    const auto                    claims  = all_claims(places, comm);
 
     std::vector<ProbeValue<dim>> result(probes.size());
     for (unsigned int i = 0; i < probes.size(); ++i)
       {
-        const unsigned int rank  = winner(all_claims, i);
-        const Claim<dim>  &claim = all_claims[rank][i];
-        if (claim.distance > farthest)
+        const unsigned int rank  = winner(claims, i);
+        const Claim<dim>  &claim = claims[rank][i];
+        if (claim.distance > probe_tolerance)
           refuse(probes[i], elasticity.mesh());
 
-        Tensor<1, dim> u;
-        Tensor<2, dim> gradient;
+        Tensor<1, dim>        u;
+        SymmetricTensor<2, 3> stress;
         if (rank == Utilities::MPI::this_mpi_process(comm))
-          evaluate(elasticity, ghosted, places[i], u, gradient);
-        result[i].name                       = probes[i].name;
-        result[i].found                      = true;
-        result[i].displacement               = Utilities::MPI::sum(u, comm);
-        gradient                             = Utilities::MPI::sum(gradient, comm);
-        const Material             &material = elasticity.material(claim.body);
-        const SymmetricTensor<2, 3> sigma    = stress(
-          material,
-          strain(elasticity.model(), material, gradient, result[i].displacement, probes[i].point));
-        result[i].von_mises = von_mises(sigma);
-        result[i].stress    = sigma;
+          evaluate(elasticity,
+                   ghosted,
+                   cells_about(elasticity.mesh().mapping(), places[i], probes[i].point),
+                   probes[i].point,
+                   u,
+                   stress);
+        result[i].name         = probes[i].name;
+        result[i].found        = true;
+        result[i].displacement = Utilities::MPI::sum(u, comm);
+        result[i].stress       = Utilities::MPI::sum(stress, comm);
+        result[i].von_mises    = von_mises(result[i].stress);
       }
     return result;
   }
 
 
 
+  template void
+  check_probes(const Elasticity<2> &, const std::vector<Probe<2>> &, double);
+  template void
+  check_probes(const Elasticity<3> &, const std::vector<Probe<3>> &, double);
   template std::vector<ProbeValue<2>>
   evaluate_probes(const Elasticity<2> &, const LA::Vector &, const std::vector<Probe<2>> &);
   template std::vector<ProbeValue<3>>

@@ -1,3 +1,4 @@
+#include <signorini/output/directory.h>
 #include <signorini/output/profiles.h>
 
 #include <deal.II/base/mpi.h>
@@ -6,10 +7,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <filesystem>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
+#include <sstream>
 
 namespace Signorini
 {
@@ -17,8 +18,9 @@ namespace Signorini
 
   namespace
   {
-    /// x, y, z, pressure, gap, status
-    using Line = std::array<double, 6>;
+    constexpr char columns[] = "x,y,z,pressure,gap,status,initial_gap,normal_x,normal_y,normal_z";
+
+    using Line = std::array<double, 10>; // one number a column
 
 
 
@@ -34,17 +36,25 @@ namespace Signorini
       for (unsigned int k = 0; k < contact.pair.size(); ++k, ++row)
         if (contact.pair[k] == pair)
           {
+            Tensor<1, dim> normal;
+            for (unsigned int d = 0; d < dim; ++d)
+              normal[d] = contact.normal[d](*row);
+            if (normal.norm() > 0)
+              normal /= normal.norm();
             for (unsigned int d = 0; d < 3; ++d)
               numbers.push_back(d < dim ? contact.position[d](*row) : 0.);
-            for (const LA::Vector *v : {&snapshot.pressure, &snapshot.gap, &snapshot.active})
+            for (const LA::Vector *v :
+                 {&snapshot.pressure, &snapshot.gap, &snapshot.active, &contact.rest_gap})
               numbers.push_back((*v)(*row));
+            for (unsigned int d = 0; d < 3; ++d)
+              numbers.push_back(d < dim ? normal[d] : 0.);
           }
       return numbers;
     }
 
 
 
-    // All points of the pair on rank 0, where they have to fit: six numbers a point of the surface,
+    // All points of the pair on rank 0, where they have to fit: ten numbers a point of the surface,
     // which is little beside the share of the volume that any rank has.
     template <int dim>
     std::vector<Line>
@@ -135,26 +145,25 @@ namespace Signorini
 
 
     template <int dim>
-    void
-    write_file(const std::string                    &path,
-               const std::vector<Line>              &lines,
-               const std::optional<Expression<dim>> &reference,
-               const double                          time)
+    std::string
+    as_text(const std::vector<Line>              &lines,
+            const std::optional<Expression<dim>> &reference,
+            const double                          time)
     {
-      std::ofstream out(path);
-      out << "x,y,z,pressure,gap,status" << (reference ? ",reference" : "") << '\n';
+      std::ostringstream out;
+      out << columns << (reference ? ",reference" : "") << '\n';
       for (const Line &line : lines)
         {
           for (unsigned int i = 0; i < line.size(); ++i)
             out << (i > 0 ? "," : "") << number_text(line[i]);
           Point<dim> x;
-          std::copy_n(line.begin(), dim, x.begin_raw());
+          for (unsigned int d = 0; d < dim; ++d)
+            x[d] = line[d];
           if (reference)
             out << ',' << number_text(reference->value(x, time));
           out << '\n';
         }
-      if (!out.flush())
-        throw std::runtime_error("cannot write " + path);
+      return out.str();
     }
   } // namespace
 
@@ -169,15 +178,19 @@ namespace Signorini
     std::optional<Expression<dim>> reference;
     if (!reference_pressure.empty())
       reference.emplace(reference_pressure);
-    const MPI_Comm comm = snapshot.elasticity.mesh().communicator();
+    const bool writes =
+      Utilities::MPI::this_mpi_process(snapshot.elasticity.mesh().communicator()) == 0;
+    const std::string of_step = directory + "/step-" + Utilities::int_to_string(snapshot.step, 4);
+    if (writes)
+      std::filesystem::create_directories(of_step);
     for (unsigned int p = 0; p < snapshot.pairs.size(); ++p)
       {
         const std::vector<Line> lines = gather_lines(snapshot, p);
-        if (Utilities::MPI::this_mpi_process(comm) == 0)
-          write_file<dim>(directory + "/" + snapshot.pairs[p].name + ".csv",
-                          sorted(lines),
-                          reference,
-                          snapshot.time);
+        if (!writes)
+          continue;
+        const std::string text = as_text<dim>(sorted(lines), reference, snapshot.time);
+        for (const std::string &folder : {of_step, directory})
+          replace_file(folder + "/" + snapshot.pairs[p].name + ".csv", text);
       }
   }
 

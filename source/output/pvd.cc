@@ -1,10 +1,11 @@
+#include <signorini/compatibility.h>
+#include <signorini/output/directory.h>
 #include <signorini/output/pvd.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 
 namespace Signorini
 {
@@ -27,10 +28,9 @@ namespace Signorini
     steps.emplace_back(time, file);
     if (!writes)
       return;
-    std::ofstream out(path);
+    std::ostringstream out;
     DataOutBase::write_pvd_record(out, steps);
-    if (!out.flush())
-      throw std::runtime_error("cannot write " + path);
+    replace_file(path, out.str());
   }
 
 
@@ -39,7 +39,7 @@ namespace Signorini
   vtk_flags()
   {
     DataOutBase::VtkFlags flags;
-    flags.compression_level = DataOutBase::VtkFlags::best_speed;
+    flags.compression_level = Compatibility::compression_best_speed;
     return flags;
   }
 } // namespace Signorini

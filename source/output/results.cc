@@ -7,8 +7,8 @@
 #include <Trilinos_version.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 namespace Signorini
@@ -31,7 +31,7 @@ namespace Signorini
     Json
     list(const Tensor<1, dim> &t)
     {
-      return list(std::vector<double>(t.begin_raw(), t.end_raw()));
+      return list(std::vector<double>(&t[0], &t[0] + dim));
     }
 
     /// Sums over the points of one pair.
@@ -204,6 +204,24 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// Of the forces of bodies that are moved without strain.
+    template <int dim>
+    double
+    rounding_of_forces(const Snapshot<dim> &s)
+    {
+      const Mesh<dim> &mesh     = s.elasticity.mesh();
+      double           stiffest = 0;
+      for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+        stiffest = std::max(stiffest, s.elasticity.material(body).youngs_modulus);
+      const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      return 1e-12 * stiffest * s.displacement.linfty_norm() * (is_plane ? 1. : mesh.size());
+    }
+  } // namespace
+
+
+
   template <int dim>
   Json
   force_results(const Snapshot<dim> &s, const std::vector<bool> &master_is_rigid)
@@ -236,6 +254,12 @@ namespace Signorini
           sum.moment[d] += sums.moment[d];
       }
     const double lever = s.elasticity.mesh().size();
+    // What rounding alone would leave is in balance, whatever its directions are.
+    if (largest <= rounding_of_forces(s))
+      {
+        sum     = Resultant<dim>();
+        largest = 0;
+      }
     return {{"supports", supports},
             {"obstacles", obstacle_results(s)},
             {"total_load", list(reactions.back().force)},
@@ -247,18 +271,24 @@ namespace Signorini
 
   template <int dim>
   Json
-  probe_results(const Snapshot<dim> &s, const std::vector<Probe<dim>> &probes)
+  probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes)
   {
     Json result = Json::object();
-    for (const ProbeValue<dim> &probe : evaluate_probes(s.elasticity, s.displacement, probes))
+    for (const ProbeValue<dim> &probe :
+         evaluate_probes(snapshot.elasticity, snapshot.displacement, probes))
       {
-        const auto         &sigma  = probe.stress;
-        std::vector<double> stress = {sigma[0][0], sigma[1][1], sigma[0][1], sigma[2][2]};
-        if (dim == 3)
-          stress.assign(sigma.begin_raw(), sigma.end_raw());
-        result[probe.name] = {{"displacement", list(probe.displacement)},
-                              {"stress", list(stress)},
-                              {"von_mises", probe.von_mises}};
+        const auto                 &s         = probe.stress;
+        const std::array<double, 3> principal = eigenvalues(s); // the largest first
+        result[probe.name]                    = {{"displacement", list(probe.displacement)},
+                                                 {"stress",
+                                                  {{"xx", s[0][0]},
+                                                   {"yy", s[1][1]},
+                                                   {"zz", s[2][2]},
+                                                   {"xy", s[0][1]},
+                                                   {"yz", s[1][2]},
+                                                   {"xz", s[0][2]}}},
+                                                 {"principal_stress", list(principal)},
+                                                 {"von_mises", probe.von_mises}};
       }
     return result;
   }
@@ -315,15 +345,6 @@ namespace Signorini
   library_versions()
   {
     return {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"Trilinos", TRILINOS_VERSION_STRING}};
-  }
-
-
-
-  void
-  write_json(const Json &results, const std::string &file_name, const MPI_Comm comm)
-  {
-    if (Utilities::MPI::this_mpi_process(comm) == 0)
-      std::ofstream(file_name) << results.dump(2) << "\n";
   }
 
 

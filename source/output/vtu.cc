@@ -1,10 +1,13 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/stress.h>
-#include <signorini/output/pvd.h>
+#include <signorini/output/pieces.h>
 #include <signorini/output/vtu.h>
 
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
+
+#include <algorithm>
+#include <array>
 
 namespace Signorini
 {
@@ -12,27 +15,21 @@ namespace Signorini
 
   namespace
   {
-    /// A component of the stress in space, and its name.
-    struct Component
+    /// Columns of the data that the postprocessor computes: von Mises, the stress row by row, and
+    /// the principal stresses.
+    enum Column : unsigned int
     {
-      const char  *name;
-      unsigned int i, j;
+      mises,
+      tensor,
+      principal = tensor + 9,
+      n_columns = principal + 3
     };
 
-    // The last two vanish in 2D.
-    constexpr Component components[] = {{"stress_xx", 0, 0},
-                                        {"stress_yy", 1, 1},
-                                        {"stress_zz", 2, 2},
-                                        {"stress_xy", 0, 1},
-                                        {"stress_yz", 1, 2},
-                                        {"stress_xz", 0, 2}};
-
-    template <int dim>
-    constexpr unsigned int n_components = dim == 2 ? 4 : 6;
+    constexpr char first_of_stress[] = "stress_0";
 
 
 
-    /// Von Mises stress and the components of the stress, from the displacement.
+    /// All of the stress, from the displacement.
     template <int dim>
     class StressPostprocessor : public DataPostprocessor<dim>
     {
@@ -45,8 +42,7 @@ namespace Signorini
       evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
                             std::vector<Vector<double>>                &computed) const override
       {
-        const auto      cell     = inputs.template get_cell<dim>();
-        const Material &material = elasticity.material(cell->material_id());
+        const auto cell = inputs.template get_cell<dim>();
         for (unsigned int q = 0; q < computed.size(); ++q)
           {
             Tensor<2, dim> gradient;
@@ -55,30 +51,34 @@ namespace Signorini
             Tensor<1, dim> u;
             for (unsigned int d = 0; d < dim; ++d)
               u[d] = inputs.solution_values[q][d];
-            const SymmetricTensor<2, 3> sigma = stress(
-              material,
-              strain(elasticity.model(), material, gradient, u, inputs.evaluation_points[q]));
-            computed[q][0] = von_mises(sigma);
-            for (unsigned int c = 0; c < n_components<dim>; ++c)
-              computed[q][1 + c] = sigma[components[c].i][components[c].j];
+            const SymmetricTensor<2, 3> sigma =
+              elasticity.stress(*cell, gradient, u, inputs.evaluation_points[q]);
+            computed[q][Column::mises] = von_mises(sigma);
+            for (unsigned int c = 0; c < 9; ++c)
+              computed[q][Column::tensor + c] = sigma[c / 3][c % 3];
+            const std::array<double, 3> principal = eigenvalues(sigma); // the largest first
+            for (unsigned int c = 0; c < 3; ++c)
+              computed[q][Column::principal + c] = principal[c];
           }
       }
 
       std::vector<std::string>
       get_names() const override
       {
-        std::vector<std::string> names = {"von_mises"};
-        for (unsigned int c = 0; c < n_components<dim>; ++c)
-          names.emplace_back(components[c].name);
+        std::vector<std::string> names = {"von_mises", first_of_stress};
+        for (unsigned int c = 1; c < 9; ++c)
+          names.push_back("stress_" + std::to_string(c));
+        for (unsigned int c = 1; c <= 3; ++c)
+          names.push_back("principal_stress_" + std::to_string(c));
         return names;
       }
 
-      // Scalars, because a tensor in a VTU file has nine components and no place for sigma_zz of
-      // plane strain or the hoop.
+      // deal.II's tensors have dim * dim components, and no place for sigma_zz of plane strain or
+      // the hoop: Bodies joins nine of these to one.
       std::vector<DataComponentInterpretation::DataComponentInterpretation>
       get_data_component_interpretation() const override
       {
-        return {1 + n_components<dim>, DataComponentInterpretation::component_is_scalar};
+        return {Column::n_columns, DataComponentInterpretation::component_is_scalar};
       }
 
       UpdateFlags
@@ -90,6 +90,51 @@ namespace Signorini
     private:
       const Elasticity<dim> &elasticity;
     };
+
+
+
+    /// Joins the components of the stress.
+    template <int dim>
+    class Bodies : public DataOut<dim>
+    {
+    public:
+      std::string
+      write(const PieceSettings &settings, const MPI_Comm comm) const
+      {
+        return write_pieces(this->get_patches(),
+                            this->get_dataset_names(),
+                            get_nonscalar_data_ranges(),
+                            settings,
+                            comm);
+      }
+
+    private:
+      NonscalarRanges
+      get_nonscalar_data_ranges() const override
+      {
+        NonscalarRanges    ranges = DataOut<dim>::get_nonscalar_data_ranges();
+        const auto         names  = this->get_dataset_names();
+        const unsigned int first =
+          std::find(names.begin(), names.end(), first_of_stress) - names.begin();
+        ranges.emplace_back(first,
+                            first + 8,
+                            "stress",
+                            DataComponentInterpretation::component_is_part_of_tensor);
+        return ranges;
+      }
+    };
+
+
+
+    template <int dim>
+    std::vector<std::string>
+    names_of_bodies(const Mesh<dim> &mesh)
+    {
+      std::vector<std::string> names;
+      for (unsigned int b = 0; b < mesh.n_bodies(); ++b)
+        names.push_back(mesh.body_name(b));
+      return names;
+    }
 
 
 
@@ -121,8 +166,7 @@ namespace Signorini
 
     const std::vector<DataComponentInterpretation::DataComponentInterpretation> is_vector(
       dim, DataComponentInterpretation::component_is_part_of_vector);
-    DataOut<dim> out;
-    out.set_flags(vtk_flags());
+    Bodies<dim> out;
     out.attach_dof_handler(elasticity.dof_handler());
     out.add_data_vector(displacement,
                         std::vector<std::string>(dim, "displacement"),
@@ -134,8 +178,13 @@ namespace Signorini
     out.build_patches(elasticity.mesh().mapping(),
                       elasticity.degree(),
                       DataOut<dim>::curved_inner_cells);
-    return out.write_vtu_with_pvtu_record(
-      directory + "/", "solution", snapshot.step, elasticity.mesh().communicator(), 4);
+    return out.write({directory,
+                      "solution",
+                      snapshot.step,
+                      snapshot.time,
+                      "body",
+                      names_of_bodies(elasticity.mesh())},
+                     elasticity.mesh().communicator());
   }
 
 

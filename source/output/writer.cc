@@ -2,37 +2,10 @@
 #include <signorini/output/profiles.h>
 #include <signorini/output/vtu.h>
 #include <signorini/output/writer.h>
-#include <signorini/parameters/raw.h>
-
-#include <deal.II/base/mpi.h>
-
-#include <filesystem>
 
 namespace Signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    // Rank 0 creates it; all ranks learn whether that worked and go on only then.
-    void
-    create_directory(const std::string &directory, const MPI_Comm comm)
-    {
-      std::string problem;
-      if (Utilities::MPI::this_mpi_process(comm) == 0)
-        {
-          std::error_code error;
-          std::filesystem::create_directories(directory, error);
-          if (error)
-            problem = error.message();
-        }
-      problem = Utilities::MPI::broadcast(comm, problem);
-      if (!problem.empty())
-        throw SceneError("the output directory '" + directory + "' cannot be created: " + problem);
-    }
-  } // namespace
-
-
 
   template <int dim>
   Writer<dim>::Writer(const OutputSettings<dim> &settings,
@@ -42,10 +15,7 @@ namespace Signorini
     , directory(directory)
     , bodies(directory + "/solution.pvd", comm)
     , contact(directory + "/contact.pvd", comm)
-  {
-    create_directory(directory, comm);
-    create_directory(directory + "/profiles", comm);
-  }
+  {}
 
 
 

@@ -1,5 +1,6 @@
 #include <signorini/parameters/compiled_formula.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <muParser.h>
 
@@ -78,6 +79,24 @@ namespace Signorini
             else if (before != '<' && before != '>' && before != '!')
               throw SceneError("to compare, write == instead of =");
           }
+    }
+
+    /// In words of ours where those of muParser help nobody.
+    std::string
+    reason(const mu::ParserError &error)
+    {
+      const std::string token = shortened(trim(error.GetToken()));
+      switch (error.GetCode())
+        {
+          case mu::ecUNASSIGNABLE_TOKEN:
+            return "'" + token + "' is no number, and no name that is known here";
+          case mu::ecEMPTY_EXPRESSION:
+            return "there is nothing";
+          case mu::ecINTERNAL_ERROR:
+            return "something is missing in it";
+          default:
+            return shortened(error.GetMsg());
+        }
     }
 
     void
@@ -166,7 +185,7 @@ namespace Signorini
       }
     catch (const mu::ParserError &error)
       {
-        throw SceneError(place + error.GetMsg());
+        throw SceneError(place + reason(error));
       }
   }
 

@@ -1,6 +1,7 @@
 #include <signorini/parameters/compiled_formula.h>
 #include <signorini/parameters/definitions.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <algorithm>
 #include <cctype>
@@ -37,7 +38,18 @@ namespace Signorini
       throw SceneError("a name has letters, digits and _, and no digit first");
     if (has_meaning(name) || knows(name))
       throw SceneError("that name has a meaning already");
-    CompiledFormula({formula, std::make_shared<Definitions>(*this)}, {"x", "y", "z", "t"});
+    try
+      {
+        CompiledFormula({formula, std::make_shared<Definitions>(*this)}, {"x", "y", "z", "t"});
+      }
+    catch (const SceneError &error)
+      {
+        std::vector<std::string> names{"x", "y", "z", "t"};
+        for (const auto &one : formulas)
+          names.push_back(one.first);
+        throw SceneError("'" + shortened(formula) + "' is not a formula in " + join(names) +
+                         ", the names before it: " + error.what());
+      }
     formulas.emplace_back(name, formula);
   }
 

@@ -1,6 +1,7 @@
 #include <signorini/parameters/compiled_formula.h>
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 namespace Signorini
 {
@@ -30,8 +31,8 @@ namespace Signorini
       }
     catch (const SceneError &error)
       {
-        throw SceneError("'" + text + "' is not a formula in " + join(variables<dim>(), ",") +
-                         ": " + error.what());
+        throw SceneError("'" + shortened(text) + "' is not a formula in " +
+                         join(variables<dim>(), ",") + ": " + error.what());
       }
   }
 
@@ -79,7 +80,7 @@ namespace Signorini
       return;
     is_given = true;
     if (parts.size() != n_components)
-      throw SceneError("'" + text.text + "' has " + std::to_string(parts.size()) +
+      throw SceneError("'" + shortened(text.text) + "' has " + std::to_string(parts.size()) +
                        " components, separated by ';', but " + std::to_string(n_components) +
                        " are needed (write 'free' for one that is not prescribed)");
     for (unsigned int d = 0; d < n_components; ++d)
@@ -165,7 +166,7 @@ namespace Signorini
       }
     catch (const SceneError &error)
       {
-        throw SceneError("'" + formula.text + "' cannot be evaluated: " + error.what());
+        throw SceneError("'" + shortened(formula.text) + "' cannot be evaluated: " + error.what());
       }
   }
 

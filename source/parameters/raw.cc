@@ -1,6 +1,8 @@
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 
@@ -41,6 +43,17 @@ namespace Signorini
     for (const std::string &word : words)
       text += (text.empty() ? "" : separator) + word;
     return text;
+  }
+
+
+
+  std::string
+  shortened(const std::string &text)
+  {
+    constexpr std::size_t longest = 200, beginning = 80;
+    if (text.size() <= longest)
+      return text;
+    return text.substr(0, beginning) + "... (" + std::to_string(text.size()) + " characters)";
   }
 
 
@@ -97,19 +110,18 @@ namespace Signorini
     {
       const auto equals = text.find('=');
       if (equals == std::string::npos)
-        throw SceneError(where + ": expected KEY = VALUE, found '" + text + "'");
+        throw SceneError(where + ": expected KEY = VALUE, found '" + shortened(text) + "'");
       return {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
     }
 
     class Reader
     {
     public:
-      Reader(const std::string &file_name)
+      Reader(std::istream &in, const std::string &file_name)
         : file_name(file_name)
-        , in(file_name)
+        , in(in)
       {
-        if (!in)
-          throw SceneError("cannot open the scene file '" + file_name + "'");
+        skip_byte_order_mark(in);
       }
 
       void
@@ -152,11 +164,11 @@ namespace Signorini
         else
           throw SceneError(where() +
                            ": expected 'set KEY = VALUE', 'subsection NAME' or 'end', found '" +
-                           line + "'");
+                           shortened(line) + "'");
       }
 
       const std::string file_name;
-      std::ifstream     in;
+      std::istream     &in;
       unsigned int      number = 0;
     };
   } // namespace
@@ -166,7 +178,9 @@ namespace Signorini
   std::string
   nearest(const std::string &word, const std::vector<std::string> &candidates)
   {
-    std::string  best;
+    std::string best;
+    if (word.size() > 200)
+      return best;
     unsigned int best_distance = word.size() / 2 + 1;
     for (const std::string &candidate : candidates)
       if (const auto d = distance(lower(word), lower(candidate)); d < best_distance)
@@ -246,12 +260,35 @@ namespace Signorini
 
 
 
+  void
+  skip_byte_order_mark(std::istream &in)
+  {
+    for (const int byte : {0xEF, 0xBB, 0xBF})
+      if (in.peek() == byte)
+        in.get();
+  }
+
+
+
+  RawSection
+  read_raw(std::istream &in, const std::string &name)
+  {
+    RawSection root;
+    Reader(in, name).read(root, true);
+    return root;
+  }
+
+
+
   RawSection
   read_raw(const std::string &file_name)
   {
-    RawSection root;
-    Reader(file_name).read(root, true);
-    return root;
+    if (std::filesystem::is_directory(file_name))
+      throw SceneError("'" + file_name + "' is a directory, not a scene file; name a file in it");
+    std::ifstream in(file_name);
+    if (!in)
+      throw SceneError("cannot open the scene file '" + file_name + "'");
+    return read_raw(in, file_name);
   }
 
 
@@ -259,7 +296,7 @@ namespace Signorini
   void
   override_value(RawSection &root, const std::string &assignment)
   {
-    const std::string where        = "--set \"" + assignment + "\"";
+    const std::string where        = "--set \"" + shortened(assignment) + "\"";
     const auto [path, value]       = split_assignment(assignment, where);
     std::vector<std::string> parts = split(path, '/');
     if (parts.empty() || parts.back().empty())

@@ -1,4 +1,5 @@
 #include <signorini/parameters/section.h>
+#include <signorini/parameters/text.h>
 
 #include <algorithm>
 #include <cctype>
@@ -102,6 +103,71 @@ namespace Signorini
                std::is_same_v<T, std::vector<std::string>>);
     }
 
+    /// What the user writes for a value of that type, for the reference.
+    std::string
+    type_name(const double)
+    {
+      return "number";
+    }
+
+    std::string
+    type_name(const unsigned int)
+    {
+      return "whole number";
+    }
+
+    std::string
+    type_name(const bool)
+    {
+      return "yes or no";
+    }
+
+    std::string
+    type_name(const std::string &)
+    {
+      return "text";
+    }
+
+    std::string
+    type_name(const Formula &)
+    {
+      return "text or formula";
+    }
+
+    std::string
+    type_name(const std::vector<std::string> &)
+    {
+      return "names";
+    }
+
+    template <typename T>
+    std::string
+    type_name(const std::vector<T> &)
+    {
+      return type_name(T()) + "s";
+    }
+
+    template <int dim>
+    std::string
+    type_name(const Point<dim> &)
+    {
+      return std::to_string(dim) + " numbers";
+    }
+
+    template <int dim>
+    std::string
+    type_name(const Expression<dim> &)
+    {
+      return "formula";
+    }
+
+    template <int dim, int n_components>
+    std::string
+    type_name(const VectorExpression<dim, n_components> &)
+    {
+      return n_components == 1 ? "formula" : std::to_string(n_components) + " formulas";
+    }
+
     template <typename T>
     void
     check_range(const T &, const Range &)
@@ -192,6 +258,9 @@ namespace Signorini
   void
   Section::add(const std::string &key, T &value, const std::string &help, const Range &range)
   {
+    if (description)
+      return description->keys.push_back(
+        {key, type_name(value), to_text(value), help, range.text(), {}, false});
     if (!reading())
       return write(key, is_number(value) ? as_given(key, to_text(value)) : to_text(value), help);
     known_keys.push_back(key);
@@ -218,6 +287,11 @@ namespace Signorini
                       const std::vector<std::string> &choices,
                       const std::string              &help)
   {
+    if (description)
+      {
+        description->keys.push_back({key, "", value, help, "", choices, false});
+        return;
+      }
     add(key, value, help + ": " + join(choices, " | "));
     if (reading() && std::find(choices.begin(), choices.end(), value) == choices.end())
       fail(key, "is not one of the choices" + hint(value, choices));
@@ -229,6 +303,8 @@ namespace Signorini
   Section::add_definitions(const std::string &name, Definitions &value, const std::string &help)
   {
     add_section(name, help, [&](Section &section) {
+      if (description)
+        return;
       if (!reading())
         {
           for (const auto &[key, formula] : value.all())
@@ -266,7 +342,7 @@ namespace Signorini
   {
     const RawSection::Value *entry = raw ? raw->find_value(key) : nullptr;
     if (entry)
-      return entry->where + ": " + path_of(key) + " = " + entry->text;
+      return entry->where + ": " + path_of(key) + " = " + shortened(entry->text);
     return (raw && !raw->where.empty() ? raw->where + ": " : "") + path_of(key) + " (not set)";
   }
 
@@ -275,6 +351,12 @@ namespace Signorini
   void
   Section::fail(const std::string &key, const std::string &what) const
   {
+    // What is missing may be there, misspelt: that is what the user wants to know.
+    if (raw && !is_set(key))
+      for (const RawSection::Value &value : raw->values)
+        if (!value.used && nearest(value.key, {key}) == key)
+          throw SceneError(value.where + ": unknown key '" + path_of(shortened(value.key)) +
+                           "' = '" + shortened(value.text) + "'" + hint(value.key, {key}));
     throw SceneError(place_of(key) + ": " + what);
   }
 
@@ -285,14 +367,15 @@ namespace Signorini
   {
     for (const RawSection::Value &value : raw->values)
       if (!value.used)
-        throw SceneError(value.where + ": unknown key '" + path_of(value.key) + "' = '" +
-                         value.text + "'" + hint(value.key, known_keys));
+        throw SceneError(value.where + ": unknown key '" + path_of(shortened(value.key)) + "' = '" +
+                         shortened(value.text) + "'" + hint(value.key, known_keys));
     const RawSection::Value *names     = raw->find_value("Names");
     const bool               is_list   = names && names->used;
     const bool               is_chosen = is_list && names->where.find("--set") == 0;
     for (const RawSection &section : raw->sections)
       if (!section.used && !is_chosen) // else left out on the command line
-        throw SceneError(section.where + ": unknown subsection '" + path_of(section.name) + "'" +
+        throw SceneError(section.where + ": unknown subsection '" +
+                         path_of(shortened(section.name)) + "'" +
                          (is_list ? ", which is not among the Names there" : "") +
                          hint(section.name, known_sections));
   }

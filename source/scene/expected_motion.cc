@@ -1,5 +1,7 @@
 #include <signorini/scene/expected_motion.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,6 +50,51 @@ namespace Signorini
       return supports + obstacles;
     }
 
+    /// By thermal expansion, as a strain: of the body that grows or shrinks most. Temperatures may
+    /// be those of a place inside, and senseless outside of their body.
+    template <int dim>
+    double
+    largest_expansion(const Scene<dim>              &scene,
+                      const std::vector<Point<dim>> &points,
+                      const double                   t)
+    {
+      double largest = 0;
+      for (const Body<dim> &body : scene.bodies)
+        if (body.expansion.given())
+          {
+            const std::vector<double> &field = body.mesh.generator->temperature();
+            std::vector<double>        extremes{0.};
+            if (!field.empty())
+              extremes = {*std::min_element(field.begin(), field.end()),
+                          *std::max_element(field.begin(), field.end())};
+            for (const Point<dim> &x : points)
+              for (const double T : extremes)
+                {
+                  const double rise = body.expansion.value(x, t, T) - body.expansion.reference;
+                  if (std::isfinite(rise))
+                    largest = std::max(largest, std::abs(rise) * body.expansion.alpha().norm());
+                }
+          }
+      return largest;
+    }
+
+    /// 5 a direction, for formulas that vary inside.
+    template <int dim>
+    std::vector<Point<dim>>
+    lattice(const BoundingBox<dim> &extent)
+    {
+      constexpr unsigned int  n = 5;
+      std::vector<Point<dim>> points;
+      for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i)
+        {
+          Point<dim> unit;
+          for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
+            unit[d] = double(rest % n) / (n - 1);
+          points.push_back(extent.unit_to_real(unit));
+        }
+      return points;
+    }
+
     /// As a stress.
     template <int dim>
     double
@@ -62,7 +109,9 @@ namespace Signorini
           largest =
             std::max(largest,
                      load.traction.value(x, t).norm() + std::abs(load.pressure.value(x, t)) +
-                       load.body_force.value(x, t).norm() * size);
+                       load.body_force.value(x, t).norm() * size +
+                       (load.force.value(x, t).norm() + load.total_force.value(x, t).norm()) /
+                         std::pow(size, dim - 1));
       return largest;
     }
   } // namespace
@@ -73,7 +122,7 @@ namespace Signorini
   double
   expected_motion(const Scene<dim> &scene, const BoundingBox<dim> &extent)
   {
-    const std::vector<Point<dim>> points  = corners_and_center(extent);
+    const std::vector<Point<dim>> points = corners_and_center(extent), inside = lattice(extent);
     const auto                   &bounds  = extent.get_boundary_points();
     const double                  size    = bounds.first.distance(bounds.second);
     double                        softest = std::numeric_limits<double>::max(), motion = 0;
@@ -82,7 +131,8 @@ namespace Signorini
     for (const double t : scene.load_steps.ends())
       motion = std::max(motion,
                         prescribed_motion(scene, points, extent, t) +
-                          largest_load(scene, points, size, t) * size / softest);
+                          largest_load(scene, points, size, t) * size / softest +
+                          largest_expansion(scene, inside, t) * size);
     return motion;
   }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <ostream>
@@ -86,6 +87,17 @@ namespace Signorini
                        "' in results.json");
     }
 
+    /// Lists whose length, or whose existence, only the solution knows.
+    bool
+    is_open(const std::string &first, const std::vector<std::string> &whole)
+    {
+      for (const char *name :
+           {"krylov_iterations", "newton_iterations_before_augmentations", "held_motions"})
+        if (first == name)
+          return true;
+      return std::find(whole.begin(), whole.end(), first) != whole.end();
+    }
+
     std::string
     row(const std::string &name,
         const std::string &value,
@@ -109,6 +121,42 @@ namespace Signorini
       return out.str();
     }
   } // namespace
+
+
+
+  void
+  check_paths(const std::vector<ExpectedResult> &expected,
+              const Json                        &step,
+              const std::vector<std::string>    &whole)
+  {
+    for (const ExpectedResult &one : expected)
+      for (const std::string &quantity : one.quantities)
+        {
+          const std::string path  = split(quantity, '=')[1];
+          const std::string first = path.substr(0, path.find('/'));
+          if (is_open(first, whole))
+            continue;
+          const Json::json_pointer pointer("/" + path);
+          if (step.contains(pointer) && (step[pointer].is_number() || step[pointer].is_null()))
+            continue;
+          // As far as the path is right, what might follow.
+          Json::json_pointer known("");
+          for (const std::string &part : split(path, '/'))
+            if (!step.contains(known / part))
+              break;
+            else
+              known /= part;
+          std::vector<std::string> words;
+          if (step[known].is_structured())
+            for (const auto &[key, value] : step[known].items())
+              words.push_back(key);
+          if (known.empty())
+            words.insert(words.end(), whole.begin(), whole.end());
+          throw SceneError("Expected results/" + one.name + "/Quantities: there is no number '" +
+                           path + "' in results.json; after '" + known.to_string() +
+                           "' there are: " + (words.empty() ? "no more names" : join(words)));
+        }
+  }
 
 
 

@@ -1,4 +1,5 @@
 #include <signorini/parameters/section.h>
+#include <signorini/scene/descriptions.h>
 #include <signorini/scene/scene.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace Signorini
                 "polynomial degree of the displacement of this body; 0: Mesh/Degree",
                 Range{0, 2});
     material.declare(section);
+    expansion.declare(section, !mesh.generator->temperature().empty());
   }
 
 
@@ -64,7 +66,9 @@ namespace Signorini
       "of methods that weigh the gap at slave nodes: functions biorthogonal to the displacement's (fewest Newton steps), "
       "or the displacement's own");
     for (const auto &[name, object] : methods)
-      section.add_section(name, "", [&, object = object](Section &s) { object->declare(s); });
+      section.add_section(name, about_method(name), [&, object = object](Section &s) {
+        object->declare(s);
+      });
   }
 
 
@@ -203,6 +207,28 @@ namespace Signorini
       return names;
     }
 
+    template <int dim>
+    std::vector<std::string>
+    node_set_names(const std::vector<Body<dim>> &bodies)
+    {
+      std::vector<std::string> names;
+      for (const Body<dim> &body : bodies)
+        for (const std::string &set : body.mesh.generator->node_sets())
+          names.push_back(body.name + "." + set);
+      return names;
+    }
+
+    /// BODY.NUMBER of a node of a mesh file.
+    template <int dim>
+    bool
+    is_node_number(const std::vector<Body<dim>> &bodies, const std::string &name)
+    {
+      for (const Body<dim> &body : bodies)
+        if (const std::string start = body.name + "."; name.compare(0, start.size(), start) == 0)
+          return !body.mesh.generator->node_set(name.substr(start.size())).empty();
+      return false;
+    }
+
     template <typename Items>
     std::vector<std::string>
     names_of(const Items &items)
@@ -248,16 +274,39 @@ namespace Signorini
         }
     }
 
+    /// What a generator made of pieces that touch must have, if it was not told what they are.
+    template <int dim>
+    void
+    check_pieces(const Scene<dim> &scene)
+    {
+      for (const Body<dim> &body : scene.bodies)
+        {
+          const std::string reason = body.mesh.generator->needs_pair(), start = body.name + ".";
+          bool              joined = false;
+          for (const ContactPair<dim> &pair : scene.known_pairs())
+            joined |= pair.slave.compare(0, start.size(), start) == 0 &&
+                      pair.master.compare(0, start.size(), start) == 0;
+          if (!reason.empty() && !joined)
+            throw SceneError(reason);
+        }
+    }
+
     void
     require(const std::string              &what,
             const std::vector<std::string> &wanted,
             const std::vector<std::string> &existing,
-            const std::string              &place)
+            const std::string              &place,
+            const std::vector<std::string> &node_sets = {})
     {
       for (const std::string &name : wanted)
         if (std::find(existing.begin(), existing.end(), name) == existing.end())
           {
             const std::string close = nearest(name, existing);
+            if (what == "boundary" &&
+                std::find(node_sets.begin(), node_sets.end(), name) != node_sets.end())
+              throw SceneError(place + ": '" + name +
+                               "' is a set of nodes without all corners of any face; supports and "
+                               "loads take it by the key Nodes");
             throw SceneError(place + ": there is no " + what + " '" + name + "'" +
                              (close.empty() ? "." : "; did you mean '" + close + "'?") +
                              " There are: " + join(existing) + ".");
@@ -276,19 +325,33 @@ namespace Signorini
     const auto body_names     = names_of(bodies);
     const auto obstacle_names = names_of(obstacles);
     const auto boundaries     = boundary_names(bodies);
+    const auto sets           = node_set_names(bodies);
+    const auto require_nodes  = [&](const NodeChoice &nodes) {
+      std::vector<std::string> named; // the others are numbers of nodes
+      for (const std::string &set : nodes.sets)
+        if (!is_node_number(bodies, set))
+          named.push_back(set);
+      require("set of nodes", named, sets, nodes.sets_place);
+      if (!nodes.body.empty())
+        require("body", {nodes.body}, body_names, nodes.point_place);
+    };
     for (const Support<dim> &support : supports)
-      require("boundary", support.boundaries, boundaries, support.place);
+      {
+        require("boundary", support.boundaries, boundaries, support.place, sets);
+        require_nodes(support.nodes);
+      }
     for (const Load<dim> &load : loads)
       {
-        require("boundary", load.boundaries, boundaries, load.place);
+        require("boundary", load.boundaries, boundaries, load.place, sets);
+        require_nodes(load.nodes);
         require("body", load.bodies, body_names, load.bodies_place);
       }
     std::vector<std::string> masters = boundaries;
     masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
     for (const ContactPair<dim> &pair : known_pairs())
       {
-        require("boundary", {pair.slave}, boundaries, pair.slave_place);
-        require("boundary or obstacle", {pair.master}, masters, pair.master_place);
+        require("boundary", {pair.slave}, boundaries, pair.slave_place, sets);
+        require("boundary or obstacle", {pair.master}, masters, pair.master_place, sets);
         if (pair.slave == pair.master)
           throw SceneError(pair.master_place +
                            ": a surface cannot touch itself; name another surface or an obstacle");
@@ -298,6 +361,7 @@ namespace Signorini
       }
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
+    check_pieces(*this);
     check_axisymmetric(*this);
     check_integration();
     check_contrast(bodies);
@@ -373,39 +437,6 @@ namespace Signorini
       if (obstacle.name == pair.master)
         return &obstacle;
     return nullptr;
-  }
-
-
-
-  template <int dim>
-  Scene<dim>
-  Scene<dim>::example()
-  {
-    Scene scene;
-    scene.title = "a block pressed onto a rigid plane";
-    scene.bodies.resize(1);
-    scene.bodies[0].name = "block";
-    scene.obstacles.resize(1);
-    scene.obstacles[0].name = "ground";
-    scene.supports.resize(1);
-    scene.supports[0].name       = "press";
-    scene.supports[0].boundaries = {"block.top"};
-    scene.supports[0].displacement =
-      VectorExpression<dim>(dim == 2 ? "0; -0.01*t" : "0; 0; -0.01*t");
-    scene.loads.resize(1);
-    scene.loads[0].name       = "weight";
-    scene.loads[0].bodies     = {"block"};
-    scene.loads[0].body_force = VectorExpression<dim>(dim == 2 ? "0; -1e-6" : "0; 0; -1e-6");
-    scene.mesh.zones.resize(1);
-    scene.mesh.zones[0].name  = "foot";
-    scene.mesh.zones[0].where = Expression<dim>(dim == 2 ? "0.1 - y" : "0.1 - z");
-    scene.output.probes.resize(1);
-    scene.output.probes[0].name = "corner";
-    scene.pairs.resize(1);
-    scene.pairs[0].name   = "foot";
-    scene.pairs[0].slave  = "block.bottom";
-    scene.pairs[0].master = "ground";
-    return scene;
   }
 
 

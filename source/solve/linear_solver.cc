@@ -7,6 +7,8 @@
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/solver_minres.h>
 
+#include <Amesos.h>
+
 #include <iomanip>
 #include <sstream>
 
@@ -44,7 +46,8 @@ namespace Signorini
       "Direct solver",
       direct_solver,
       {"auto", "KLU", "MUMPS"},
-      "of the contact zone or the whole system; auto: KLU on one rank, MUMPS on several");
+      "of the contact zone or the whole system; auto: the quicker one that is there, KLU for contact zones and "
+      "small systems on one rank, else MUMPS");
     section.add_choice(
       "Near null space",
       near_null_space,
@@ -65,12 +68,20 @@ namespace Signorini
       return text.str();
     }
 
+    /// On one rank, KLU is quicker for what is small or as thin as a contact zone; for the whole
+    /// system MUMPS is, five times and more in 3D.
     std::string
-    choose_direct(const LinearSolverSettings &settings, const MPI_Comm comm)
+    choose_direct(const LinearSolverSettings &settings, const LA::SparseMatrix &stiffness)
     {
+      const bool has_mumps = Amesos().Query("Amesos_Mumps");
+      if (settings.direct_solver == "MUMPS" && !has_mumps)
+        throw SceneError("Solver/Direct solver = MUMPS: this Trilinos has none; take auto or KLU");
       if (settings.direct_solver != "auto")
         return settings.direct_solver;
-      return Utilities::MPI::n_mpi_processes(comm) == 1 ? "KLU" : "MUMPS";
+      constexpr unsigned int small = 2000;
+      const bool is_serial = Utilities::MPI::n_mpi_processes(stiffness.get_mpi_communicator()) == 1,
+                 is_large  = settings.preconditioner == "direct" && stiffness.m() > small;
+      return has_mumps && (!is_serial || is_large) ? "MUMPS" : "KLU";
     }
 
     std::string
@@ -137,8 +148,8 @@ namespace Signorini
         hierarchy = std::make_unique<Hierarchy>(system.stiffness(), known, dim);
       }
     LinearSolverSettings chosen = settings;
-    chosen.direct_solver = choose_direct(settings, system.stiffness().get_mpi_communicator());
-    preconditioner       = Preconditioner::create(chosen, system, hierarchy.get());
+    chosen.direct_solver        = choose_direct(settings, system.stiffness());
+    preconditioner              = Preconditioner::create(chosen, system, hierarchy.get());
   }
 
 

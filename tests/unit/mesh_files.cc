@@ -10,7 +10,7 @@ using namespace MeshTests;
 
 namespace
 {
-  /// Number of faces of each boundary.
+  /// Number of faces of each boundary; a face counts for all its names.
   template <int dim>
   std::map<std::string, unsigned int>
   faces_of(const CoarseMesh<dim> &mesh)
@@ -20,7 +20,8 @@ namespace
     std::map<std::string, unsigned int> count;
     for (const auto &face : triangulation.active_face_iterators())
       if (face->at_boundary())
-        ++count[mesh.boundaries.at(face->boundary_id())];
+        for (unsigned int name = 0; name < mesh.boundaries.size(); ++name)
+          count[mesh.boundaries[name]] += mesh.ids_of(name).count(face->boundary_id());
     return count;
   }
 
@@ -87,7 +88,7 @@ TEST_CASE("Abaqus: a surface without labels is the rim, one of nodes needs all o
     "*NSET, NSET=corner\n6\n*NSET, NSET=end, ELSET=RIGHT\n"
     "*NSET, NSET=three\n3, corner\n*SURFACE, NAME=tip, TYPE=NODE\nthree, 1.\n";
   const TemporaryFile file(text, ".inp");
-  CHECK(faces_of(mesh_of<2>(file)) == Count{{"rim", 6}});
+  CHECK(faces_of(mesh_of<2>(file)) == Count{{"rim", 6}, {"tip", 1}, {"three", 1}, {"end", 3}});
   CHECK(faces_of(mesh_of<2>(file, {{"Boundaries", "tip, rim"}})) == Count{{"tip", 1}, {"rim", 5}});
   CHECK(faces_of(mesh_of<2>(file, {{"Boundaries", "end, rim"}})) == Count{{"end", 3}, {"rim", 3}});
 }
@@ -133,9 +134,11 @@ TEST_CASE("Abaqus: what cannot be read is named with its line")
   says(attempt(squares + cells + "*ELEMENT, TYPE=CPS4\n11, 1, 2, 5, 4\n"),
        "element 11 is there twice");
   says(attempt(squares + cells + "*NSET, NSET=a\n1, b\n"), "'b' is no node, element or set");
-  says(attempt(squares + cells + "*NGEN\n1, 3, 1\n"), "*NGEN is not read here");
-  says(attempt(squares + "*NODE, SYSTEM=C\n7, 1., 90.\n"), "Cartesian");
-  says(attempt(squares + "*NODE\n7, one, 2.\n"), "'one' should be a coordinate");
+  says(attempt(squares + cells + "*NMAP\n1, 3, 1\n"), "*NMAP is not read here");
+  says(attempt(squares + "*NODE, SYSTEM=X\n7, 1., 90.\n"), "SYSTEM=X: R, C and S");
+  says(attempt(squares + "*NODE\n7, one, 2.\n"), "'one' should be a number");
+  for (const std::string word : {"nan", "inf", "0x1p4", "1e999"})
+    says(attempt(squares + "*NODE\n7, " + word + ", 2.\n"), "'" + word + "' should be a number");
   says(attempt(squares + "*ELEMENT, TYPE=XYZ4\n1, 1, 2, 5, 4\n"),
        "not known here: XYZ4, the first is number 1");
   says(attempt("*INCLUDE, INPUT=absent.inp\n"), "absent.inp' cannot be opened");
@@ -167,7 +170,7 @@ TEST_CASE("cells whose nodes are listed the other way round are turned")
 
 
 
-TEST_CASE("coinciding nodes are refused, merged or kept")
+TEST_CASE("coinciding nodes of cells that are not connected otherwise are kept apart or merged")
 {
   const TemporaryFile file("*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n5, 1.0000001, 0\n6, 2, 0\n"
                            "7, 2, 1\n8, 1, 1\n*ELEMENT, TYPE=CPS4\n1, 1, 2, 3, 4\n2, 5, 6, 7, 8\n"
@@ -176,13 +179,31 @@ TEST_CASE("coinciding nodes are refused, merged or kept")
   const auto          with = [&](const std::string &word, const std::string &distance = "0") {
     return mesh_of<2>(file, {{"Coinciding nodes", word}, {"Node distance", distance}});
   };
-  says(message_of([&] { with("refuse"); }), "2 pairs, the first at (1 0)");
+  const auto reason = [&](const std::string &distance) {
+    return generator<2>("file", {{"File", file.path}, {"Node distance", distance}})->needs_pair();
+  };
+  CHECK(with("refuse").vertices.size() == 8);
+  says(reason("0"), "2 pairs, the first at (1 0)");
   CHECK(with("merge").vertices.size() == 6);
   CHECK(faces_of(with("merge")) == Count{{"base", 2}, {"unnamed", 4}});
   CHECK(with("keep").vertices.size() == 8);
   CHECK(faces_of(with("keep")) == Count{{"base", 2}, {"crack", 1}, {"unnamed", 5}});
   CHECK(with("merge", "1e-8").vertices.size() == 7);
-  says(message_of([&] { with("refuse", "1e-8"); }), "1 pair at (1 1)");
+  says(reason("1e-8"), "1 pair at (1 1)");
+}
+
+
+
+TEST_CASE("coinciding nodes of cells that are connected elsewhere are a crack, and refused")
+{
+  // Two squares with a common node 2; 3 and 8 lie at the same place.
+  const TemporaryFile file("*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n6, 2, 0\n7, 2, 1\n"
+                           "8, 1, 1\n*ELEMENT, TYPE=CPS4\n1, 1, 2, 3, 4\n2, 2, 6, 7, 8\n",
+                           ".inp");
+  const std::string   message = message_of([&] { mesh_of<2>(file); });
+  says(message, "connected elsewhere are not: 1 pair at (1 1)");
+  CHECK(mesh_of<2>(file, {{"Coinciding nodes", "keep"}}).vertices.size() == 7);
+  CHECK(mesh_of<2>(file, {{"Coinciding nodes", "merge"}}).vertices.size() == 6);
 }
 
 

@@ -121,6 +121,13 @@ namespace MeshTests
   inline std::string
   stored_mesh(const std::string &name)
   {
-    return (std::filesystem::path(__FILE__).parent_path() / ".." / ".." / "meshes" / name).string();
+    return std::string(SIGNORINI_SOURCE_DIR "/meshes/") + name;
+  }
+
+  /// Of those that are for tests alone.
+  inline std::string
+  test_mesh(const std::string &name)
+  {
+    return std::string(SIGNORINI_SOURCE_DIR "/tests/meshes/") + name;
   }
 } // namespace MeshTests

@@ -1,296 +1,289 @@
-// The linearised systems against finite differences of the nonlinear residual.
+// The residual and the linearised systems of all methods, in all their forms, against the weak
+// forms once more from their definitions.
+//
+// Away from where points open or close the law is linear, so that differences of the residual are
+// exact up to rounding, whatever the step: half of the distance to the first point that changes,
+// and an eighth of that.
 
-#include <signorini/contact/normal_stress.h>
-#include <signorini/elasticity/kernel.h>
 #include <signorini/solve/contact_system.h>
-
-#include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "two_blocks.h"
+#include "contact_cases.h"
+#include "reference.h"
 
-using namespace Signorini;
-using namespace dealii;
 using namespace TestScene;
 
 namespace
 {
-  /// K u minus the contact forces, and the active set at u.
+  /// The law of a method at displacement u, from its definition.
+  struct Law
+  {
+    Values gap, stress, predicted, argument, pressure;
+  };
+
+  template <int dim>
+  Law
+  law(const SmallScene<dim>       &scene,
+      const ReferenceContact<dim> &reference,
+      const Values                &u,
+      const Values                &given)
+  {
+    Law result{reference.gap(u), reference.stress(u), given, {}, {}};
+    if (scene.method().predictor() == Predictor::normal_stress)
+      result.predicted = result.stress;
+    if (scene.method().predictor() == Predictor::none)
+      result.predicted.assign(given.size(), 0.);
+    result.argument = result.predicted;
+    for (unsigned int i = 0; i < given.size(); ++i)
+      result.argument[i] -= reference.epsilon[i] * result.gap[i];
+    return result;
+  }
+
+  /// As far as one may go from u along du before any point changes, and as far as it goes at all.
+  double
+  first_change(const Law &at_start, const Law &at_end)
+  {
+    double first = 1;
+    for (unsigned int i = 0; i < at_start.argument.size(); ++i)
+      if (const double change = at_end.argument[i] - at_start.argument[i]; change != 0)
+        if (const double a = -at_start.argument[i] / change; a > 0)
+          first = std::min(first, a);
+    return first;
+  }
+
+  /// Largest entry.
+  double
+  size_of(const Values &v)
+  {
+    double largest = 0;
+    for (const double x : v)
+      largest = std::max(largest, std::abs(x));
+    return largest;
+  }
+
+  /// What the tests of a scene share: a state, a direction and a virtual displacement, as the
+  /// program holds them and with all constrained degrees of freedom.
+  template <int dim>
+  struct State
+  {
+    State(const SmallScene<dim> &scene)
+      : u(scene.rough_field(0.004, 0.3))
+      , du(scene.rough_field(0.004, 1.1))
+      , w(scene.rough_field(1, 2.3))
+      , all_u(distributed(*scene.elasticity, u))
+      , all_du(distributed_change(*scene.elasticity, du))
+      , all_w(distributed_change(*scene.elasticity, w))
+    {
+      scene.elasticity->distribute(u);
+    }
+
+    LA::Vector u, du, w;
+    Values     all_u, all_du, all_w;
+  };
+
   template <int dim>
   LA::Vector
-  internal_force(const TwoBlocks<dim> &scene,
-                 const ContactMethod  &method,
-                 const LA::Vector     &u,
-                 LA::Vector           &active)
+  on_points(const SmallScene<dim> &scene, const double amplitude, const double seed)
   {
-    LA::Vector       p = scene.contact->zero();
-    const LA::Vector s = scene.contact->stress(u); // zero for the penalty, as its predictor
-    const LA::Vector g = scene.contact->gap(u);
-    find_active(*scene.contact, g, s, active);
-    set_pressure(method, *scene.contact, g, s, active, p);
-    LA::Vector r = scene.elasticity.zero_vector();
-    scene.elasticity.stiffness().vmult(r, u);
-    r -= scene.contact->force(p, s);
-    scene.elasticity.constraints().set_zero(r);
-    return r;
+    LA::Vector v = scene.gap_operator().zero();
+    for (const auto i : v.locally_owned_elements())
+      v(i) = amplitude * (1 + std::sin(seed + 2.1 * i));
+    v.compress(VectorOperation::insert);
+    return v;
+  }
+
+  /// f - K u, with hanging nodes, supports in any direction, prescribed displacements and loads.
+  template <int dim>
+  void
+  check_bodies(const SmallScene<dim> &scene, const State<dim> &state, const double t)
+  {
+    const Elasticity<dim> &elasticity = *scene.elasticity;
+    LA::Vector             r = elasticity.zero_vector(), Ku = r;
+    const Values           none(state.all_w.size(), 0.);
+    elasticity.stiffness().vmult(Ku, state.u);
+    if (elasticity.has_free_motions())
+      scene.free_motions().subtract_springs(Ku, state.u);
+    r = elasticity.load();
+    r -= Ku;
+    // What drives rigid bodies is no part of the mesh.
+    double of_rigid_bodies = 0;
+    for (unsigned int b = 0; b < elasticity.rigid_bodies().size(); ++b)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        of_rigid_bodies += elasticity.rigid_bodies()[b].load(i, t, elasticity.lever()) *
+                           state.all_w[elasticity.first_dof(b) + i];
+    const double work = of_rigid_bodies - reference_work(scene, state.all_u, state.all_w, t);
+    // Rough displacements: the terms that cancel are about as large as K u times w.
+    CHECK(std::abs(r * state.w - work) < 1e-12 * Ku.l2_norm() * state.w.l2_norm());
+  }
+
+  /// The condensed form: pressures follow from the displacement.
+  template <int dim>
+  void
+  check_condensed(const SmallScene<dim>       &scene,
+                  const ReferenceContact<dim> &reference,
+                  const State<dim>            &state,
+                  const LA::Vector            &predicted)
+  {
+    const GapOperator &contact  = scene.gap_operator();
+    const Values       given    = everywhere(predicted);
+    const auto         residual = [&](const double a) {
+      Law result = law(scene, reference, sum(state.all_u, a, state.all_du), given);
+      for (unsigned int i = 0; i < given.size(); ++i)
+        {
+          const bool always = scene.scene.pairs[0].separates == false;
+          result.pressure.push_back(always ? result.argument[i] : std::max(0., result.argument[i]));
+        }
+      return result;
+    };
+    const Law start = residual(0), end = residual(1);
+
+    // The program's law and force.
+    const LA::Vector   gap = contact.gap(state.u), stress = contact.stress(state.u);
+    const LA::Vector   law_start = scene.method().predictor() == Predictor::normal_stress ? stress :
+                                   scene.method().predictor() == Predictor::none ? contact.zero() :
+                                                                                   predicted;
+    LA::Vector         active = contact.zero(), p = contact.zero();
+    const unsigned int n_active = find_active(contact, gap, law_start, active);
+    set_pressure(scene.method(), contact, gap, law_start, active, p);
+    CHECK(size_of(sum(everywhere(p), -1, start.pressure)) < 1e-12 * size_of(start.pressure));
+    if (scene.scene.pairs[0].separates)
+      {
+        CHECK(n_active > 0);
+        CHECK(n_active < start.gap.size());
+      }
+    const double work  = reference.work(start.pressure, start.stress, state.all_w);
+    const auto   force = contact.force(p, stress);
+    const double size  = force.l2_norm() * state.w.l2_norm();
+    CHECK(std::abs(force * state.w + work) < 1e-13 * size);
+
+    // Its derivative.
+    ContactSystem   system(scene.elasticity->stiffness(),
+                         contact,
+                         scene.method(),
+                         scene.free_motions());
+    LA::BlockVector direction = system.zero(), change = system.zero(), whole = system.zero();
+    REQUIRE(!system.is_saddle_point());
+    system.set_active(active);
+    direction.block(0) = state.du;
+    system.contact_terms(change, direction);
+    const double derivative = change.block(0) * state.w;
+    const double longest    = scene.scene.pairs[0].separates ? first_change(start, end) : 1;
+    for (const double step : {longest / 2, longest / 16})
+      {
+        const Law    next = residual(step);
+        const double difference =
+          (reference.work(next.pressure, next.stress, state.all_w) - work) / step;
+        const double rounding = 1e-14 * size / step;
+        CHECK(rounding < 1e-6 * std::abs(difference)); // or else this would check nothing
+        CHECK(std::abs(derivative - difference) < rounding);
+      }
+
+    // Beside it, the whole system has the bodies alone.
+    system.vmult(whole, direction);
+    LA::Vector of_bodies = whole.block(0);
+    system.internal_force(of_bodies, state.du);
+    whole.block(0) -= of_bodies;
+    change.block(0) -= whole.block(0);
+    REQUIRE(system.free_motions().loose().empty());
+    CHECK(change.block(0).l2_norm() < 1e-12 * of_bodies.l2_norm());
+  }
+
+  /// The saddle point: the pressure is an unknown, and the law an equation for it.
+  template <int dim>
+  void
+  check_saddle_point(const SmallScene<dim>       &scene,
+                     const ReferenceContact<dim> &reference,
+                     const State<dim>            &state,
+                     const LA::Vector            &p)
+  {
+    const GapOperator &contact = scene.gap_operator();
+    const Law          start   = law(scene, reference, state.all_u, everywhere(p)),
+              end = law(scene, reference, sum(state.all_u, 1, state.all_du), everywhere(p));
+    ContactSystem system(scene.elasticity->stiffness(),
+                         contact,
+                         scene.method(),
+                         scene.free_motions());
+    REQUIRE(system.is_saddle_point());
+    const LA::Vector law_start = scene.method().predictor() == Predictor::none ? contact.zero() : p;
+    LA::Vector       active    = contact.zero();
+    find_active(contact, contact.gap(state.u), law_start, active);
+    const Values is_active = everywhere(active);
+    for (unsigned int i = 0; i < is_active.size(); ++i)
+      CHECK((is_active[i] > 0) == (start.argument[i] > 0 || !scene.scene.pairs[0].separates));
+    system.set_active(active);
+
+    LA::BlockVector direction = system.zero(), change = system.zero();
+    direction.block(0) = state.du;
+    direction.block(1) = on_points(scene, 1e-3, 0.7);
+    system.contact_terms(change, direction);
+    const Values q = everywhere(direction.block(1)), of_gap = everywhere(change.block(1));
+    Values       dp(q.size(), 0.), defect(q.size());
+    for (unsigned int i = 0; i < q.size(); ++i)
+      {
+        const double k = reference.stiffness[i], W = reference.area[i];
+        const double change_of_gap = end.gap[i] - start.gap[i];
+        const bool   compliant     = scene.method().predictor() == Predictor::none;
+        if (is_active[i] > 0)
+          dp[i] = k * q[i];
+        defect[i] = is_active[i] > 0 ?
+                      -k * W * (change_of_gap + (compliant ? dp[i] / reference.epsilon[i] : 0)) :
+                      -k * W * q[i];
+      }
+    CHECK(size_of(sum(of_gap, -1, defect)) < 1e-12 * size_of(defect));
+    const double work = reference.work(dp, dp, state.all_w);
+    CHECK(std::abs(change.block(0) * state.w - work) <
+          1e-13 * change.block(0).l2_norm() * state.w.l2_norm());
   }
 
   template <int dim>
   void
-  check_tangent(const ContactMethod &method, const unsigned int degree)
+  check_all_methods(const Case &which, const std::string &degree)
   {
-    CAPTURE(dim);
-    CAPTURE(degree);
-    const TwoBlocks<dim> scene(method, degree);
-    const LA::Vector     u = scene.field(2e-3, 1.7), du = scene.field(1, 0.9);
-
-    LA::Vector active = scene.contact->zero(), active_plus = active, active_minus = active;
-    internal_force(scene, method, u, active);
-    const double n_active = active.l1_norm();
-    CHECK(n_active > 0);
-    CHECK(n_active < active.size());
-
-    // Central difference; the law is piecewise linear, so it is exact as long as no point switches.
-    const double h    = 1e-8;
-    LA::Vector   plus = u, minus = u;
-    plus.add(h, du);
-    minus.add(-h, du);
-    LA::Vector difference = internal_force(scene, method, plus, active_plus);
-    difference -= internal_force(scene, method, minus, active_minus);
-    difference /= 2 * h;
-    active_plus -= active;
-    active_minus -= active;
-    REQUIRE(active_plus.l1_norm() + active_minus.l1_norm() == 0);
-
-    ContactSystem system(scene.elasticity.stiffness(), *scene.contact, method);
-    system.set_active(active);
-    LA::BlockVector src = system.zero(), dst = system.zero();
-    src.block(0) = du;
-    system.vmult(dst, src);
-    LA::Vector tangent = dst.block(0);
-    scene.elasticity.constraints().set_zero(tangent);
-    tangent -= difference;
-    CHECK(tangent.l2_norm() < 1e-5 * difference.l2_norm());
-  }
-
-  template <int dim>
-  void
-  check_saddle_point(const unsigned int degree)
-  {
-    CAPTURE(dim);
-    CAPTURE(degree);
-    const auto           method = make_method("Lagrange multiplier");
-    const TwoBlocks<dim> scene(*method, degree);
-    ContactSystem        system(scene.elasticity.stiffness(), *scene.contact, *method);
-    LA::Vector           active = scene.contact->zero();
-    for (const auto i : active.locally_owned_elements())
-      active(i) = i % 2;
-    active.compress(VectorOperation::insert);
-    system.set_active(active);
-
-    // Symmetric: x.Ay = y.Ax.
-    LA::BlockVector x = system.zero(), y = system.zero(), Ax = system.zero(), Ay = system.zero();
-    x.block(0) = scene.field(1, 0.3);
-    y.block(0) = scene.field(1, 1.1);
-    for (const auto i : active.locally_owned_elements())
+    const std::string name = which.name + ", degree " + degree;
+    CAPTURE(name);
+    SmallScene<dim> scene(which.lines +
+                          Lines{"Dimension=" + std::to_string(dim), "Mesh/Degree=" + degree});
+    scene.elasticity->set_time(2);
+    const State<dim> state(scene);
+    bool             first = true;
+    for (const Lines &method : all_methods())
       {
-        x.block(1)(i) = std::cos(0.7 * i);
-        y.block(1)(i) = std::sin(2. + i);
+        const std::string how = join(method);
+        CAPTURE(how);
+        scene.use(method);
+        if (first)
+          check_bodies(scene, state, 2);
+        first = false;
+        const ReferenceContact<dim> reference(scene);
+        const Values                areas = everywhere(scene.gap_operator().weight);
+        CHECK(size_of(sum(areas, -1, reference.area)) < 1e-13 * size_of(areas));
+        const Values epsilon = everywhere(scene.gap_operator().epsilon);
+        CHECK(size_of(sum(epsilon, -1, reference.epsilon)) < 1e-13 * size_of(epsilon));
+        const LA::Vector predicted = on_points(scene, 0.01, 0.2);
+        if (scene.method().has_multipliers())
+          check_saddle_point(scene, reference, state, predicted);
+        else
+          check_condensed(scene, reference, state, predicted);
       }
-    x.compress(VectorOperation::insert);
-    y.compress(VectorOperation::insert);
-    system.vmult(Ax, x);
-    system.vmult(Ay, y);
-    CHECK(x * Ay == doctest::Approx(y * Ax));
-
-    // The second row is the change of the gap, in forces; the first the change of the residual.
-    LA::Vector gap = scene.contact->gap(x.block(0));
-    gap -= scene.contact->gap(scene.elasticity.zero_vector());
-    LA::Vector pressure = scene.contact->zero();
-    for (const auto i : active.locally_owned_elements())
-      {
-        const double scale = scene.contact->weight(i) * scene.contact->stiffness(i);
-        const double row   = active(i) > 0 ? -scale * gap(i) : -scale * x.block(1)(i);
-        CHECK(Ax.block(1)(i) == doctest::Approx(row));
-        pressure(i) = active(i) * scene.contact->stiffness(i) * x.block(1)(i);
-      }
-    pressure.compress(VectorOperation::insert);
-    LA::Vector force = scene.elasticity.zero_vector();
-    scene.elasticity.stiffness().vmult(force, x.block(0));
-    force -= scene.contact->force(pressure, scene.contact->zero());
-    force -= Ax.block(0);
-    CHECK(force.l2_norm() < 1e-12 * Ax.block(0).l2_norm());
   }
 } // namespace
 
 
 
-TEST_CASE("tangent of the penalty method against finite differences")
+TEST_CASE("residual and tangent of all methods in the plane")
 {
-  for (const char *weighting : {"mortar", "pointwise"})
-    for (const unsigned int degree : {1, 2})
-      {
-        CAPTURE(weighting);
-        const auto method = make_method("penalty", {{"Factor", "5"}, {"Weighting", weighting}});
-        check_tangent<2>(*method, degree);
-        check_tangent<3>(*method, degree);
-      }
+  for (const Case &which : cases_2d())
+    for (const std::string degree : {"1", "2"})
+      check_all_methods<2>(which, degree);
 }
 
 
 
-TEST_CASE("tangent of Nitsche's method against finite differences")
+TEST_CASE("residual and tangent of all methods in space")
 {
-  for (const char *theta : {"1", "0", "-1"})
-    for (const char *unbiased : {"no", "yes"})
-      for (const unsigned int degree : {1, 2})
-        {
-          CAPTURE(theta);
-          CAPTURE(unbiased);
-          const auto method = make_method("Nitsche", {{"Theta", theta}, {"Unbiased", unbiased}});
-          check_tangent<2>(*method, degree);
-          check_tangent<3>(*method, degree);
-        }
-}
-
-
-
-namespace
-{
-  template <int dim>
-  void
-  check_bound(const unsigned int degree)
-  {
-    CAPTURE(dim);
-    CAPTURE(degree);
-    const TwoBlocks<dim> scene(*make_method("Nitsche"), degree);
-    auto                 cell = scene.elasticity.dof_handler().begin_active();
-    while (cell != scene.elasticity.dof_handler().end() && !cell->is_locally_owned())
-      ++cell;
-    if (cell == scene.elasticity.dof_handler().end())
-      return;
-    const unsigned int                   face = 1;
-    const Tensor<1, dim>                 n    = Point<dim>::unit_vector(0);
-    NormalStress<dim>                    stress(scene.elasticity);
-    std::vector<types::global_dof_index> indices(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_indices(indices);
-    stress.reinit(cell);
-    const double bound = stress.bound(face);
-
-    StiffnessKernel<dim> kernel(scene.mesh,
-                                scene.elasticity.finite_elements(),
-                                scene.elasticity.model());
-    FullMatrix<double>   K;
-    kernel.assemble(cell, scene.elasticity.material(cell->material_id()), K);
-    const QGauss<dim - 1> rule(degree + 2);
-    FullMatrix<double>    M(K.m()); // int (n . sigma n)^2 dA
-    for (unsigned int q = 0; q < rule.size(); ++q)
-      {
-        const SparseRow row = stress.row(unit_point<dim>(face, rule.point(q)), n, n);
-        Vector<double>  s(K.m());
-        for (const auto &[index, value] : row)
-          s[std::find(indices.begin(), indices.end(), index) - indices.begin()] = value;
-        FullMatrix<double> outer(K.m());
-        outer.outer_product(s, s);
-        M.add(rule.weight(q) * cell->face(face)->measure(), outer);
-      }
-
-    // The quotient of any displacement is below the bound; power iteration with K + M, whose
-    // quotient grows with the other, comes close to it.
-    FullMatrix<double> inverse = K;
-    for (unsigned int i = 0; i < K.m(); ++i)
-      inverse(i, i) += 1e-6 * K.trace() / K.m();
-    inverse.gauss_jordan();
-    Vector<double> v(K.m()), Mv(K.m());
-    for (unsigned int i = 0; i < v.size(); ++i)
-      v[i] = std::sin(1. + i * i);
-    double quotient = 0;
-    for (unsigned int n_steps = 0; n_steps < 300; ++n_steps)
-      {
-        quotient = M.matrix_norm_square(v) / K.matrix_norm_square(v);
-        CHECK(quotient < bound * (1 + 1e-4));
-        M.vmult(Mv, v);
-        inverse.vmult(v, Mv);
-        v /= v.l2_norm();
-      }
-    CHECK(quotient > 0.98 * bound);
-  }
-} // namespace
-
-TEST_CASE("the bound of the normal stress by the energy is sharp")
-{
-  for (const unsigned int degree : {1, 2})
-    {
-      check_bound<2>(degree);
-      check_bound<3>(degree);
-    }
-}
-
-
-
-TEST_CASE("a uniform stress is found at the contact points, none in rigid motions")
-{
-  for (const char *unbiased : {"no", "yes"})
-    {
-      const TwoBlocks<2> scene(*make_method("Nitsche", {{"Unbiased", unbiased}}), 2);
-      // u_y = -c y in bodies of plane strain with sigma_yy = -c E (1-nu)/((1+nu)(1-2nu)).
-      LA::Vector u = scene.elasticity.zero_vector();
-      VectorTools::interpolate(scene.mesh.mapping(),
-                               scene.elasticity.dof_handler(),
-                               DisplacementFunction<2>(VectorExpression<2>("0; -y"), 0),
-                               u);
-      const LA::Vector s     = scene.contact->stress(u);
-      const double     lower = 10 * 0.7 / (1.3 * 0.4), upper = 20 * 0.8 / (1.2 * 0.6);
-      for (const auto i : s.locally_owned_elements())
-        {
-          CHECK(s(i) > 0.999999 * std::min(lower, upper));
-          CHECK(s(i) < 1.000001 * std::max(lower, upper));
-        }
-      VectorTools::interpolate(scene.mesh.mapping(),
-                               scene.elasticity.dof_handler(),
-                               DisplacementFunction<2>(VectorExpression<2>("3-y; 2+x"), 0),
-                               u);
-      CHECK(scene.contact->stress(u).linfty_norm() < 1e-11);
-    }
-}
-
-
-
-TEST_CASE("saddle point system is symmetric and consistent with gap and force")
-{
-  for (const unsigned int degree : {1, 2})
-    {
-      check_saddle_point<2>(degree);
-      check_saddle_point<3>(degree);
-    }
-}
-
-
-
-TEST_CASE("a contact pressure exerts balanced forces")
-{
-  const TwoBlocks<3> scene(*make_method("Lagrange multiplier"), 1);
-  LA::Vector         p = scene.contact->zero();
-  for (const auto i : p.locally_owned_elements())
-    p(i) = 1 + std::sin(i);
-  p.compress(VectorOperation::insert);
-  // All components of all forces together: action and reaction.
-  CHECK(std::abs(scene.contact->total_force(p, scene.contact->zero()).mean_value()) < 1e-14);
-  // The gap does not change in rigid motions, so that the forces do no work: no moment either.
-  for (const std::vector<double> &mode : scene.elasticity.rigid_body_modes())
-    {
-      LA::Vector u  = scene.elasticity.zero_vector();
-      auto       at = mode.begin();
-      for (const auto i : scene.elasticity.owned())
-        u(i) = *at++;
-      u.compress(VectorOperation::insert);
-      LA::Vector change = scene.contact->gap(u);
-      change -= scene.contact->initial_gap;
-      CHECK(change.linfty_norm() < 1e-12);
-    }
-  // The points' areas sum up to the area of the slave, constant pressure to its resultant.
-  CHECK(scene.contact->weight.l1_norm() == doctest::Approx(1));
+  for (const Case &which : cases_3d())
+    check_all_methods<3>(which, which.name[0] == 'f' || which.name[0] == 'i' ? "2" : "1");
 }

@@ -16,8 +16,9 @@ namespace Signorini
   /// pressure is compression. Knows nothing of the dimension, so that what uses it is compiled
   /// once.
   ///
-  /// With Nitsche's method there is also the normal stress s = S u of the bodies at the points,
-  /// positive in compression, and p exerts B^T W p + theta S^T W (s - p)/eps.
+  /// With Nitsche's method there is also the normal stress s = S u + s_0 of the bodies at the
+  /// points, positive in compression, and p exerts B^T W p + theta S^T W (s - p)/eps. s_0 comes
+  /// with thermal strain.
   struct GapOperator
   {
     dealii::IndexSet dofs; ///< locally owned degrees of freedom
@@ -26,11 +27,13 @@ namespace Signorini
     /// displacements, those of tied components added to the ones that move them.
     LA::SparseMatrix B_free;
     LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
-    double           theta = 0; ///< see above
-    bool       tied = false;    ///< B refers to components that supports tie to others, see B_free
-    LA::Vector weight;      ///< area of each point; sums up to the slave area that has a partner
-    LA::Vector rest_gap;    ///< from the geometry
-    LA::Vector initial_gap; ///< g_0: the same with the share of overlaps that counts now
+    LA::SparseMatrix S_thermal; ///< s_0 by ThermalStrain::coefficients(); empty: no body expands
+    LA::Vector       thermal_stress; ///< s_0; empty: zero
+    double           theta = 0;      ///< see above
+    bool       tied = false; ///< B refers to components that supports tie to others, see B_free
+    LA::Vector weight;       ///< area of each point; sums up to the slave area that has a partner
+    LA::Vector rest_gap;     ///< from the geometry
+    LA::Vector initial_gap;  ///< g_0: the same with the share of overlaps that counts now
     std::vector<double>     interference; ///< that share of each pair; empty: all
     LA::Vector              permanent;    ///< 1 at points of pairs that never separate, else 0
     LA::Vector              stiffness;    ///< E/h [force/length^3]
@@ -50,11 +53,15 @@ namespace Signorini
     void
     set_interference(const std::vector<double> &shares);
 
+    /// @param rises ThermalStrain::coefficients(); ignored without S_thermal
+    void
+    set_rises(const LA::Vector &rises);
+
     /// B u + g_0; u must satisfy its constraints.
     LA::Vector
     gap(const LA::Vector &u) const;
 
-    /// S u, the normal stress of the bodies; zero if there is no S.
+    /// S u + s_0, the normal stress of the bodies; zero if there is no S.
     LA::Vector
     stress(const LA::Vector &u) const;
 

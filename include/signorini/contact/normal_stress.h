@@ -28,6 +28,13 @@ namespace Signorini
         const dealii::Tensor<1, dim> &n,
         const dealii::Tensor<1, dim> &m) const;
 
+    /// The same of the stress that belongs to the rises of the temperature alone, - n . (C : alpha)
+    /// m (T - T_0), in terms of ThermalStrain::coefficients(). Empty if the body does not expand.
+    SparseRow
+    thermal_row(const dealii::Point<dim>     &unit_point,
+                const dealii::Tensor<1, dim> &n,
+                const dealii::Tensor<1, dim> &m) const;
+
     /// The smallest C with
     ///
     ///   int_F (n . sigma(u) n)^2 dA <= C int_T sigma(u) : eps(u) dV

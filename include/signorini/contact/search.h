@@ -36,6 +36,8 @@ namespace Signorini
     /// The normal stress of the master there, positive in compression, likewise; for methods that
     /// ask for it.
     std::vector<std::pair<dealii::types::global_dof_index, double>> stress;
+    /// That of the rises of the temperature, in terms of ThermalStrain::coefficients().
+    std::vector<std::pair<dealii::types::global_dof_index, double>> thermal_stress;
 
     template <class Archive>
     void
@@ -44,6 +46,7 @@ namespace Signorini
       serialize_bytes(ar, static_cast<MasterPlace<dim> &>(*this));
       serialize_bytes(ar, row);
       serialize_bytes(ar, stress);
+      serialize_bytes(ar, thermal_stress);
     }
   };
 

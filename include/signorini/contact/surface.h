@@ -31,8 +31,9 @@ namespace Signorini
     unsigned int face;          ///< number of the slave face on this rank
 
     // For methods that predict the pressure by the stress of the bodies:
-    SparseRow stress;    ///< normal stress, positive in compression, a mean of both bodies
-    double    bound = 0; ///< of its square by the energy of the cells [force/length^3]
+    SparseRow stress;         ///< normal stress, positive in compression, a mean of both bodies
+    SparseRow thermal_stress; ///< likewise that of rises, of ThermalStrain::coefficients()
+    double    bound = 0;      ///< of its square by the energy of the cells [force/length^3]
   };
 
   /// The contact points of one pair on this rank (of locally owned slave faces) that have a

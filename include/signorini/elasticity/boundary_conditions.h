@@ -9,12 +9,34 @@ namespace Signorini
 {
   class Section;
 
-  /// A prescribed displacement on boundaries of bodies: per component, or along one direction.
+  /// Nodes that a support or a load acts on, beside boundaries.
+  struct NodeChoice
+  {
+    std::vector<std::string> sets;  ///< "body.set"
+    std::vector<double>      point; ///< coordinates; empty: none
+    std::string              body;  ///< that has the point; empty: the only one there
+    std::string              sets_place, point_place; ///< in the scene file
+
+    bool
+    empty() const
+    {
+      return sets.empty() && point.empty();
+    }
+
+    /// Keys `Nodes`, `Point`, `Point body`; throws SceneError if the point has not `dim`
+    /// coordinates.
+    void
+    declare(Section &section, unsigned int dim, const std::string &what);
+  };
+
+  /// A prescribed displacement on boundaries of bodies, or on nodes: per component, or along one
+  /// direction.
   template <int dim>
   struct Support
   {
     std::string              name;
-    std::vector<std::string> boundaries;            ///< "body.boundary"
+    std::vector<std::string> boundaries; ///< "body.boundary"
+    NodeChoice               nodes;
     std::string              place;                 ///< of the boundaries in the scene file
     std::string              type = "displacement"; ///< or "symmetry", "roller"
     VectorExpression<dim>    displacement;
@@ -25,7 +47,10 @@ namespace Signorini
     declare(Section &section);
   };
 
-  /// A load on boundaries (traction, pressure) or in bodies (body force).
+  /// A load on boundaries (traction, pressure, total force), in bodies (body force), or at nodes
+  /// and points (forces). A force at a point of an elastic body is singular: the displacement there
+  /// grows without end as the mesh is refined (2D and edges in 3D as the logarithm of h, points in
+  /// 3D as 1/h); away from it the solution converges.
   template <int dim>
   struct Load
   {
@@ -36,6 +61,9 @@ namespace Signorini
     Expression<dim>          pressure;            ///< [force/area], positive pushes into the body
     std::vector<std::string> bodies;
     VectorExpression<dim>    body_force; ///< [force/volume]
+    NodeChoice               nodes;
+    VectorExpression<dim>    force;       ///< at each node, or at the point [force]
+    VectorExpression<dim>    total_force; ///< on all boundaries or nodes of this load [force]
 
     void
     declare(Section &section);

@@ -4,6 +4,7 @@
 #include <signorini/elasticity/held_nodes.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/rigid_body.h>
+#include <signorini/elasticity/thermal_strain.h>
 #include <signorini/linear_algebra.h>
 #include <signorini/mesh/mesh.h>
 
@@ -29,7 +30,8 @@ namespace Signorini
 
   /// Linear elasticity of all bodies on the present mesh: sum over bodies of the virtual work
   /// int sigma(u):eps(v) dV = int b.v dV + int t.v dA, thesis (28), discretised to K d = f
-  /// (38)-(41). K is assembled once per mesh; supports and loads depend on time.
+  /// (38)-(41). K is assembled once per mesh; supports, loads and thermal strains, which are loads
+  /// here, depend on time.
   ///
   /// Behind the degrees of freedom of the mesh, those of moving rigid bodies follow, which the last
   /// rank owns.
@@ -38,14 +40,16 @@ namespace Signorini
   {
   public:
     /// @param degrees polynomial degree of the displacement, one a body or one for all
+    /// @param expansions thermal ones, one a body, or none
     Elasticity(const Mesh<dim>                 &mesh,
                const std::vector<Material>     &materials,
                const std::vector<Support<dim>> &supports,
                const std::vector<Load<dim>>    &loads,
                const std::vector<unsigned int> &degrees,
                Model model = dim == 2 ? Model::plane_strain : Model::solid,
-               const std::vector<RigidBody<dim>> &rigid_bodies  = {},
-               double                             stabilisation = default_stabilisation);
+               const std::vector<RigidBody<dim>>        &rigid_bodies  = {},
+               double                                    stabilisation = default_stabilisation,
+               const std::vector<ThermalExpansion<dim>> &expansions    = {});
 
     /// Of free motions: springs in units of E times the size of the body. With this, forces push
     /// bodies about as far as contact then gives way, from where it is found soonest.
@@ -59,7 +63,8 @@ namespace Signorini
     void
     assemble();
 
-    /// Evaluate the prescribed displacements at time t.
+    /// Evaluate the prescribed displacements and the temperatures at time t. Throws SceneError
+    /// where a temperature is not a number. Collective.
     void
     set_time(double t);
 
@@ -71,8 +76,9 @@ namespace Signorini
       return matrix;
     }
 
-    /// Right-hand side that belongs to stiffness() at the time of set_time(): loads minus the
-    /// forces of the prescribed displacements. Zero at constrained degrees of freedom.
+    /// Right-hand side that belongs to stiffness() at the time of set_time(): loads and forces of
+    /// thermal strain, minus the forces of the prescribed displacements. Zero at constrained
+    /// degrees of freedom.
     LA::Vector
     load() const;
 
@@ -86,6 +92,16 @@ namespace Signorini
     {
       all_constraints.distribute(u);
     }
+
+    /// The stress in space, without the thermal strain, at a point x of a locally owned or ghost
+    /// cell.
+    /// @param gradient of the displacement: [component][derivative]
+    /// @param u the displacement at x
+    dealii::SymmetricTensor<2, 3>
+    stress(const dealii::CellAccessor<dim> &cell,
+           const dealii::Tensor<2, dim>    &gradient,
+           const dealii::Tensor<1, dim>    &u,
+           const dealii::Point<dim>        &x) const;
 
     /// What the supports exert: internal forces minus loads minus contact forces at the
     /// degrees of freedom of each support. @param contact_force forces of contact on all degrees of
@@ -169,6 +185,12 @@ namespace Signorini
     material(const unsigned int body) const
     {
       return materials[body];
+    }
+
+    const ThermalStrain<dim> &
+    thermal() const
+    {
+      return thermal_strain;
     }
 
     const std::vector<Support<dim>> &
@@ -288,6 +310,7 @@ namespace Signorini
     const Model                       my_model;
     const std::vector<RigidBody<dim>> my_rigid_bodies; ///< those that can move
     const double                      strength;        ///< of the stabilisation
+    ThermalStrain<dim>                thermal_strain;
 
     dealii::hp::FECollection<dim>     elements;
     std::vector<unsigned int>         element_of_body;
@@ -299,10 +322,10 @@ namespace Signorini
     double                            time = 0, my_lever = 1;
     bool                              inclined = false;
 
-    /// A combination of the rigid-body modes of one elastic body.
+    /// A combination of the rigid-body modes of one connected piece of an elastic body.
     struct BodyMotion
     {
-      unsigned int           body;
+      unsigned int           piece;
       std::string            name;
       dealii::Vector<double> modes;
     };

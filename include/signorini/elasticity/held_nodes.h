@@ -28,6 +28,7 @@ namespace Signorini
   {
     std::array<dealii::types::global_dof_index, dim> dofs;
     dealii::Point<dim>                               position;
+    unsigned int                                     piece; ///< of Mesh::pieces()
     std::vector<Hold<dim>>                           holds; ///< in the order of the supports
 
     /// The part of a vector in which the node is free to move.
@@ -43,10 +44,11 @@ namespace Signorini
   template <int dim>
   using HeldNodes = std::map<dealii::types::global_dof_index, HeldNode<dim>>;
 
-  /// The nodes on cells that this rank knows which supports hold; hanging nodes follow their
-  /// neighbours and are left out. On curved boundaries, a node has the mean of its faces' normals
-  /// where they differ by less than 50 degrees, and several directions at corners. Throws
-  /// SceneError where a symmetry plane is not plane. Collective.
+  /// The nodes on cells that this rank knows which supports hold. A set of nodes stands for these,
+  /// and for all nodes on edges, faces and cells of the coarse mesh with all corners in it; hanging
+  /// nodes follow their neighbours and are left out. On curved boundaries, a node has the mean of
+  /// its faces' normals where they differ by less than 50 degrees, and several directions at
+  /// corners. Throws SceneError where a symmetry plane is not plane. Collective.
   template <int dim>
   HeldNodes<dim>
   find_held_nodes(const Mesh<dim>                         &mesh,

@@ -2,6 +2,7 @@
 
 #include <signorini/elasticity/boundary_conditions.h>
 #include <signorini/elasticity/model.h>
+#include <signorini/elasticity/nodal_forces.h>
 #include <signorini/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -44,13 +45,15 @@ namespace Signorini
     std::vector<double>                 weights; ///< of the quadrature points
   };
 
-  /// Load vector of one cell: body forces, tractions and pressures, thesis (39).
+  /// Load vector of one cell: body forces, tractions and pressures, thesis (39), and forces at
+  /// nodes.
   template <int dim>
   class LoadKernel
   {
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
+    /// Collective.
     LoadKernel(const Mesh<dim>                     &mesh,
                const dealii::hp::FECollection<dim> &elements,
                Model                                model,
@@ -61,7 +64,21 @@ namespace Signorini
     bool
     assemble(const Cell &cell, dealii::Vector<double> &cell_load);
 
+    /// Of the first formula that had no finite value on this rank, in words; empty: none.
+    const std::string &
+    fault() const
+    {
+      return what_is_wrong;
+    }
+
   private:
+    /// Remember what is wrong with a value that is not finite.
+    void
+    check(double                    size,
+          const Load<dim>          &load,
+          const std::string        &key,
+          const std::string        &formula,
+          const dealii::Point<dim> &x);
     void
     add_body_force(const Cell &cell, const Load<dim> &load, dealii::Vector<double> &cell_load);
     void
@@ -70,13 +87,22 @@ namespace Signorini
                  const Load<dim>        &load,
                  dealii::Vector<double> &cell_load);
 
+    void
+    add_nodal_forces(const Cell &cell, dealii::Vector<double> &cell_load);
+    void
+    measure_boundaries(const Mesh<dim> &mesh, const std::vector<Load<dim>> &loads);
+
     const Model                         model;
     const double                        t;
+    const NodalForces<dim>              nodal_forces;
     const dealii::hp::FECollection<dim> scalar_elements; ///< the values refer to it
     dealii::hp::FEValues<dim>           all_values;
     dealii::hp::FEFaceValues<dim>       all_face_values;
 
+    std::string what_is_wrong;
+
     std::map<unsigned int, std::vector<const Load<dim> *>>               by_body;
     std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>> by_boundary;
+    std::map<const Load<dim> *, double> areas; ///< of the boundaries of total forces
   };
 } // namespace Signorini

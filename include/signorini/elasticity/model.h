@@ -51,4 +51,15 @@ namespace Signorini
          const dealii::Tensor<2, dim> &gradient,
          const dealii::Tensor<1, dim> &u,
          const dealii::Point<dim>     &x);
+
+  /// The same without the thermal strain, which is given along the axes (axisymmetric: z is the
+  /// hoop): what stress() takes.
+  template <int dim>
+  dealii::SymmetricTensor<2, 3>
+  elastic_strain(Model                         model,
+                 const Material               &material,
+                 const dealii::Tensor<2, dim> &gradient,
+                 const dealii::Tensor<1, dim> &u,
+                 const dealii::Point<dim>     &x,
+                 const dealii::Tensor<1, 3>   &thermal_strain);
 } // namespace Signorini

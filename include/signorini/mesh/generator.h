@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,18 +14,43 @@ namespace Signorini
 {
   class Section;
 
+  /// A place in a coarse cell: its corners, and the middles of its edges and faces.
+  template <int dim>
+  struct NodePlace
+  {
+    unsigned int       cell; ///< coarse
+    dealii::Point<dim> unit; ///< in the unit cell
+  };
+
+  /// The nodes of a set, each with its places in all coarse cells that have it.
+  template <int dim>
+  using NodeSet = std::vector<std::vector<NodePlace<dim>>>;
+
   /// The coarse mesh of one body, before the bodies are put into one forest.
   template <int dim>
   struct CoarseMesh
   {
     std::vector<dealii::Point<dim>>    vertices;
     std::vector<dealii::CellData<dim>> cells; ///< with manifold ids; material ids are free
-    /// All boundary faces (2D: lines, 3D: quads) with boundary id = index into `boundaries`, and
-    /// all other faces, and lines in 3D, that have a manifold id; these carry the boundary id
+    /// All boundary faces (2D: lines, 3D: quads) with their boundary ids, and all other faces, and
+    /// lines in 3D, that have a manifold id; these carry the boundary id
     /// numbers::internal_face_boundary_id, which create_triangulation() takes for "none": do not
     /// renumber it.
     dealii::SubCellData      faces;
-    std::vector<std::string> boundaries; ///< name of each boundary id; every boundary face has one
+    std::vector<std::string> boundaries; ///< names; every boundary face has at least one
+    /// The names of each boundary id, as indices into `boundaries`. Empty: id i has the name i.
+    std::vector<std::vector<unsigned int>> names_of_ids;
+
+    /// Number of boundary ids, which count from 0.
+    unsigned int
+    n_boundary_ids() const
+    {
+      return names_of_ids.empty() ? boundaries.size() : names_of_ids.size();
+    }
+
+    /// The boundary ids that have a name.
+    std::set<dealii::types::boundary_id>
+    ids_of(unsigned int name) const;
 
     /// Exact geometry: the manifold of each manifold id that cells, faces or lines carry; ids that
     /// are absent here are flat. Ids count from 0.
@@ -33,8 +59,9 @@ namespace Signorini
     /// Take cells, vertices, boundary ids, manifold ids and manifolds from a serial unrefined
     /// triangulation. The manifold ids are numbered anew.
     static CoarseMesh
-    from_triangulation(const dealii::Triangulation<dim> &triangulation,
-                       const std::vector<std::string>   &boundaries);
+    from_triangulation(const dealii::Triangulation<dim>             &triangulation,
+                       const std::vector<std::string>               &boundaries,
+                       const std::vector<std::vector<unsigned int>> &names_of_ids = {});
 
     /// Replace the manifold id of every cell, face and line in the lists by f(id).
     template <typename F>
@@ -68,6 +95,31 @@ namespace Signorini
 
     virtual CoarseMesh<dim>
     generate() const = 0;
+
+    /// Names of the sets of nodes.
+    virtual std::vector<std::string>
+    node_sets() const
+    {
+      return {};
+    }
+
+    /// The nodes of such a set, on the coarse mesh of generate().
+    virtual NodeSet<dim>
+    node_set(const std::string & /*name*/) const
+    {
+      return {};
+    }
+
+    /// Why the mesh can be used only if a contact pair joins two boundaries of this body; empty if
+    /// it can be used anyhow.
+    virtual std::string
+    needs_pair() const
+    {
+      return "";
+    }
+    /// A temperature at the vertices of generate(); empty if the mesh comes without one.
+    virtual const std::vector<double> &
+    temperature() const;
 
     /// True if the scene should be run with curved cells (a geometry of degree two or more).
     virtual bool

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <signorini/mesh/body_mesh.h>
+#include <signorini/mesh/coarse_field.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/tria_base.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/hp/mapping_collection.h>
+
+#include <set>
 
 namespace Signorini
 {
@@ -37,8 +40,21 @@ namespace Signorini
     declare(Section &section);
   };
 
+  /// Boundary ids: those of the faces that have a name.
+  using BoundaryIds = std::set<dealii::types::boundary_id>;
+
+  /// Cells of one body that are connected with each other, and with no others.
+  template <int dim>
+  struct BodyPiece
+  {
+    unsigned int             body;
+    std::string              name; ///< of the body, or "BODY, piece 2 of 3 about (x y)"
+    dealii::BoundingBox<dim> extent;
+  };
+
   /// The bodies' meshes, apart from each other, in one distributed triangulation. Material ids
-  /// count the bodies; boundary ids count the entries of boundaries(), from 1.
+  /// count the bodies. Boundary ids count from 1; a boundary has one or more of them, and may share
+  /// some with others.
   template <int dim>
   class Mesh
   {
@@ -109,14 +125,48 @@ namespace Signorini
       return names[body];
     }
 
-    /// Boundary id of "body.boundary". Throws SceneError naming the boundaries there are.
-    dealii::types::boundary_id
-    boundary_id(const std::string &name) const;
+    /// Boundary ids of "body.boundary". Throws SceneError naming the boundaries there are.
+    const BoundaryIds &
+    boundary_ids(const std::string &name) const;
 
     const std::vector<std::string> &
     boundaries() const
     {
       return boundary_names;
+    }
+
+    /// One more than the largest boundary id.
+    unsigned int
+    end_of_boundary_ids() const
+    {
+      return n_ids + 1;
+    }
+
+    /// The connected pieces of all bodies, body by body.
+    const std::vector<BodyPiece<dim>> &
+    pieces() const
+    {
+      return my_pieces;
+    }
+
+    /// The number of the piece that a cell, coarse or not, belongs to.
+    template <typename Cell>
+    unsigned int
+    piece(const Cell &cell) const
+    {
+      return piece_of_coarse_cell[cell->id().get_coarse_cell_id()];
+    }
+
+    /// The nodes of the set "body.SET", by their places in coarse cells. Throws SceneError naming
+    /// the sets there are.
+    NodeSet<dim>
+    node_set(const std::string &name) const;
+
+    /// Of the bodies whose generators have one.
+    const CoarseField<dim> &
+    temperature() const
+    {
+      return my_temperature;
     }
 
   private:
@@ -134,10 +184,27 @@ namespace Signorini
     void
     measure();
 
-    std::vector<std::string>              names, boundary_names;
-    unsigned int                          degree = 1;
-    std::vector<dealii::BoundingBox<dim>> extents; ///< of the bodies
-    dealii::BoundingBox<dim>              whole_extent;
+    void
+    find_pieces(const CoarseMesh<dim> &coarse);
+    /// The ids by which cells know their coarse cells: p4est has an order of its own.
+    void
+    number_coarse_cells(const dealii::Triangulation<dim> &triangulation);
+    void
+    check_slaves_and_masters(
+      const std::vector<std::pair<std::string, std::string>> &contact_surfaces) const;
+
+    std::vector<std::string>                               names, boundary_names;
+    std::vector<BoundaryIds>                               ids_of_names;
+    unsigned int                                           n_ids = 0;
+    std::vector<BodyPiece<dim>>                            my_pieces;
+    std::vector<dealii::types::coarse_cell_id>             coarse_ids;           ///< of all bodies
+    std::vector<unsigned int>                              piece_of_coarse_cell; ///< by its id
+    std::vector<unsigned int>                              first_cells; ///< of the bodies, coarse
+    std::vector<std::shared_ptr<const MeshGenerator<dim>>> generators;
+    CoarseField<dim>                                       my_temperature;
+    unsigned int                                           degree = 1;
+    std::vector<dealii::BoundingBox<dim>>                  extents; ///< of the bodies
+    dealii::BoundingBox<dim>                               whole_extent;
 
     std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;
     dealii::hp::MappingCollection<dim>                                   my_mappings;
@@ -148,8 +215,7 @@ namespace Signorini
   /// neighbours are.
   template <int dim>
   void
-  partition_by_metis(
-    dealii::Triangulation<dim> &triangulation,
-    unsigned int                n_parts,
-    const std::vector<std::pair<dealii::types::boundary_id, dealii::types::boundary_id>> &pairs);
+  partition_by_metis(dealii::Triangulation<dim>                             &triangulation,
+                     unsigned int                                            n_parts,
+                     const std::vector<std::pair<BoundaryIds, BoundaryIds>> &pairs);
 } // namespace Signorini

@@ -2,7 +2,9 @@
 
 #include <deal.II/base/point.h>
 
+#include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace Signorini
@@ -33,7 +35,9 @@ namespace Signorini
       std::size_t number; ///< in the file, for messages
       /// The corners, around the bottom and then around the top. In second order then the middles
       /// of the edges at the bottom, at the top and between, each around; of 27 then the centers of
-      /// the faces x-, x+, y-, y+, z-, z+, and the center; of 9 the center.
+      /// the faces x-, x+, y-, y+, z-, z+, and the center; of 9 the center; of 18 (wedges) those of
+      /// the quadrilaterals, in the order of their edges at the bottom; of 14 (pyramids) that of
+      /// the base.
       Nodes nodes;
     };
 
@@ -50,6 +54,23 @@ namespace Signorini
     std::vector<dealii::Point<3>> nodes;
     std::vector<Element>          elements;
     std::vector<Group>            groups; ///< in the order in which they are to be listed
+    /// Nodes by their numbers, where the format has any; by the instance (in upper case, empty:
+    /// none).
+    std::map<std::string, std::unordered_map<std::size_t, unsigned int>> numbers;
+    std::vector<std::string> notes; ///< what the user may want to know about the file
+
+    /// Nodes from here on are not in the file: they were made by dividing cells (see division.h).
+    unsigned int first_made = -1;
+
+    /// Of cells that were divided: the face of the file that a face at the
+    /// boundary is a part of, by the sorted corners of the latter.
+    std::map<Nodes, Nodes> whole_faces;
+
+    /// The face of the file that a boundary face with these corners is a part of, or itself.
+    const Nodes &
+    whole_face(const Nodes &corners) const;
+    /// Numbers at the nodes, by name: one a node, not a number where the file has none.
+    std::map<std::string, std::vector<double>> fields;
 
     /// The group of that name, made if there is none.
     Group &

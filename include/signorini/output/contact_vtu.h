@@ -7,9 +7,10 @@
 namespace Signorini
 {
   /// Writes contact_NNNN.pvtu and its pieces (NNNN is the step) and returns its name: the slave
-  /// faces of all pairs at reference positions, with `displacement`, `pressure` (positive in
-  /// compression), `gap` (NaN where nothing was found to touch), `status` (1 active, 0 not), and
-  /// `pair` (a number from 0). A face that belongs to two pairs is there twice. Collective.
+  /// faces of all pairs at reference positions, with `displacement`, `traction` (the force on the
+  /// slave by area), `pressure` (positive in compression), `gap` (NaN where nothing was found to
+  /// touch), `status` (1 active, 0 not), and `pair` (a number from 0, its name in the field data
+  /// `pair_names`). A face that belongs to two pairs is there twice. Collective.
   template <int dim>
   std::string
   write_contact(const Snapshot<dim> &snapshot, const std::string &directory);

@@ -11,7 +11,7 @@ namespace Signorini
   struct Prediction
   {
     double seconds_per_cell = 0; ///< of assembly, measured here and now
-    double seconds          = 0; ///< of the whole run
+    double seconds          = 0; ///< of the whole run; NaN for a direct solver, as the memory
     double seconds_before   = 0; ///< until now: mesh, search
     double memory_mb        = 0; ///< largest of a rank
   };

@@ -21,6 +21,7 @@ namespace Signorini
             const GapOperator                      &contact,
             double                                  seconds);
 
+  /// @param with_boundaries the names of all boundaries too, with what tells them apart
   void
-  print_preflight(const nlohmann::ordered_json &report, std::ostream &out);
+  print_preflight(const nlohmann::ordered_json &report, std::ostream &out, bool with_boundaries);
 } // namespace Signorini

@@ -20,11 +20,21 @@ namespace Signorini
     bool                          found     = false;
   };
 
+  /// Throws SceneError for a probe that lies outside of its body by more than that share of a cell
+  /// (on a mesh that is to be refined, curved surfaces move). Collective.
+  template <int dim>
+  void
+  check_probes(const Elasticity<dim>         &elasticity,
+               const std::vector<Probe<dim>> &probes,
+               double                         tolerance);
+
+  /// What is allowed for a probe on the final mesh.
+  constexpr double probe_tolerance = 0.02;
+
   /// Displacement and stress at each probe, the same on all ranks and independent of their number.
-  /// Of several cells that share the point, the one of the first body with the (lexicographically)
-  /// smallest center is evaluated. As meshes of curved bodies leave out points near their true
-  /// surface, a point may lie outside its cell by 2 % of the cell. Throws SceneError for one that
-  /// lies farther outside. Collective.
+  /// Cells that share the point give their mean; where bodies do, it is that of the first body. As
+  /// meshes of curved bodies leave out points near their true surface, a point may lie outside its
+  /// cell by 2 % of the cell. Throws SceneError for one that lies farther outside. Collective.
   /// @param displacement without ghosts
   template <int dim>
   std::vector<ProbeValue<dim>>

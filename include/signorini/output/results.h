@@ -24,8 +24,8 @@ namespace Signorini
   Json
   force_results(const Snapshot<dim> &snapshot, const std::vector<bool> &master_is_rigid);
 
-  /// Displacement, stress (xx, yy, [zz,] then the shear components as deal.II numbers them: 2D xy;
-  /// 3D xy, xz, yz) and von Mises stress at each probe.
+  /// Displacement, stress in space by names ("xx", ...), principal stresses (the largest first) and
+  /// von Mises stress at each probe.
   template <int dim>
   Json
   probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes);
@@ -44,8 +44,4 @@ namespace Signorini
   /// deal.II, Trilinos, p4est, MPI.
   Json
   library_versions();
-
-  /// Rank 0 writes the file; the others do nothing.
-  void
-  write_json(const Json &results, const std::string &file_name, MPI_Comm comm);
 } // namespace Signorini

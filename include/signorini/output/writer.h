@@ -9,12 +9,12 @@
 namespace Signorini
 {
   /// Writes the files that can be looked at: in `directory` solution.pvd and contact.pvd with one
-  /// entry a step (unless settings.vtu is false), and profiles/PAIR.csv of the last step.
+  /// entry a step (unless settings.vtu is false), and the profiles of each step.
   template <int dim>
   class Writer
   {
   public:
-    /// Creates the directories. Throws SceneError if that is impossible. Collective.
+    /// @param directory is there, see OutputDirectory
     Writer(const OutputSettings<dim> &settings, const std::string &directory, MPI_Comm comm);
 
     /// @param reference_pressure formula, written beside the pressure in profiles; may be empty.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/parameters/description.h>
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>
 
@@ -32,7 +33,8 @@ namespace Signorini
   /// One section of the scene file, seen by the structs that live in it. Each struct has one
   /// function `declare(Section &)` in which it binds its members: key, member (its value is the
   /// default), one sentence of documentation with the unit. The same function serves to read a
-  /// scene, to write the resolved scene, and to write the commented template.
+  /// scene, to write the resolved scene, to write the commented template, and for the reference of
+  /// all keys.
   class Section
   {
   public:
@@ -46,9 +48,33 @@ namespace Signorini
             unsigned int      indentation = 0,
             const RawSection *given       = nullptr);
 
+    /// Describing: all keys and sections go into that description.
+    explicit Section(SectionDescription &description)
+      : description(&description)
+    {}
+
     template <typename T>
     void
     add(const std::string &key, T &value, const std::string &help, const Range &range = {});
+
+    /// A key without a default: a scene that does not set it is refused.
+    template <typename T>
+    void
+    add_required(const std::string &key, T &value, const std::string &help, const Range &range = {})
+    {
+      add(key, value, out ? help + "; required" : help, range);
+      if (description)
+        description->keys.back().is_required = true;
+      if (reading() && !is_set(key))
+        fail(key, "is required (" + help + ")");
+    }
+
+    /// Reading: true if the scene says something about that key.
+    bool
+    is_set(const std::string &key) const
+    {
+      return raw && raw->find_value(key);
+    }
 
     /// A word out of a list.
     void
@@ -70,6 +96,12 @@ namespace Signorini
           section.definitions = definitions;
           body(section);
           section.close();
+        }
+      else if (description)
+        {
+          description->sections.push_back({name, help, {}, {}});
+          Section section(description->sections.back());
+          body(section);
         }
       else
         {
@@ -97,6 +129,11 @@ namespace Signorini
             items.resize(names.size());
             for (unsigned int i = 0; i < names.size(); ++i)
               items[i].name = names[i];
+          }
+        if (list.description && items.empty())
+          {
+            T item;
+            list.add_section("NAME", "", [&](Section &s) { item.declare(s); });
           }
         for (T &item : items)
           list.add_section(item.name, "", [&](Section &s) { item.declare(s); });
@@ -160,6 +197,8 @@ namespace Signorini
     const RawSection *given       = nullptr;
     bool              comments    = false;
     unsigned int      indentation = 0;
+
+    SectionDescription *description = nullptr;
 
     std::vector<std::string> known_keys, known_sections;
   };

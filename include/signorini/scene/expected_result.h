@@ -26,6 +26,14 @@ namespace Signorini
     declare(Section &section);
   };
 
+  /// Throws SceneError where a quantity cannot exist.
+  /// @param step what is known of one load step before it is solved: all keys, with any numbers
+  /// @param whole keys of the results themselves
+  void
+  check_paths(const std::vector<ExpectedResult> &expected,
+              const nlohmann::ordered_json      &step,
+              const std::vector<std::string>    &whole);
+
   /// Compare with the results of the last load step; print a table; add it to the results under
   /// "expected". Returns true if all hold. Throws SceneError where a quantity does not exist.
   bool

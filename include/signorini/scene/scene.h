@@ -7,6 +7,7 @@
 #include <signorini/contact/pair.h>
 #include <signorini/elasticity/boundary_conditions.h>
 #include <signorini/elasticity/model.h>
+#include <signorini/elasticity/thermal_expansion.h>
 #include <signorini/mesh/mesh.h>
 #include <signorini/output/settings.h>
 #include <signorini/parameters/raw.h>
@@ -15,14 +16,15 @@
 
 namespace Signorini
 {
-  /// An elastic body: a mesh and a material.
+  /// An elastic body: a mesh, a material, and a temperature if that matters.
   template <int dim>
   struct Body
   {
-    std::string   name;
-    unsigned int  degree = 0; ///< of the displacement; 0: that of all bodies
-    BodyMesh<dim> mesh;
-    Material      material;
+    std::string           name;
+    unsigned int          degree = 0; ///< of the displacement; 0: that of all bodies
+    BodyMesh<dim>         mesh;
+    Material              material;
+    ThermalExpansion<dim> expansion;
 
     void
     declare(Section &section);
@@ -127,9 +129,5 @@ namespace Signorini
     /// The obstacle that is a pair's master, or null.
     const Obstacle<dim> *
     obstacle_of(const ContactPair<dim> &pair) const;
-
-    /// A scene with one item of each kind, for the template.
-    static Scene
-    example();
   };
 } // namespace Signorini

@@ -6,11 +6,9 @@ namespace Signorini
   void
   AugmentedLagrangian::declare(Section &section)
   {
-    section.add(
-      "Factor",
-      penalty_factor,
-      "penalty in units of E/h: larger needs fewer augmentations, the result does not depend on it",
-      Range{0, 1e12, false});
+    penalty_factor.declare(
+      section,
+      "penalty in units of E/h: larger needs fewer augmentations, the result does not depend on it");
     section.add_choice(
       "Loop",
       loop,

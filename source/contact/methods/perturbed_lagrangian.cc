@@ -6,10 +6,8 @@ namespace Signorini
   void
   PerturbedLagrangian::declare(Section &section)
   {
-    section.add("Factor",
-                penalty_factor,
-                "stiffness of the contact in units of E/h: the penetration is p h / (Factor E)",
-                positive);
+    penalty_factor.declare(
+      section, "stiffness of the contact in units of E/h: the penetration is p h / (Factor E)");
     section.add_choice("Form",
                        form,
                        {"block", "condensed"},

@@ -24,9 +24,9 @@ namespace Signorini
       declare(Section &section) override
       {
         section.add("Apex", apex, "[length]");
-        section.add("Normal",
-                    normal,
-                    "axis, out of the obstacle at the apex, towards the body; any length");
+        section.add_required("Normal",
+                             normal,
+                             "axis, out of the obstacle at the apex, towards the body; any length");
         section.add("Angle",
                     angle,
                     "of the flank against the plane across the axis [degrees]",

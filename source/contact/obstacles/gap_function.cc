@@ -19,9 +19,9 @@ namespace Signorini
       void
       declare(Section &section) override
       {
-        section.add("Normal",
-                    normal,
-                    "direction in which the gap opens, out of the obstacle; any length");
+        section.add_required("Normal",
+                             normal,
+                             "direction in which the gap opens, out of the obstacle; any length");
         section.add("Gap", gap, "formula in x,y,z of the slave point [length]");
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");

@@ -20,9 +20,9 @@ namespace Signorini
       declare(Section &section) override
       {
         section.add("Apex", apex, "the point that sticks out most [length]");
-        section.add("Normal",
-                    normal,
-                    "axis at the apex, out of the obstacle, towards the body; any length");
+        section.add_required("Normal",
+                             normal,
+                             "axis at the apex, out of the obstacle, towards the body; any length");
         section.add("Radius", radius, "of curvature at the apex [length]", positive);
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");

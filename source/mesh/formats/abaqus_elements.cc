@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <cstdlib>
+#include <map>
 
 namespace Signorini
 {
@@ -85,8 +86,10 @@ namespace Signorini
           continue;
         if (dimension < 2)
           return {dimension == 0 ? Shape::point : Shape::line, 0};
-        const unsigned int n     = std::strtoul(name.c_str() + start.size(), nullptr, 10);
-        const Shape        shape = dimension == 3 ? solid_with(n) : plane_with(n);
+        unsigned int n = std::strtoul(name.c_str() + start.size(), nullptr, 10);
+        if (start == "STRI" && n == 65)
+          n = 6; // of five degrees of freedom each
+        const Shape shape = dimension == 3 ? solid_with(n) : plane_with(n);
         if (shape != Shape::unknown && std::isdigit(name[start.size()]))
           return {shape, n};
       }
@@ -111,31 +114,65 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    using Faces = std::vector<std::pair<std::string, Nodes>>;
+
+    /// Corners of each face by its label.
+    const Faces &
+    labelled_faces(const Shape shape)
+    {
+      static const std::map<Shape, Faces> faces = {
+        {Shape::tetrahedron,
+         {{"S1", {0, 1, 2}}, {"S2", {0, 3, 1}}, {"S3", {1, 3, 2}}, {"S4", {2, 3, 0}}}},
+        {Shape::pyramid,
+         {{"S1", {0, 1, 2, 3}},
+          {"S2", {0, 4, 1}},
+          {"S3", {1, 4, 2}},
+          {"S4", {2, 4, 3}},
+          {"S5", {3, 4, 0}}}},
+        {Shape::wedge,
+         {{"S1", {0, 1, 2}},
+          {"S2", {3, 5, 4}},
+          {"S3", {0, 3, 4, 1}},
+          {"S4", {1, 4, 5, 2}},
+          {"S5", {2, 5, 3, 0}}}},
+        {Shape::hexahedron,
+         {{"S1", {0, 1, 2, 3}},
+          {"S2", {4, 7, 6, 5}},
+          {"S3", {0, 4, 5, 1}},
+          {"S4", {1, 5, 6, 2}},
+          {"S5", {2, 6, 7, 3}},
+          {"S6", {3, 7, 4, 0}}}},
+        {Shape::triangle,
+         {{"S1", {0, 1}},
+          {"S2", {1, 2}},
+          {"S3", {2, 0}},
+          {"SPOS", {0, 1, 2}},
+          {"SNEG", {0, 1, 2}}}},
+        {Shape::quadrilateral,
+         {{"S1", {0, 1}},
+          {"S2", {1, 2}},
+          {"S3", {2, 3}},
+          {"S4", {3, 0}},
+          {"SPOS", {0, 1, 2, 3}},
+          {"SNEG", {0, 1, 2, 3}}}}};
+      static const Faces none;
+      const auto         found = faces.find(shape);
+      return found == faces.end() ? none : found->second;
+    }
+  } // namespace
+
+
+
   std::vector<MeshFile::Nodes>
   abaqus_faces(const MeshFile::Element &element, const std::string &label)
   {
-    static const std::vector<std::pair<std::string, Nodes>> of_hexahedron = {{"S1", {0, 1, 2, 3}},
-                                                                             {"S2", {4, 7, 6, 5}},
-                                                                             {"S3", {0, 4, 5, 1}},
-                                                                             {"S4", {1, 5, 6, 2}},
-                                                                             {"S5", {2, 6, 7, 3}},
-                                                                             {"S6", {3, 7, 4, 0}}};
-    static const std::vector<std::pair<std::string, Nodes>> of_quadrilateral = {
-      {"S1", {0, 1}},
-      {"S2", {1, 2}},
-      {"S3", {2, 3}},
-      {"S4", {3, 0}},
-      {"SPOS", {0, 1, 2, 3}},
-      {"SNEG", {0, 1, 2, 3}}};
-
-    std::vector<Nodes> faces;
-    if (element.shape != Shape::hexahedron && element.shape != Shape::quadrilateral)
-      return faces;
     std::string wanted = label;
     if (wanted.size() == 2 && wanted[0] == 'E')
       wanted[0] = 'S';
-    for (const auto &[name, corners] :
-         element.shape == Shape::hexahedron ? of_hexahedron : of_quadrilateral)
+    std::vector<Nodes> faces;
+    for (const auto &[name, corners] : labelled_faces(element.shape))
       if (wanted.empty() || name == wanted)
         {
           faces.emplace_back();

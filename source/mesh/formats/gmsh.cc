@@ -1,10 +1,14 @@
 #include <signorini/mesh/formats/gmsh.h>
+#include <signorini/mesh/formats/place.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <unordered_map>
@@ -40,10 +44,25 @@ namespace Signorini
 
 
 
-    /// Where the nodes of a hexahedron of second order stand in Gmsh.
-    constexpr std::array<unsigned int, 27> order_of_hexahedron{
-      {0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
-       19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26}};
+    /// Where the nodes of a solid stand in Gmsh, which lists the edges by their first and second
+    /// corner and the faces by their corners.
+    MeshFile::Nodes
+    reordered(const Shape shape, const MeshFile::Nodes &nodes)
+    {
+      static const std::map<Shape, MeshFile::Nodes> orders = {
+        {Shape::tetrahedron, {0, 1, 2, 3, 4, 5, 6, 7, 9, 8}},
+        {Shape::pyramid, {0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12, 13}},
+        {Shape::wedge, {0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11, 15, 17, 16}},
+        {Shape::hexahedron, {0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
+                             19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26}}};
+      const auto order = orders.find(shape);
+      if (order == orders.end())
+        return nodes;
+      MeshFile::Nodes result(nodes.size());
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        result[i] = nodes[order->second[i]];
+      return result;
+    }
 
 
 
@@ -56,6 +75,7 @@ namespace Signorini
       {
         if (!in)
           fail("cannot be opened");
+        skip_byte_order_mark(in);
         if (next_section() != "MeshFormat")
           fail("is not a mesh file of Gmsh: it does not begin with $MeshFormat");
         std::string  version;
@@ -84,6 +104,8 @@ namespace Signorini
               is_new ? read_new_nodes() : read_old_nodes();
             else if (section == "Elements")
               is_new ? read_new_elements() : read_old_elements();
+            else if (section == "NodeData")
+              read_field();
             leave_section(section);
           }
         if (file.elements.empty())
@@ -121,7 +143,8 @@ namespace Signorini
       leave_section(const std::string &section)
       {
         if (in.fail())
-          fail("has something in $" + section + " that does not belong there");
+          fail("has something in $" + section + " that does not belong there" +
+               place_of_failure(in, file_name));
         if (next_section() != "End" + section)
           fail("ends within $" + section);
       }
@@ -186,6 +209,8 @@ namespace Signorini
       {
         Point<3> p;
         in >> p[0] >> p[1] >> p[2];
+        if (in && !std::isspace(in.peek()))
+          in.setstate(std::ios::failbit); // 0x1p4 is more than its 0
         index_of[tag] = file.nodes.size();
         file.nodes.push_back(p);
       }
@@ -242,12 +267,7 @@ namespace Signorini
         if (n > 0 && element.nodes.size() != n)
           fail("has element " + std::to_string(number) + " of type " + std::to_string(type) +
                " without its " + std::to_string(n) + " nodes");
-        if (shape == Shape::hexahedron)
-          {
-            const MeshFile::Nodes nodes = element.nodes;
-            for (unsigned int i = 0; i < n; ++i)
-              element.nodes[i] = nodes[order_of_hexahedron[i]];
-          }
+        element.nodes                = reordered(shape, element.nodes);
         const unsigned int dimension = dimension_of(shape);
         if (dimension < 4)
           for (const int group : groups)
@@ -287,6 +307,40 @@ namespace Signorini
             for (std::size_t i = 0; i < n && in >> tag; ++i)
               read_element(tag, type, entities[std::min(dimension, 3u)][entity]);
           }
+      }
+
+      /// Numbers at nodes; of several with one name, as of steps in time, the last counts.
+      void
+      read_field()
+      {
+        std::size_t n = 0;
+        std::string name, line;
+        in >> n >> std::ws;
+        for (std::size_t i = 0; i < n && std::getline(in, line); ++i)
+          if (i == 0)
+            name = trim(line);
+        if (name.size() > 1 && name.front() == '"' && name.back() == '"')
+          name = name.substr(1, name.size() - 2);
+        in >> n;
+        skip_numbers(n);
+        in >> n;
+        std::vector<std::size_t> tags; // of the step, number of components, number of nodes
+        for (std::size_t tag; tags.size() < n && in >> tag;)
+          tags.push_back(tag);
+        if (tags.size() < 3)
+          fail("has a $NodeData without its three whole numbers");
+        std::vector<double> values(file.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+        std::size_t         node = 0;
+        for (std::size_t i = 0; i < tags[2] && in >> node; ++i)
+          {
+            double value = 0;
+            in >> value;
+            skip_numbers(tags[1] - 1);
+            if (const auto entry = index_of.find(node); entry != index_of.end())
+              values[entry->second] = value;
+          }
+        if (tags[1] == 1)
+          file.fields[name] = values;
       }
 
       const std::string                             file_name;

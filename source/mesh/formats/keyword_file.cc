@@ -1,8 +1,11 @@
 #include <signorini/mesh/formats/keyword_file.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 namespace Signorini
@@ -10,6 +13,8 @@ namespace Signorini
   namespace
   {
     constexpr unsigned int deepest_include = 20; // a file that includes itself ends here
+
+    const std::string byte_order_mark = "\xEF\xBB\xBF"; // which Windows puts before UTF-8
 
     bool
     starts_with(const std::string &text, const std::string &start)
@@ -70,6 +75,7 @@ namespace Signorini
     auto in = std::make_unique<std::ifstream>(file_name);
     if (!*in)
       fail("the file '" + file_name + "' cannot be opened");
+    skip_byte_order_mark(*in);
     sources.push_back({file_name, std::move(in), 0});
   }
 
@@ -88,7 +94,9 @@ namespace Signorini
           }
         name        = source.name;
         line_number = ++source.line;
-        line        = trim(line);
+        std::replace_if(
+          line.begin(), line.end(), [](const char c) { return c == '\t' || c == '\r'; }, ' ');
+        line = trim(starts_with(line, byte_order_mark) ? line.substr(3) : line);
         if (!line.empty() && !starts_with(line, "**"))
           return true;
       }
@@ -108,11 +116,19 @@ namespace Signorini
     parse_keyword(line);
     if (my_keyword != "INCLUDE")
       return true;
-    const std::string file = value("INPUT");
-    if (file.empty())
+    if (data_file.empty())
       fail("*INCLUDE needs INPUT=file");
-    open((std::filesystem::path(name).parent_path() / file).string());
+    open_beside(std::move(data_file));
+    data_file.clear();
     return next_keyword();
+  }
+
+
+
+  void
+  KeywordFile::open_beside(const std::string &file_name)
+  {
+    open((std::filesystem::path(name).parent_path() / file_name).string());
   }
 
 
@@ -128,9 +144,10 @@ namespace Signorini
     for (unsigned int i = 1; i < words.size(); ++i)
       {
         const auto equal = words[i].find('=');
-        parameters[upper_case(trim(words[i].substr(0, equal)))] =
+        parameters[upper_case(with_single_blanks(words[i].substr(0, equal)))] =
           equal == std::string::npos ? "" : without_quotes(trim(words[i].substr(equal + 1)));
       }
+    data_file = value("INPUT");
   }
 
 
@@ -156,6 +173,11 @@ namespace Signorini
   KeywordFile::next_line(std::vector<std::string> &words)
   {
     words.clear();
+    if (!data_file.empty())
+      {
+        open_beside(data_file);
+        data_file.clear();
+      }
     for (std::string line; words.empty();)
       {
         if (!pending.empty() || !next_text(line))
@@ -177,5 +199,22 @@ namespace Signorini
   KeywordFile::fail(const std::string &what) const
   {
     throw SceneError("mesh file '" + name + "', line " + std::to_string(line_number) + ": " + what);
+  }
+
+
+
+  double
+  real_from(const KeywordFile &in, const std::string &word)
+  {
+    std::string text = word;
+    std::replace_if(
+      text.begin(), text.end(), [](const char c) { return c == 'D' || c == 'd'; }, 'E');
+    char        *end   = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    // strtod takes nan, inf and hexadecimal numbers too.
+    if (*end != '\0' || text.find_first_not_of("0123456789+-.eE") != std::string::npos ||
+        !std::isfinite(value))
+      in.fail("'" + word + "' should be a number");
+    return value;
   }
 } // namespace Signorini

@@ -1,6 +1,8 @@
+#include <signorini/mesh/formats/place.h>
 #include <signorini/mesh/formats/vtk.h>
 #include <signorini/mesh/formats/vtk_cells.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -35,6 +37,7 @@ namespace Signorini
         , in(file_name, std::ios::binary)
       {
         std::string version, title, format;
+        skip_byte_order_mark(in);
         std::getline(in, version);
         if (version.compare(0, 22, "# vtk DataFile Version") != 0)
           fail("is not a legacy file of VTK: it does not begin with # vtk DataFile Version");
@@ -50,7 +53,8 @@ namespace Signorini
           {
             read_section(word);
             if (in.fail())
-              fail("has something behind " + word + " that does not belong there");
+              fail("has something behind " + word + " that does not belong there" +
+                   (binary ? "" : place_of_failure(in, file_name)));
           }
         if (file.elements.empty())
           fail("has no cells");
@@ -264,7 +268,10 @@ namespace Signorini
                  const std::size_t  n_components,
                  const std::size_t  n)
       {
-        if (type == "float" || type == "double")
+        const bool at_points = !of_cells && n_components == 1 && n == file.nodes.size();
+        if (at_points)
+          file.fields[name] = numbers<double>(type, n);
+        else if (type == "float" || type == "double")
           numbers<double>(type, n_components * n);
         else
           {

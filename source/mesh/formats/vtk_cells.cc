@@ -10,30 +10,43 @@ namespace Signorini
   {
     constexpr unsigned int pixel = 8, voxel = 11; // these cross over, the others go around
 
+    /// The Lagrange cells of any order, as those of first and second order: in which the nodes have
+    /// the same order.
+    unsigned int
+    plain_type(const unsigned int type, const unsigned int n_nodes)
+    {
+      static const std::map<std::pair<unsigned int, unsigned int>, unsigned int> types = {
+        {{69, 3}, 5},
+        {{69, 6}, 22},
+        {{70, 4}, 9},
+        {{70, 9}, 28},
+        {{71, 4}, 10},
+        {{71, 10}, 24},
+        {{72, 8}, 12},
+        {{73, 6}, 13},
+        {{74, 5}, 14}};
+      const auto found = types.find({type, n_nodes});
+      return found == types.end() ? type : found->second;
+    }
+
+
+
     std::pair<MeshFile::Shape, unsigned int>
     vtk_type(const unsigned int type)
     {
       using Shape                                                               = MeshFile::Shape;
       static const std::map<unsigned int, std::pair<Shape, unsigned int>> types = {
-        {1, {Shape::point, 1}},
-        {3, {Shape::line, 2}},
-        {5, {Shape::triangle, 3}},
-        {pixel, {Shape::quadrilateral, 4}},
-        {9, {Shape::quadrilateral, 4}},
-        {10, {Shape::tetrahedron, 4}},
-        {voxel, {Shape::hexahedron, 8}},
-        {12, {Shape::hexahedron, 8}},
-        {13, {Shape::wedge, 6}},
-        {14, {Shape::pyramid, 5}},
-        {21, {Shape::line, 3}},
-        {22, {Shape::triangle, 6}},
-        {23, {Shape::quadrilateral, 8}},
-        {24, {Shape::tetrahedron, 10}},
-        {25, {Shape::hexahedron, 20}},
-        {26, {Shape::wedge, 15}},
-        {27, {Shape::pyramid, 13}},
-        {28, {Shape::quadrilateral, 9}},
-        {29, {Shape::hexahedron, 27}}};
+        {1, {Shape::point, 1}},          {3, {Shape::line, 2}},
+        {5, {Shape::triangle, 3}},       {pixel, {Shape::quadrilateral, 4}},
+        {9, {Shape::quadrilateral, 4}},  {10, {Shape::tetrahedron, 4}},
+        {voxel, {Shape::hexahedron, 8}}, {12, {Shape::hexahedron, 8}},
+        {13, {Shape::wedge, 6}},         {14, {Shape::pyramid, 5}},
+        {21, {Shape::line, 3}},          {22, {Shape::triangle, 6}},
+        {23, {Shape::quadrilateral, 8}}, {24, {Shape::tetrahedron, 10}},
+        {25, {Shape::hexahedron, 20}},   {26, {Shape::wedge, 15}},
+        {27, {Shape::pyramid, 13}},      {28, {Shape::quadrilateral, 9}},
+        {29, {Shape::hexahedron, 27}},   {32, {Shape::wedge, 18}},
+        {34, {Shape::triangle, 7}}};
       const auto found = types.find(type);
       return found == types.end() ? std::make_pair(Shape::unknown, 0u) : found->second;
     }
@@ -43,7 +56,7 @@ namespace Signorini
     void
     add_cell(MeshFile &file, const unsigned int type, const MeshFile::Nodes &nodes)
     {
-      const auto [shape, n] = vtk_type(type);
+      const auto [shape, n] = vtk_type(plain_type(type, nodes.size()));
       for (const unsigned int node : nodes)
         if (node >= file.nodes.size())
           throw SceneError("has a cell with the unknown point " + std::to_string(node));
@@ -55,6 +68,8 @@ namespace Signorini
       if (type == pixel || type == voxel)
         for (unsigned int first = 0; first < n; first += 4)
           std::swap(corners[first + 2], corners[first + 3]);
+      if (shape == MeshFile::Shape::triangle && n == 7)
+        corners.pop_back(); // the center bends nothing at the edges
     }
   } // namespace
 

@@ -27,9 +27,10 @@ namespace Signorini
 
 
 
-    /// The child, or an empty tree.
+    /// The child, or an empty tree. The name is no temporary string, to which the result would seem
+    /// to refer.
     const Tree &
-    child(const Tree &tree, const std::string &name)
+    child(const Tree &tree, const char *name)
     {
       static const Tree empty;
       const auto        found = tree.find(name);
@@ -97,12 +98,15 @@ namespace Signorini
           if (tag == "DataArray")
             {
               const std::vector<double> xs = numbers<double>(array);
+              if (xs.size() % 3 != 0)
+                throw SceneError("has points that do not have three coordinates");
               for (std::size_t i = 0; i + 2 < xs.size(); i += 3)
                 file.nodes.emplace_back(xs[i], xs[i + 1], xs[i + 2]);
             }
         read_cells(child(piece, "Cells"));
         if (file.elements.empty())
           throw SceneError("has no cells");
+        read_fields(child(piece, "PointData"));
         for (const auto &[tag, array] : child(piece, "CellData"))
           if (tag == "DataArray" && is_integer(attribute(array, "type")) &&
               array.get<unsigned int>("<xmlattr>.NumberOfComponents", 1) == 1)
@@ -110,6 +114,21 @@ namespace Signorini
               const std::vector<long> values = numbers<long>(array);
               if (values.size() == file.elements.size())
                 add_vtk_groups(file, attribute(array, "Name"), values);
+            }
+      }
+
+      /// Scalars of any type.
+      void
+      read_fields(const Tree &point_data)
+      {
+        for (const auto &[tag, array] : point_data)
+          if (const std::string type = attribute(array, "type");
+              tag == "DataArray" && (is_integer(type) || type.find("Float") == 0) &&
+              array.get<unsigned int>("<xmlattr>.NumberOfComponents", 1) == 1)
+            {
+              const std::vector<double> values = numbers<double>(array);
+              if (values.size() == file.nodes.size())
+                file.fields[attribute(array, "Name")] = values;
             }
       }
 
@@ -149,6 +168,11 @@ namespace Signorini
             std::vector<T>     result;
             for (T value; words >> value;)
               result.push_back(value);
+            words.clear();
+            if (std::string rest; words >> rest)
+              throw SceneError("has in the array '" + attribute(array, "Name") + "' behind " +
+                               std::to_string(result.size()) + " numbers '" + rest.substr(0, 40) +
+                               "', which is none");
             return result;
           }
         const std::string bytes = bytes_of(array, format);

@@ -1,5 +1,6 @@
 #include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/coinciding_nodes.h>
+#include <signorini/mesh/pieces.h>
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -49,7 +50,8 @@ namespace Signorini
   CoincidingNodes<dim>::CoincidingNodes(const std::vector<CellData<dim>> &cells,
                                         const std::vector<Point<dim>>    &vertices,
                                         const double                      distance)
-    : vertices(vertices)
+    : cells(cells)
+    , vertices(vertices)
   {
     namespace bgi      = boost::geometry::index;
     const double reach = distance > 0 ? distance : 1e-3 * shortest_edge(cells, vertices);
@@ -83,17 +85,43 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
-  CoincidingNodes<dim>::refuse() const
+  namespace
   {
-    if (!pairs.empty())
+    std::string
+    number_of_pairs(const unsigned int n)
+    {
+      return std::to_string(n) + (n == 1 ? " pair at " : " pairs, the first at ");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  CoincidingNodes<dim>::refuse_cracks() const
+  {
+    const std::vector<unsigned int> piece_of_cell = pieces_of(cells, vertices.size());
+    std::vector<unsigned int>       piece(vertices.size());
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (const unsigned int vertex : cells[c].vertices)
+        piece[vertex] = piece_of_cell[c];
+    std::vector<unsigned int> cracks, between; // first nodes
+    for (const auto &[node, other] : pairs)
+      (piece[node] == piece[other] ? cracks : between).push_back(node);
+    if (!cracks.empty())
       throw SceneError(
-        "has nodes that coincide within one body, so that its cells are not connected there: " +
-        std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair at " : " pairs, the first at ") +
-        text_of(vertices[pairs[0].first]) +
-        "; merge them by Coinciding nodes = merge, choose one side by 'Part', or say "
-        "Coinciding nodes = keep if there is a crack");
+        "has nodes that coincide, at which cells that are connected elsewhere are not: " +
+        number_of_pairs(cracks.size()) + text_of(vertices[cracks[0]]) +
+        "; say Coinciding nodes = keep if there is a crack or a slit, or Coinciding nodes = merge "
+        "if the mesh has a fault");
+    if (between.empty())
+      return "";
+    return "has pieces that touch, but are not connected: they have nodes of their own at the same "
+           "places, " +
+           number_of_pairs(between.size()) + text_of(vertices[between[0]]) +
+           "; if they are in contact, take each as a body by the key 'Part', or let a contact pair "
+           "join two boundaries of this body; if there is nothing between them, say "
+           "Coinciding nodes = keep; only if they are one, Coinciding nodes = merge";
   }
 
 

@@ -34,17 +34,18 @@ namespace Signorini
 
   template <int dim>
   void
-  CurvedBoundary<dim>::apply(Triangulation<dim>      &triangulation,
-                             const types::boundary_id boundary,
-                             const types::manifold_id manifold_id) const
+  CurvedBoundary<dim>::apply(Triangulation<dim>                 &triangulation,
+                             const std::set<types::boundary_id> &boundary,
+                             const types::manifold_id            manifold_id,
+                             const std::vector<bool>            &made) const
   {
-    std::set<Point<dim> *, std::less<>> vertices;
+    std::set<Point<dim> *, std::less<>> vertices, between;
     for (const auto &face : triangulation.active_face_iterators())
-      if (face->at_boundary() && face->boundary_id() == boundary)
+      if (face->at_boundary() && boundary.count(face->boundary_id()) > 0)
         {
           face->set_all_manifold_ids(manifold_id);
           for (const unsigned int v : face->vertex_indices())
-            vertices.insert(&face->vertex(v));
+            (made[face->vertex_index(v)] ? between : vertices).insert(&face->vertex(v));
         }
     triangulation.set_manifold(manifold_id, *manifold());
 
@@ -58,6 +59,7 @@ namespace Signorini
         "the vertices of '" + name + "' do not lie on one such surface: their distance " +
         (axis.norm() > 0 ? "from the axis" : "from the center") + " is " + std::to_string(radius) +
         " with deviations up to " + std::to_string(deviation));
+    vertices.insert(between.begin(), between.end());
     for (Point<dim> *vertex : vertices)
       *vertex += arm(*vertex) * (radius / arm(*vertex).norm() - 1);
   }

@@ -1,3 +1,4 @@
+#include <signorini/mesh/generators/circle_part.h>
 #include <signorini/mesh/generators/disc.h>
 #include <signorini/mesh/generators/octants.h>
 #include <signorini/parameters/section.h>
@@ -18,9 +19,10 @@ namespace Signorini
     section.add_choice(
       "Part",
       part,
-      {"full", "lower half", "lower right quarter"},
-      "of the whole; boundaries: arc, and the cuts top (at the height of the center) "
-      "and symmetry (at its x)");
+      circle_part_names(),
+      "of the whole; boundaries: `arc`, and the cuts at the height of the center, `top` of a lower "
+      "part and `bottom` of an upper one, and `symmetry` at its x; "
+      "half: the upper one, quarter: the upper right one");
   }
 
 
@@ -29,10 +31,11 @@ namespace Signorini
   DiscMesh::surfaces() const
   {
     std::vector<NamedSurface<2>> result{sphere("arc", center, radius)};
-    result[0].manifold = std::make_shared<SphericalManifold<2>>(center);
-    if (part != "full")
-      result.push_back(plane<2>("top", 1, center[1], radius));
-    if (part == "lower right quarter")
+    result[0].manifold      = std::make_shared<SphericalManifold<2>>(center);
+    const CirclePart sector = circle_part(part);
+    if (sector.is_cut_at_y())
+      result.push_back(plane<2>(sector.is_upper() ? "bottom" : "top", 1, center[1], radius));
+    if (sector.is_cut_at_x())
       result.push_back(plane<2>("symmetry", 0, center[0], radius));
     return result;
   }
@@ -50,11 +53,10 @@ namespace Signorini
   CoarseMesh<2>
   DiscMesh::generate() const
   {
-    std::vector<Turn> turns{{3}};
-    if (part != "lower right quarter")
-      turns.push_back({2});
-    if (part == "full")
-      turns.insert(turns.end(), {{0}, {1}});
+    const CirclePart  sector = circle_part(part);
+    std::vector<Turn> turns;
+    for (unsigned int quarter = 0; quarter < sector.quarters; ++quarter)
+      turns.push_back({(sector.first + quarter) % 4});
 
     Triangulation<2> quarter, triangulation;
     GridGenerator::quarter_hyper_ball(quarter);

@@ -16,6 +16,16 @@ namespace Signorini
         names.push_back(group.name);
       return names;
     }
+
+
+
+    bool
+    has_all(const std::vector<bool> &set, const MeshFile::Nodes &corners)
+    {
+      return std::all_of(corners.begin(), corners.end(), [&](const unsigned int node) {
+        return set[node];
+      });
+    }
   } // namespace
 
 
@@ -64,34 +74,49 @@ namespace Signorini
 
 
 
-  unsigned int
-  FaceNames::operator()(const MeshFile::Nodes &corners) const
+  std::set<unsigned int>
+  FaceNames::operator()(const MeshFile::Nodes &part_of_face) const
   {
-    std::set<unsigned int> candidates;
+    // Cells may have been divided: names are those of the faces in the file.
+    MeshFile::Nodes corners = file.whole_face(part_of_face);
+    for (unsigned int &node : corners)
+      node = representatives[node];
+    std::set<unsigned int> result;
     const auto             found = by_face.find(sorted(corners));
     if (found != by_face.end())
-      candidates = found->second;
-    if (candidates.empty() || in_order)
-      for (const auto &set : node_sets)
-        if (std::all_of(corners.begin(), corners.end(), [&](const unsigned int node) {
-              return set.second[node];
-            }))
-          candidates.insert(set.first);
-    return one_of(candidates, corners);
+      result = found->second;
+    for (const auto &[name, set] : node_sets)
+      if (has_all(set, corners))
+        result.insert(name);
+    if (in_order && result.size() > 1)
+      result.erase(std::next(result.begin()), result.end());
+    return result;
   }
 
 
 
-  unsigned int
-  FaceNames::one_of(const std::set<unsigned int> &candidates, const MeshFile::Nodes &corners) const
+  std::vector<std::string>
+  FaceNames::notes(const std::vector<MeshFile::Nodes> &faces,
+                   const std::set<unsigned int>       &part_nodes) const
   {
-    if (candidates.empty())
-      return none;
-    if (candidates.size() > 1 && !in_order)
-      throw SceneError("has a face at " + text_of(file.nodes[corners[0]]) + " that is both in '" +
-                       names[*candidates.begin()] + "' and in '" + names[*candidates.rbegin()] +
-                       "'; leave it in one, or list the boundaries that you need by the key "
-                       "'Boundaries', first those that win");
-    return *candidates.begin();
+    std::vector<std::string> result;
+    for (const auto &[name, set] : node_sets)
+      {
+        std::set<unsigned int> rest;
+        for (const unsigned int node : part_nodes)
+          if (set[node])
+            rest.insert(node);
+        const std::size_t all = rest.size();
+        for (const MeshFile::Nodes &corners : faces)
+          if (has_all(set, corners))
+            for (const unsigned int node : corners)
+              rest.erase(node);
+        if (!rest.empty() && rest.size() < all)
+          result.push_back("node set '" + names[name] + "': " + std::to_string(rest.size()) +
+                           " of its " + std::to_string(all) +
+                           " nodes here are on no face with all its corners in the set, and so not "
+                           "on the boundary of that name; the key Nodes takes them all");
+      }
+    return result;
   }
 } // namespace Signorini

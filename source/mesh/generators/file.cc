@@ -1,12 +1,21 @@
+#include <signorini/mesh/division/chosen_cells.h>
+#include <signorini/mesh/division/collapsed_cells.h>
+#include <signorini/mesh/division/division.h>
+#include <signorini/mesh/division/merged_nodes.h>
+#include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/curved_cells.h>
 #include <signorini/mesh/generators/file.h>
+#include <signorini/mesh/pieces.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 
 namespace Signorini
 {
@@ -44,13 +53,70 @@ namespace Signorini
 
 
 
-    /// All ranks read the file, one speaks.
+    /// All ranks read the file, one speaks; what several bodies share is said once.
     void
     tell(const std::string &body, const std::string &path, const std::vector<std::string> &notes)
     {
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      static std::set<std::string> said;
+      // Of several ranks all have MPI by now, of one none has.
+      if (!Utilities::MPI::job_supports_mpi() ||
+          Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         for (const std::string &note : notes)
-          std::cout << body << ", mesh file '" << path << "': " << note << std::endl;
+          if (said.insert(path + note).second)
+            std::cout << body << ", mesh file '" << path << "': " << note << std::endl;
+    }
+
+
+
+    /// Vertices between others may have moved far.
+    template <int dim>
+    void
+    check_not_folded(const Triangulation<dim> &triangulation, const FilePart<dim> &part)
+    {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        {
+          Point<dim>     corners[GeometryInfo<dim>::vertices_per_cell];
+          Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
+          for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+            corners[v] = cell->vertex(v);
+          GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
+          for (const double volume : volumes)
+            if (!(volume > 0))
+              throw SceneError(
+                "folds element " +
+                std::to_string(part.elements[cell->active_cell_index()]->number) +
+                ", which is too large for the curve; make the elements there smaller");
+        }
+    }
+
+
+
+    /// One a vertex of the part; none without a name.
+    template <int dim>
+    std::vector<double>
+    temperatures_of(const MeshFile &file, const FilePart<dim> &part, const std::string &name)
+    {
+      if (name.empty())
+        return {};
+      const auto found = file.fields.find(name);
+      if (found == file.fields.end())
+        {
+          std::vector<std::string> names;
+          for (const auto &field : file.fields)
+            names.push_back(field.first);
+          throw SceneError("has no numbers at its nodes that are called so; it has " +
+                           (names.empty() ? "none" : join(names)));
+        }
+      std::vector<double> result;
+      for (unsigned int v = 0; v < part.vertices.size(); ++v)
+        {
+          const unsigned int node = part.file_nodes[v];
+          result.push_back(node < found->second.size() ? found->second[node] :
+                                                         std::numeric_limits<double>::quiet_NaN());
+          if (!std::isfinite(result.back()))
+            throw SceneError("has no temperature at the node at " + text_of(part.vertices[v]));
+        }
+      return result;
     }
 
 
@@ -96,25 +162,30 @@ namespace Signorini
     section.add("File",
                 file,
                 "mesh file, beside the scene; its extension says the format: " + mesh_formats());
-    section.add("Part",
-                selection.part,
-                std::string("physical ") + (dim == 2 ? "surface" : "volume") +
-                  " (Gmsh), element set (Abaqus) or ARRAY VALUE of cell data (VTK) that is the "
-                  "body, with nodes of its own; empty: all cells");
+    section.add(
+      "Part",
+      selection.part,
+      std::string("physical ") + (dim == 2 ? "surface" : "volume") +
+        " (Gmsh), instance or element set (Abaqus) or ARRAY VALUE of cell data (VTK) that "
+        "is the body, with nodes of its own; or piece1, piece2, ...: cells that are "
+        "connected, where no set is just that; empty: all cells");
     section.add("Boundaries",
                 selection.boundaries,
                 "names in the file that are boundaries, separated by commas; of several that "
-                "contain a face the first wins; empty: all, and none may overlap");
+                "contain a face the first wins; empty: all, and a face may have several names");
     section.add("Feature angle",
                 selection.feature_angle,
                 "faces without a name are divided where they meet at more than this angle into "
                 "unnamed1, unnamed2, ... by the x, then y, then z of their centers; 0: one "
                 "boundary unnamed [degrees]",
                 Range{0, 180});
-    section.add_choice("Coinciding nodes",
-                       selection.coinciding_nodes,
-                       {"refuse", "merge", "keep"},
-                       "what is done with nodes at one place, where cells are not connected");
+    section.add_choice(
+      "Coinciding nodes",
+      selection.coinciding_nodes,
+      {"refuse", "merge", "keep"},
+      "what is done with nodes at one place, where cells are not connected; pieces "
+      "that are not connected anywhere stay apart, if a contact pair of the body "
+      "joins them");
     section.add("Node distance",
                 selection.node_distance,
                 "up to which nodes coincide; 0: 1e-3 of the shortest edge [length]",
@@ -129,8 +200,32 @@ namespace Signorini
                   "boundaries on circles, separated by ;   NAME circle cx cy" :
                   "boundaries on spheres (center) or cylinders (point and direction of the axis), "
                   "separated by ;   NAME sphere cx cy cz   NAME cylinder px py pz ax ay az");
+    section.add("Temperature field",
+                temperature_field,
+                "name in the file of temperatures at the nodes, linear between those of corners; "
+                "empty: none");
     if (section.reading())
       read(section);
+  }
+
+
+
+  template <int dim>
+  FileSelection
+  FileMesh<dim>::divide(MeshFile &all, const std::string &body, const std::string &path) const
+  {
+    FileSelection result = selection;
+    recognise_collapsed_cells(all, cells_of_part(all, dim, selection.part));
+    if (!ChosenCells(all, dim, selection.part).any)
+      return result;
+    if (selection.coinciding_nodes == "merge")
+      {
+        merge_coinciding_nodes(all, dim, selection.part, selection.node_distance);
+        result.coinciding_nodes = "refuse";
+        result.node_distance    = 0;
+      }
+    tell(body, path, divide_cells(all, dim, selection.part, mid_side_nodes));
+    return result;
   }
 
 
@@ -148,7 +243,8 @@ namespace Signorini
     std::string key = "File";
     try
       {
-        const MeshFile all = read_mesh_file(path);
+        MeshFile all = read_mesh_file(path);
+        add_pieces(all, dim);
 
         key                                  = "Part";
         const std::vector<std::string> parts = part_names(all, dim);
@@ -158,9 +254,17 @@ namespace Signorini
         key = "Boundaries";
         check_groups(all, selection.boundaries);
 
-        key = "File";
-        const FilePart<dim> part(all, selection);
+        key                       = "File";
+        const FileSelection after = divide(all, section.path(), path);
+        const FilePart<dim> part(all, after);
         tell(section.path(), path, part.notes);
+        nodes = part.nodes;
+        if (!part.touching_pieces.empty())
+          unless_pair =
+            section.place_of("File") + ": mesh file '" + path + "' " + part.touching_pieces;
+
+        key          = "Temperature field";
+        temperatures = temperatures_of(all, part, temperature_field);
 
         key = "Curved boundaries";
         for (const auto &surface : surfaces)
@@ -171,16 +275,24 @@ namespace Signorini
         triangulation.create_triangulation(part.vertices, part.cells, part.faces);
         for (unsigned int i = 0; i < surfaces.size(); ++i)
           {
-            const auto &all_names = part.boundaries;
-            const auto  at        = std::find(all_names.begin(), all_names.end(), surfaces[i].name);
-            surfaces[i].apply(triangulation, at - all_names.begin(), i);
+            const auto &names = part.boundaries;
+            const auto  name  = std::find(names.begin(), names.end(), surfaces[i].name);
+            std::set<types::boundary_id> ids;
+            for (types::boundary_id id = 0; id < part.names_of_ids.size(); ++id)
+              for (const unsigned int one : part.names_of_ids[id])
+                if (one == name - names.begin())
+                  ids.insert(id);
+            surfaces[i].apply(triangulation, ids, i, part.made);
           }
+
+        check_not_folded(triangulation, part);
 
         key = "File";
         const unsigned int n_curved =
           mid_side_nodes ? curve_cells(triangulation, all, part.elements, surfaces.size()) : 0;
         is_curved = n_curved + surfaces.size() > 0;
-        mesh      = CoarseMesh<dim>::from_triangulation(triangulation, part.boundaries);
+        mesh =
+          CoarseMesh<dim>::from_triangulation(triangulation, part.boundaries, part.names_of_ids);
       }
     catch (const SceneError &error)
       {

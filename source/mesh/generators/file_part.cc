@@ -1,9 +1,11 @@
+#include <signorini/mesh/division/centers.h>
 #include <signorini/mesh/generators/cell_checks.h>
 #include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/coinciding_nodes.h>
 #include <signorini/mesh/generators/face_names.h>
 #include <signorini/mesh/generators/file_part.h>
 #include <signorini/mesh/generators/smooth_patches.h>
+#include <signorini/mesh/pieces.h>
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -37,13 +39,8 @@ namespace Signorini
                          ", the first is number " + std::to_string(element.number));
       if (dimension_of(element.shape) > dim)
         throw SceneError("has cells in three dimensions, the scene has two");
-      if (element.shape != cell_shape<dim>)
-        throw SceneError(
-          std::string("has cells that are not ") + (dim == 2 ? "quadrilaterals" : "hexahedra") +
-          ", the first is element " + std::to_string(element.number) + " of type " + element.type +
-          "; make all of them so in Gmsh: " + (dim == 2 ? "Recombine Surface \"*\"; or " : "") +
-          "Mesh.SubdivisionAlgorithm = " + (dim == 2 ? "1" : "2") +
-          "; RefineMesh; as meshes/README.md explains");
+      AssertThrow(element.shape == cell_shape<dim>,
+                  ExcInternalError("A cell of a mesh file was not divided."));
     }
 
 
@@ -119,17 +116,17 @@ namespace Signorini
     std::vector<CellData<dim - 1>>
     boundary_faces(const std::vector<CellData<dim>> &cells, const std::vector<Point<dim>> &vertices)
     {
-      std::map<MeshFile::Nodes, unsigned int> n_cells;
+      std::unordered_map<Centers::Key, unsigned int, Centers::Hash> n_cells;
       for (const auto &cell : cells)
         for (const unsigned int face : GeometryInfo<dim>::face_indices())
-          ++n_cells[sorted(face_nodes(cell, face))];
+          ++n_cells[Centers::key(face_nodes(cell, face))];
 
       std::vector<CellData<dim - 1>> faces;
       for (const auto &cell : cells)
         for (const unsigned int face : GeometryInfo<dim>::face_indices())
           {
             const MeshFile::Nodes nodes = face_nodes(cell, face);
-            const unsigned int    n     = n_cells[sorted(nodes)];
+            const unsigned int    n     = n_cells[Centers::key(nodes)];
             if (n > 2)
               throw SceneError("has a face with more than two cells at " +
                                text_of(vertices[nodes[0]]) + "; is a cell there twice?");
@@ -144,36 +141,74 @@ namespace Signorini
 
 
 
-    /// Give the faces boundary ids, and say what these are called: first the names in the file,
-    /// then those of the faces that have none.
+    /// Names of boundaries, and those of each boundary id.
+    struct Names
+    {
+      std::vector<std::string>               boundaries;
+      std::vector<std::vector<unsigned int>> of_ids;
+
+      /// One more boundary id for these faces.
+      template <typename Face>
+      void
+      add(const std::vector<unsigned int> &names,
+          const std::vector<unsigned int> &members,
+          std::vector<Face>               &faces)
+      {
+        for (const unsigned int f : members)
+          faces[f].boundary_id = of_ids.size();
+        of_ids.push_back(names);
+      }
+
+      unsigned int
+      index(const std::string &name)
+      {
+        const auto found = std::find(boundaries.begin(), boundaries.end(), name);
+        if (found != boundaries.end())
+          return found - boundaries.begin();
+        boundaries.push_back(name);
+        return boundaries.size() - 1;
+      }
+    };
+
+
+
+    /// Give the faces boundary ids, one for all that have the same names: first those with names in
+    /// the file, in the order of these, then the others.
     template <int dim>
-    std::vector<std::string>
+    Names
     name_faces(std::vector<CellData<dim - 1>> &faces,
                const std::vector<Point<dim>>  &vertices,
                const FaceNames                &names,
                const double                    feature_angle,
                std::vector<std::string>       &notes)
     {
-      std::map<unsigned int, std::vector<unsigned int>> named;
+      std::map<std::set<unsigned int>, std::vector<unsigned int>> named;
+      std::set<unsigned int>                                      all;
       for (unsigned int f = 0; f < faces.size(); ++f)
-        named[names(faces[f].vertices)].push_back(f);
-      std::vector<unsigned int> unnamed = std::move(named[FaceNames::none]);
-      named.erase(FaceNames::none);
+        {
+          const std::set<unsigned int> of_face = names(faces[f].vertices);
+          named[of_face].push_back(f);
+          all.insert(of_face.begin(), of_face.end());
+        }
+      const std::vector<unsigned int> unnamed = std::move(named[{}]);
+      named.erase(std::set<unsigned int>());
 
-      std::vector<std::string> boundaries;
-      const auto add = [&](const std::string &name, const std::vector<unsigned int> &members) {
-        for (const unsigned int f : members)
-          faces[f].boundary_id = boundaries.size();
-        boundaries.push_back(name);
-      };
-      for (const auto &[name, members] : named)
-        add(names.name(name), members);
+      Names result;
+      for (const unsigned int name : all)
+        result.boundaries.push_back(names.name(name));
+      for (const auto &[of_faces, members] : named)
+        {
+          std::vector<unsigned int> indices;
+          for (const unsigned int name : of_faces)
+            indices.push_back(std::distance(all.begin(), all.find(name)));
+          result.add(indices, members, faces);
+        }
       if (unnamed.empty())
-        return boundaries;
+        return result;
       if (feature_angle == 0)
         {
-          add("unnamed", unnamed);
-          return boundaries;
+          result.add({result.index("unnamed")}, unnamed, faces);
+          return result;
         }
       std::vector<CellData<dim - 1>> nameless;
       for (const unsigned int f : unnamed)
@@ -184,11 +219,12 @@ namespace Signorini
           std::vector<unsigned int> members;
           for (const unsigned int f : patches[i].faces)
             members.push_back(unnamed[f]);
-          add("unnamed" + std::to_string(i + 1), members);
-          notes.push_back("boundary " + boundaries.back() + ": " + std::to_string(members.size()) +
+          const std::string name = "unnamed" + std::to_string(i + 1);
+          result.add({result.index(name)}, members, faces);
+          notes.push_back("boundary " + name + ": " + std::to_string(members.size()) +
                           " faces about " + text_of(patches[i].center));
         }
-      return boundaries;
+      return result;
     }
 
 
@@ -211,6 +247,45 @@ namespace Signorini
 
 
 
+    /// What a body of several pieces is made of.
+    std::vector<std::string>
+    note_of_pieces(const MeshFile &file, const unsigned int dim, const std::string &part)
+    {
+      std::vector<bool> wanted(file.elements.size(), part.empty());
+      for (const auto &group : file.groups)
+        if (group.name == part)
+          for (const unsigned int e : group.elements)
+            wanted[e] = true;
+      const std::vector<Piece> pieces = pieces_of(file, dim, wanted);
+      if (pieces.size() < 2)
+        return {};
+      constexpr unsigned int   most = 20;
+      std::vector<std::string> words;
+      for (unsigned int i = 0; i < std::min<std::size_t>(pieces.size(), most); ++i)
+        words.push_back(description(pieces[i]));
+      return {"consists of " + std::to_string(pieces.size()) + " pieces that are not connected: " +
+              join(words, "; ") + (pieces.size() > most ? "; ..." : "")};
+    }
+
+
+
+    /// Of the vertices that cells use, in order: were they made by dividing cells?
+    template <int dim>
+    std::vector<bool>
+    made_vertices(const std::vector<CellData<dim>> &cells, const MeshFile &file)
+    {
+      std::vector<bool> used(file.nodes.size()), made;
+      for (const auto &cell : cells)
+        for (const unsigned int node : cell.vertices)
+          used[node] = true;
+      for (unsigned int node = 0; node < used.size(); ++node)
+        if (used[node])
+          made.push_back(node >= file.first_made);
+      return made;
+    }
+
+
+
     template <int dim>
     void
     replace_nodes(std::vector<CellData<dim>>      &cells,
@@ -228,8 +303,13 @@ namespace Signorini
   FilePart<dim>::FilePart(const MeshFile &file, const FileSelection &selection)
     : vertices(vertices_of<dim>(file))
     , elements(elements_of<dim>(file, selection.part))
-    , notes(note_of_unused_nodes(file))
+    , notes(file.notes)
   {
+    for (const std::string &note : note_of_unused_nodes(file))
+      notes.push_back(note);
+    if (selection.coinciding_nodes != "merge")
+      for (const std::string &note : note_of_pieces(file, dim, selection.part))
+        notes.push_back(note);
     cells = cells_of<dim>(elements);
     if constexpr (dim == 2)
       check_plane(file, cells);
@@ -244,23 +324,34 @@ namespace Signorini
       }
     orient(cells, vertices, elements);
     if (selection.coinciding_nodes == "refuse")
-      CoincidingNodes<dim>(cells, vertices, selection.node_distance).refuse();
+      touching_pieces =
+        CoincidingNodes<dim>(cells, vertices, selection.node_distance).refuse_cracks();
 
-    std::set<unsigned int> nodes;
+    std::set<unsigned int> corners;
     for (const auto &cell : cells)
-      nodes.insert(cell.vertices.begin(), cell.vertices.end());
-    const FaceNames names(file, dim, selection.boundaries, representatives, nodes);
+      corners.insert(cell.vertices.begin(), cell.vertices.end());
+    const FaceNames names(file, dim, selection.boundaries, representatives, corners);
     auto           &list = [&]() -> std::vector<CellData<dim - 1>>           &{
       if constexpr (dim == 2)
         return faces.boundary_lines;
       else
         return faces.boundary_quads;
     }();
-    list       = boundary_faces(cells, vertices);
-    boundaries = name_faces(list, vertices, names, selection.feature_angle, notes);
+    list                  = boundary_faces(cells, vertices);
+    const Names all_names = name_faces(list, vertices, names, selection.feature_angle, notes);
+    boundaries            = all_names.boundaries;
+    names_of_ids          = all_names.of_ids;
+    std::vector<MeshFile::Nodes> face_corners;
+    for (const auto &face : list)
+      face_corners.push_back(face.vertices);
+    for (const std::string &note : names.notes(face_corners, corners))
+      notes.push_back(note);
 
-    GridTools::delete_unused_vertices(vertices, cells, faces);
+    made = made_vertices(cells, file);
+    file_nodes.assign(corners.begin(), corners.end()); // what is left keeps its order
     GridTools::consistently_order_cells(cells);
+    nodes = FileNodes<dim>(file, cells, elements, representatives);
+    GridTools::delete_unused_vertices(vertices, cells, faces);
   }
 
 

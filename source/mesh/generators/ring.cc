@@ -1,3 +1,4 @@
+#include <signorini/mesh/generators/circle_part.h>
 #include <signorini/mesh/generators/ring.h>
 #include <signorini/parameters/section.h>
 
@@ -12,20 +13,9 @@ namespace Signorini
 
   namespace
   {
-    /// The part between two angles, in units of a right angle.
-    struct Sector
-    {
-      unsigned int first, quarters;
-    };
-
-    const std::map<std::string, Sector> sectors{{"full", {0, 4}},
-                                                {"half", {0, 2}},
-                                                {"lower half", {2, 2}},
-                                                {"quarter", {0, 1}}};
-
     /// cos and sin, exact at the right angles, so that cuts lie where they should.
     std::array<double, 2>
-    direction(const Sector &sector, const unsigned int j, const unsigned int n)
+    direction(const CirclePart &sector, const unsigned int j, const unsigned int n)
     {
       const unsigned int    steps = sector.quarters * j; // n of them make a right angle
       const double          angle = numbers::PI_2 * (steps % n) / n;
@@ -95,9 +85,9 @@ namespace Signorini
     section.add_choice(
       "Part",
       part,
-      {"full", "half", "lower half", "quarter"},
-      "of the whole; half: y >= cy, lower half: y <= cy, both cut at `symmetry_y`; "
-      "quarter: x >= cx and y >= cy, cut at `symmetry_x` too");
+      circle_part_names(),
+      "of the whole, cut along x = cx at `symmetry_x` and along y = cy at `symmetry_y`; half: the "
+      "upper one, quarter: the upper right one");
     section.add("Cells around", cells_around, "coarse cells along the arc of the part", {1});
     section.add("Cells through", cells_through, "coarse cells through the thickness", {1});
     if (dim == 3)
@@ -109,7 +99,7 @@ namespace Signorini
       return;
     if (inner_radius >= outer_radius)
       section.fail("Inner radius", "must be smaller than the outer one");
-    if (cells_around < sectors.at(part).quarters)
+    if (cells_around < circle_part(part).quarters)
       section.fail("Cells around", "there must be at least one cell in 90 degrees");
   }
 
@@ -133,9 +123,9 @@ namespace Signorini
   {
     std::vector<NamedSurface<dim>> result{round_surface("inner", inner_radius),
                                           round_surface("outer", outer_radius)};
-    if (part == "quarter")
+    if (circle_part(part).is_cut_at_x())
       result.push_back(plane<dim>("symmetry_x", 0, center[0], outer_radius));
-    if (part != "full")
+    if (circle_part(part).is_cut_at_y())
       result.push_back(plane<dim>("symmetry_y", 1, center[1], outer_radius));
     if (dim == 3)
       {
@@ -160,8 +150,8 @@ namespace Signorini
   CoarseMesh<dim>
   RingMesh<dim>::generate() const
   {
-    const Sector    sector = sectors.at(part);
-    const Grid<dim> grid{cells_through, cells_around, dim == 3 ? layers : 1, part == "full"};
+    const CirclePart sector = circle_part(part);
+    const Grid<dim>  grid{cells_through, cells_around, dim == 3 ? layers : 1, part == "full"};
     const auto point_at = [&](const unsigned int i, const unsigned int j, const unsigned int k) {
       const double r = inner_radius + (outer_radius - inner_radius) * i / cells_through;
       const auto   d = direction(sector, j, cells_around);

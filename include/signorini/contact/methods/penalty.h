@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/method.h>
+#include <signorini/contact/penalty_factor.h>
 
 namespace Signorini
 {
@@ -29,7 +29,7 @@ namespace Signorini
       return false;
     }
 
-    /// eps = Factor E/h (L/h)^Growth, with the size L of the scene.
+    /// eps = Factor E/h (L/h)^Growth, with the size L of the scene; or Stiffness.
     double
     penalty(const PenaltyScale &scale) const override;
 
@@ -44,7 +44,8 @@ namespace Signorini
 
 
   private:
-    double      penalty_factor = 1000, growth = 0;
-    std::string weighting = "mortar";
+    PenaltyFactor penalty_factor;
+    double        growth    = 0;
+    std::string   weighting = "mortar";
   };
 } // namespace Signorini

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/method.h>
+#include <signorini/contact/penalty_factor.h>
 
 namespace Signorini
 {
@@ -35,11 +35,11 @@ namespace Signorini
     double
     penalty(const PenaltyScale &scale) const override
     {
-      return penalty_factor * scale.stiffness;
+      return penalty_factor.of(scale);
     }
 
   private:
-    double      penalty_factor = 1000;
-    std::string form           = "block";
+    PenaltyFactor penalty_factor;
+    std::string   form = "block";
   };
 } // namespace Signorini

@@ -4,6 +4,16 @@
 
 namespace Signorini
 {
+  /// Of all shapes.
+  template <int dim>
+  std::vector<std::string>
+  obstacle_names();
+
+  /// `name` is one of obstacle_names<dim>().
+  template <int dim>
+  std::unique_ptr<ObstacleShape<dim>>
+  make_shape(const std::string &name);
+
   // Each shape is a class of its own file; nobody needs to know more of it than how to make one.
 
   /// Half space behind a point, with its outward normal.

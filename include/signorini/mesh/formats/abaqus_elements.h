@@ -19,9 +19,9 @@ namespace Signorini
   MeshFile::Nodes
   reordered(const AbaqusType &type, MeshFile::Nodes nodes);
 
-  /// Corners of the face with a label: S1 to S6 of hexahedra, S1 to S4 (or E1 to E4) of
-  /// quadrilaterals, SPOS and SNEG for the quadrilateral itself, and all of these if there is no
-  /// label. No face for other shapes, which are no cells; nor for an unknown label.
+  /// Corners of the face with a label: S1 to S6 of solids, S1 to S4 (or E1 to E4) of plane cells,
+  /// SPOS and SNEG for the plane cell itself, and all of these if there is no label. No face for
+  /// other shapes, which are no cells; nor for an unknown label.
   std::vector<MeshFile::Nodes>
   abaqus_faces(const MeshFile::Element &element, const std::string &label);
 } // namespace Signorini

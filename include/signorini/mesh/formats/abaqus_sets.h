@@ -14,7 +14,8 @@ namespace Signorini
   };
 
   /// The nodes, or the elements, of a file by their numbers, and the sets of them by their names,
-  /// in any case. All functions that take a file throw SceneError with its present line.
+  /// in any case. Those of an instance are INSTANCE.NUMBER and INSTANCE.SET. All functions that
+  /// take a file throw SceneError with its present line.
   class AbaqusSets
   {
   public:
@@ -25,15 +26,19 @@ namespace Signorini
       return index_of.insert({number, index}).second;
     }
 
-    /// Index of the node or element; `none` if it is not known.
+    /// Index of the node or element; `none` if it is not known. @param instance empty: of none
     unsigned int
-    index(std::size_t number) const;
+    index(std::size_t number, const std::string &instance = "") const;
 
     static constexpr unsigned int none = -1;
 
     /// The set of that name, made if there is none.
     AbaqusSet &
     get(const std::string &name);
+
+    /// The set of that name; null if there is none.
+    const AbaqusSet *
+    find(const std::string &name) const;
 
     /// By their names in upper case.
     const std::map<std::string, AbaqusSet> &
@@ -42,19 +47,37 @@ namespace Signorini
       return sets;
     }
 
-    /// Append what a word means: a number, or the name of a set.
+    /// The numbers with their indices, of what is in no instance.
+    const std::unordered_map<std::size_t, unsigned int> &
+    numbers() const
+    {
+      return index_of;
+    }
+
+    /// Of all nodes, by their instance (in upper case, empty: none) and their number.
+    std::map<std::string, std::unordered_map<std::size_t, unsigned int>>
+    all_numbers() const;
+
+    /// Append what a word means: a number, or the name of a set; in an instance, if one is named.
     void
     append(const KeywordFile         &in,
            const std::string         &word,
-           std::vector<unsigned int> &members) const;
+           std::vector<unsigned int> &members,
+           const std::string         &instance = "") const;
 
-    /// Append the data lines of a keyword: words, or with GENERATE first, last, step.
+    /// Append the data lines of a keyword: words, or with GENERATE first, last, step; with
+    /// INSTANCE=NAME those of an instance.
     void
     append_lines(KeywordFile &in, std::vector<unsigned int> &members) const;
 
+    /// Take the numbers and sets of an instance in. Returns false if there is one of that name.
+    bool
+    add_instance(const std::string &name, const AbaqusSets &of);
+
   private:
-    std::unordered_map<std::size_t, unsigned int> index_of;
-    std::map<std::string, AbaqusSet>              sets;
+    std::unordered_map<std::size_t, unsigned int>                        index_of;
+    std::map<std::string, AbaqusSet>                                     sets;
+    std::map<std::string, std::unordered_map<std::size_t, unsigned int>> instances;
   };
 
   /// The number of a node or element.

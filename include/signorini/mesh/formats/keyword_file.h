@@ -15,7 +15,8 @@ namespace Signorini
   ///     data, data, data
   ///
   /// Keywords and parameters may be in any case. A keyword line that ends with a comma goes on in
-  /// the next line. *INCLUDE, INPUT=file is followed, beside the file that says so.
+  /// the next line. *INCLUDE, INPUT=file is followed, beside the file that says so; of any other
+  /// keyword, INPUT=file has the first data lines.
   class KeywordFile
   {
   public:
@@ -43,6 +44,20 @@ namespace Signorini
     bool
     next_line(std::vector<std::string> &words);
 
+    /// All parameters with their values, by names in upper case.
+    const std::map<std::string, std::string> &
+    all_parameters() const
+    {
+      return parameters;
+    }
+
+    /// "FILE, line LINE" of the present keyword or data line.
+    std::string
+    place() const
+    {
+      return name + ", line " + std::to_string(line_number);
+    }
+
     /// Did the last data line end with a comma?
     bool
     goes_on() const
@@ -67,10 +82,13 @@ namespace Signorini
     bool
     next_text(std::string &line);
     void
+    open_beside(const std::string &file_name);
+    void
     parse_keyword(std::string line);
 
     std::vector<Source>                sources; ///< the last one is being read
     std::string                        name, my_keyword, pending;
+    std::string                        data_file; ///< of INPUT=, until it is opened
     unsigned int                       line_number = 0;
     std::map<std::string, std::string> parameters;
     bool                               my_goes_on = false;
@@ -78,4 +96,9 @@ namespace Signorini
 
   std::string
   upper_case(std::string text);
+
+  /// A number as Fortran writes it too, 1.5D+3; empty is zero. Throws SceneError with the present
+  /// line if it is none, or not finite.
+  double
+  real_from(const KeywordFile &in, const std::string &word);
 } // namespace Signorini

@@ -30,6 +30,8 @@ namespace Signorini
     }
 
   private:
+    void
+    check_size(const Section &section) const;
     std::vector<NamedSurface<dim>>
     surfaces() const;
 

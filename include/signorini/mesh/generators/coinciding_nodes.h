@@ -21,11 +21,14 @@ namespace Signorini
     std::vector<unsigned int>
     representatives() const;
 
-    /// Throws SceneError with their number and the place of the first, if there are any.
-    void
-    refuse() const;
+    /// Throws SceneError with their number and the place of the first where cells are connected
+    /// otherwise: there is a crack. Returns what is to be said of those between cells that are not
+    /// connected; empty if there are none.
+    std::string
+    refuse_cracks() const;
 
   private:
+    const std::vector<dealii::CellData<dim>>          &cells;
     const std::vector<dealii::Point<dim>>             &vertices;
     std::vector<std::pair<unsigned int, unsigned int>> pairs; ///< the lower number first, in order
   };

@@ -4,8 +4,8 @@
 
 namespace Signorini
 {
-  /// A disc or a part of it. Boundaries: arc; top, where it is cut at the height of the center;
-  /// symmetry, where it is cut at the x of the center.
+  /// A disc or a part of it. Boundaries: arc; top of a lower part, or bottom of an upper one, where
+  /// it is cut at the height of the center; symmetry, where it is cut at the x of the center.
   class DiscMesh : public MeshGenerator<2>
   {
   public:

@@ -7,13 +7,13 @@
 
 namespace Signorini
 {
-  /// Which group of a mesh file gives a boundary face its name. Elements and faces go before sets
-  /// of nodes; a set with all nodes of the part names nothing.
+  /// Which groups of a mesh file give a boundary face its names: those with the face, and sets of
+  /// nodes with all its corners. A set with all nodes of the part names nothing.
   class FaceNames
   {
   public:
     /// @param names the groups that are boundaries, the first of them that contains a face wins;
-    /// empty: all groups, and a face must not be in two.
+    /// empty: all groups, and a face has as many names as contain it.
     /// @param representatives of nodes that were merged
     /// @param part_nodes of the cells
     FaceNames(const MeshFile                  &file,
@@ -22,11 +22,8 @@ namespace Signorini
               const std::vector<unsigned int> &representatives,
               const std::set<unsigned int>    &part_nodes);
 
-    static constexpr unsigned int none = -1;
-
-    /// Index of the name of a face with these corners, or `none`. Throws SceneError if the face is
-    /// in two groups.
-    unsigned int
+    /// Indices of the names of a face with these corners.
+    std::set<unsigned int>
     operator()(const MeshFile::Nodes &corners) const;
 
     const std::string &
@@ -35,11 +32,15 @@ namespace Signorini
       return names[index];
     }
 
+    /// What is to be said of sets of nodes that are boundaries in part only: nodes that no face of
+    /// the boundary has. @param faces the corners of all boundary faces
+    std::vector<std::string>
+    notes(const std::vector<MeshFile::Nodes> &faces,
+          const std::set<unsigned int>       &part_nodes) const;
+
   private:
     void
     add(const MeshFile::Nodes &face, unsigned int name);
-    unsigned int
-    one_of(const std::set<unsigned int> &candidates, const MeshFile::Nodes &corners) const;
 
     const MeshFile                                   &file;
     const std::vector<unsigned int>                  &representatives;

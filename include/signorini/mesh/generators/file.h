@@ -38,20 +38,52 @@ namespace Signorini
       return mesh;
     }
 
+    const std::vector<double> &
+    temperature() const override
+    {
+      return temperatures;
+    }
+
     bool
     curved() const override
     {
       return is_curved;
     }
 
+    std::vector<std::string>
+    node_sets() const override
+    {
+      return nodes.names();
+    }
+
+    NodeSet<dim>
+    node_set(const std::string &name) const override
+    {
+      return nodes.find(name);
+    }
+
+    std::string
+    needs_pair() const override
+    {
+      return unless_pair;
+    }
+
   private:
     void
-                  read(const Section &section);
-    std::string   file, curved_text;
+    read(const Section &section);
+
+    /// Divide cells that are no quadrilaterals or hexahedra, and say so. Returns how to go on.
+    FileSelection
+    divide(MeshFile &all, const std::string &body, const std::string &path) const;
+
+    std::string   file, curved_text, temperature_field;
     FileSelection selection;
     bool          mid_side_nodes = true;
 
-    CoarseMesh<dim> mesh;
-    bool            is_curved = false;
+    CoarseMesh<dim>     mesh;
+    std::vector<double> temperatures; ///< at its vertices
+    FileNodes<dim>      nodes;
+    std::string         unless_pair;
+    bool                is_curved = false;
   };
 } // namespace Signorini

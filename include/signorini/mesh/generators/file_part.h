@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/mesh/generators/file_nodes.h>
 #include <signorini/mesh/mesh_file.h>
 
 #include <deal.II/grid/tria_description.h>
@@ -11,9 +12,11 @@ namespace Signorini
   {
     std::string              part;       ///< empty: all cells
     std::vector<std::string> boundaries; ///< the first that contains a face wins; empty: all
-    std::string              coinciding_nodes = "refuse"; ///< or merge, keep
-    double                   node_distance    = 0; ///< of coinciding nodes; 0: see tolerance_for()
-    double                   feature_angle    = 0; ///< [degrees]; 0: one boundary `unnamed`
+    /// Or merge, keep. Those of cells that are not connected otherwise are kept apart in any case
+    /// but merge.
+    std::string coinciding_nodes = "refuse";
+    double      node_distance    = 0; ///< of coinciding nodes; 0: see tolerance_for()
+    double      feature_angle    = 0; ///< [degrees]; 0: one boundary `unnamed`
   };
 
   /// One part of a mesh file as deal.II wants it, with vertices of its own.
@@ -22,14 +25,22 @@ namespace Signorini
   {
     std::vector<dealii::CellData<dim>> cells; ///< in the order of `elements`, oriented
     std::vector<dealii::Point<dim>>    vertices;
-    /// All boundary faces; the boundary id is the index of the name into `boundaries`.
-    dealii::SubCellData      faces;
-    std::vector<std::string> boundaries; ///< those that have faces, the unnamed ones last
+    dealii::SubCellData                faces;      ///< all boundary faces
+    std::vector<std::string>           boundaries; ///< those that have faces, the unnamed ones last
+    /// Of each boundary id, indices into `boundaries`.
+    std::vector<std::vector<unsigned int>> names_of_ids;
+    FileNodes<dim>                         nodes;
+    std::vector<unsigned int>              file_nodes; ///< of the vertices
+    /// Which vertices are not in the file, but were made by dividing cells.
+    std::vector<bool> made;
     /// The element of each cell.
     std::vector<const MeshFile::Element *> elements;
     /// What the user may want to know: nodes that are left out, and where the unnamed boundaries
     /// are that the feature angle made.
     std::vector<std::string> notes;
+    /// Where pieces that are not connected touch with nodes of their own, and what to do about it;
+    /// empty if they do not.
+    std::string touching_pieces;
 
     /// Throws SceneError, without the file's name, if the cells cannot be used. Refers to the file.
     FilePart(const MeshFile &file, const FileSelection &selection);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <string>
+
+namespace Signorini
+{
+  /// What to say of a formula without a finite value at a place and a time.
+  template <int dim>
+  std::string
+  not_finite(const std::string        &key,
+             const std::string        &formula,
+             const dealii::Point<dim> &x,
+             double                    t);
+} // namespace Signorini

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <signorini/import/deck_model.h>
+
+#include <set>
+
+namespace Signorini
+{
+  /// Reads the keywords that make the model, after those of the mesh: a small function each, in the
+  /// registry of deck_reader.cc.
+  class DeckReader
+  {
+  public:
+    explicit DeckReader(const std::string &file_name);
+
+    DeckModel
+    read();
+
+  private:
+    using Words   = std::vector<std::string>;
+    using Members = std::vector<unsigned int>;
+    using Curve   = DeckModel::Curve;
+
+    void
+    ignore();
+    void
+    leave_out(const std::string &why);
+    void
+    begin_part();
+    void
+    end_part();
+
+    // Materials
+    void
+    begin_material();
+    void
+    read_elastic();
+    void
+    read_density();
+    void
+    read_section();
+
+    // Steps
+    void
+    read_amplitude();
+    void
+    begin_step();
+    void
+    read_static();
+    void
+    read_quasi_static();
+    void
+    skip_step();
+    void
+    end_step();
+
+    // Supports and loads
+    void
+    read_boundary();
+    void
+    add_symmetry(const std::string &target, const std::string &kind);
+    void
+    read_forces();
+    void
+    read_element_loads();
+    void
+    add_pressure(const std::string &surface, double value);
+    void
+    add_gravity(const Members &elements, const Words &words);
+    void
+    read_surface_loads();
+    void
+    read_transform();
+
+    // Contact
+    void
+    begin_interaction();
+    void
+    read_behaviour();
+    void
+    read_pairs();
+
+    double
+    number(const Words &words, unsigned int i) const;
+    DeckModel::AtNodes *
+    at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target);
+    bool
+    counts() const;
+    void
+    set(Curve &curve, double value) const;
+    void
+    remove_old(const std::vector<Curve *> &curves) const;
+
+    static const std::map<std::string, void (DeckReader::*)()> registry;
+    static const std::map<std::string, std::string>            not_modelled;
+
+    KeywordFile            in;
+    DeckModel              model;
+    std::string            material, part, interaction;
+    bool                   in_step = false, step_counts = false;
+    unsigned int           n_element_loads = 0;
+    std::set<unsigned int> transformed; ///< nodes with axes of their own
+  };
+} // namespace Signorini

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <signorini/mesh/formats/abaqus.h>
+#include <signorini/mesh/formats/abaqus_elements.h>
+#include <signorini/mesh/formats/rigid_motion.h>
+
+#include <memory>
+#include <set>
+
+namespace Signorini
+{
+  /// Reads the keywords that make a mesh: a small function each, in the registry of abaqus.cc.
+  class AbaqusReader
+  {
+  public:
+    explicit AbaqusReader(const std::string &file_name);
+
+    AbaqusDeck
+    read();
+
+  private:
+    using Words   = std::vector<std::string>;
+    using Members = std::vector<unsigned int>;
+
+    /// Where names and numbers count: the file or assembly, a part, or an instance.
+    struct Scope
+    {
+      std::shared_ptr<MeshFile>    mesh; ///< an instance has that of the file
+      AbaqusSets                   nodes, elements;
+      std::vector<MeshFile::Group> surfaces;
+
+      std::unordered_map<unsigned int, std::size_t> number_of; ///< nodes, by their indices
+    };
+
+    // Nodes and elements
+    void
+    read_nodes();
+    void
+    add_node(std::size_t number, const dealii::Point<3> &place, AbaqusSet *set);
+    dealii::Point<3>
+    cartesian(dealii::Point<3> x, const std::string &system) const;
+    void
+    read_elements();
+    void
+    add_element(const AbaqusType               &type,
+                const std::string              &type_name,
+                const std::vector<std::size_t> &numbers,
+                AbaqusSet                      *set);
+    /// An element like another one with other nodes.
+    void
+    copy_element(unsigned int like, std::size_t number, const MeshFile::Nodes &nodes);
+    void
+    read_system();
+
+    // Sets and surfaces
+    void
+    read_node_set();
+    void
+    read_element_set();
+    Members
+    nodes_of(const std::string &element_set) const;
+    void
+    read_surface();
+    MeshFile::Group
+    combined_surface(const std::string &how);
+    void
+    add_faces(const std::string &of, const std::string &label, MeshFile::Group &surface);
+
+    void
+    read_element_loads();
+
+    // Parts and instances
+    void
+    begin_part();
+    void
+    end_scope();
+    void
+    begin_instance();
+    RigidMotion
+    read_motion();
+    void
+    end_instance();
+
+    // Nodes and elements made of others
+    void
+    generate_nodes();
+    void
+    fill_nodes();
+    void
+    copy_nodes();
+    void
+    generate_elements();
+    void
+    copy_elements();
+    std::size_t
+    node_number(unsigned int index) const;
+
+    void
+    refuse();
+    AbaqusSet *
+    set_of(const std::string &parameter, AbaqusSets &sets);
+    const dealii::Point<3> &
+    place_of(const std::string &word) const;
+    void
+    make_groups();
+    void
+    note_of_other_elements();
+
+    static const std::map<std::string, void (AbaqusReader::*)()> registry;
+
+    KeywordFile                  in;
+    AbaqusDeck                   deck;
+    Scope                        whole, instance;
+    std::map<std::string, Scope> parts; ///< by their names in upper case
+    Scope                       *scope = &whole;
+    std::string                  instance_name;
+    std::vector<MeshFile::Group> instances; ///< the elements of each
+    std::unique_ptr<RigidMotion> system;    ///< of *SYSTEM
+    std::set<std::string>        notes;
+    unsigned int                 n_element_loads = 0;
+  };
+} // namespace Signorini

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <signorini/contact_setup.h>
+#include <signorini/output/directory.h>
+#include <signorini/output/results.h>
+#include <signorini/output/writer.h>
+#include <signorini/solve/linear_reference.h>
+#include <signorini/solve/newton.h>
+
+#include <deal.II/base/timer.h>
+
+namespace Signorini
+{
+  /// What results.json says of the pairs, forces, probes and errors of a solution. Collective.
+  template <int dim>
+  Json
+  results_at(const Scene<dim>              &scene,
+             const Snapshot<dim>           &now,
+             const std::vector<Probe<dim>> &probes);
+
+  /// What a run leaves behind: results.json, which grows from step to step and says `unfinished`
+  /// until the end, so that a run that is killed leaves what it had; the files of Writer; and
+  /// scene.prm. doc/results.md describes all of it. Keeps references to its arguments.
+  template <int dim>
+  class Recorder
+  {
+  public:
+    /// Takes the output directory. Throws SceneError if that cannot be had. Collective.
+    Recorder(const Scene<dim>          &scene,
+             const dealii::Timer       &clock,
+             const dealii::TimerOutput &timer,
+             MPI_Comm                   comm);
+
+    const std::string &
+    directory() const
+    {
+      return path;
+    }
+
+    /// See OutputDirectory::note().
+    const std::string &
+    note() const
+    {
+      return folder.note();
+    }
+
+    // As the run goes on; collective but for the first two:
+
+    void
+    add_preflight(const Json &report);
+    /// A solution on a mesh that is refined then.
+    void
+    add_cycle(unsigned int newton_iterations, double estimate);
+    /// @param multigrid_cycles of the linear solver so far
+    void
+    add_step(const Snapshot<dim> &now, const NewtonReport &report, unsigned int multigrid_cycles);
+    /// @param seconds and cycles of the solution with contact
+    void
+    add_linear_reference(const LinearReference &linear, double seconds, double cycles);
+    /// What the scene has become; called again when that changes.
+    void
+    add_sizes(const Elasticity<dim> &elasticity, const ContactSetup<dim> &contact);
+
+    /// The end. A run that has converged is compared with what the scene expects. @param text gets
+    /// the summary for a person. Returns whether all that is expected holds. Collective.
+    bool
+    finish(const NewtonReport &report, std::ostream &text);
+
+    /// The end of a run that ends with an error. Not collective.
+    void
+    stop(const std::string &why);
+
+    /// The number of cycles that were added.
+    unsigned int
+    n_cycles() const
+    {
+      return results["cycles"].size();
+    }
+
+  private:
+    void
+    add_costs();
+    Json
+    newton_results(const NewtonReport &report) const;
+    void
+    write();
+
+    const Scene<dim>          &scene;
+    const dealii::Timer       &clock;
+    const dealii::TimerOutput &timer;
+    const MPI_Comm             comm;
+    const std::string          path;
+    OutputDirectory            folder;
+    Writer<dim>                writer;
+    Json                       results;
+    double written_at = 0, writing_takes = 0; ///< seconds: the file grows from step to step
+  };
+} // namespace Signorini

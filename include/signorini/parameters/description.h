@@ -1,0 +1,25 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// A key of a scene, as documentation shows it.
+  struct KeyDescription
+  {
+    std::string              key, type, value, help, range;
+    std::vector<std::string> choices;
+    bool                     is_required = false;
+  };
+
+  /// A section with all that may stand in it. Sections that the user names are there once, with the
+  /// name NAME.
+  struct SectionDescription
+  {
+    std::string                    name, help;
+    std::vector<KeyDescription>    keys;
+    std::deque<SectionDescription> sections;
+  };
+} // namespace Signorini

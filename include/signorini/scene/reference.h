@@ -1,0 +1,10 @@
+#pragma once
+
+#include <iosfwd>
+
+namespace Signorini
+{
+  /// All sections and keys of both dimensions, as the page doc/reference.md.
+  void
+  print_reference(std::ostream &out);
+} // namespace Signorini

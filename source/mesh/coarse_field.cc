@@ -1,0 +1,67 @@
+#include <signorini/mesh/coarse_field.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  CoarseField<dim>::append(const std::vector<CellData<dim>> &cells,
+                           const std::vector<double>        &values)
+  {
+    if (!values.empty())
+      {
+        blocks.emplace_back(n_cells, std::vector<Corners>(cells.size()));
+        auto of_cell = blocks.back().second.begin();
+        for (const CellData<dim> &cell : cells)
+          {
+            for (unsigned int v = 0; v < of_cell->size(); ++v)
+              (*of_cell)[v] = values.at(cell.vertices[v]);
+            ++of_cell;
+          }
+      }
+    n_cells += cells.size();
+  }
+
+
+
+  template <int dim>
+  void
+  CoarseField<dim>::number(const std::vector<types::coarse_cell_id> &ids)
+  {
+    index_of_id.resize(ids.size());
+    for (unsigned int i = 0; i < ids.size(); ++i)
+      index_of_id[ids[i]] = i;
+  }
+
+
+
+  template <int dim>
+  double
+  CoarseField<dim>::value(const CellId &cell, Point<dim> p) const
+  {
+    const auto &children = cell.get_child_indices();
+    for (unsigned int level = children.size(); level-- > 0;)
+      p = GeometryInfo<dim>::child_to_cell_coordinates(p, children[level]);
+    const auto id    = cell.get_coarse_cell_id();
+    const auto index = index_of_id.empty() ? id : index_of_id[id];
+    for (const auto &[first, corners] : blocks)
+      if (index >= first && index < first + corners.size())
+        {
+          double sum = 0;
+          for (unsigned int v = 0; v < corners[index - first].size(); ++v)
+            sum += corners[index - first][v] * GeometryInfo<dim>::d_linear_shape_function(p, v);
+          return sum;
+        }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+
+  template class CoarseField<2>;
+  template class CoarseField<3>;
+} // namespace Signorini

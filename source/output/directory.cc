@@ -1,0 +1,302 @@
+#include <signorini/output/directory.h>
+#include <signorini/parameters/raw.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /// Files of a run by their names, and by what they begin with: others may have the same names.
+    struct Kind
+    {
+      const char *folder, *name, *beginning;
+      bool        needed; ///< a file of that name that is not ours must not be replaced
+    };
+
+    constexpr Kind kinds[] = {
+      {"", "results\\.json(\\.part)?", "^\\s*\\{\\s*\"(program|scene)\"", true},
+      {"", "scene\\.prm", "^# Written by Signorini", true},
+      {"", "(solution|contact)\\.pvd", "deal\\.II|Signorini", true},
+      {"", "(solution|contact)_[0-9]{4,}\\.pvtu", "deal\\.II|Signorini", true},
+      {"", "(solution|contact)_[0-9]{4,}\\.[0-9]+\\.vtu", "deal\\.II|Signorini", true},
+      {"", "(bodies|pressure)\\.png", "Signorini", false},
+      {"profiles", ".*\\.csv", "^x,y,z,pressure,gap,status", false},
+      {"profiles/step-[0-9]{4,}", ".*\\.csv", "^x,y,z,pressure,gap,status", false}};
+
+    std::string
+    beginning_of(const fs::path &file)
+    {
+      std::string   text(1000, ' ');
+      std::ifstream in(file, std::ios::binary);
+      in.read(&text[0], text.size());
+      text.resize(in.gcount());
+      return text;
+    }
+
+    bool
+    holds(const fs::path &file, const Kind &kind)
+    {
+      const std::string text = beginning_of(file);
+      return text.empty() || std::regex_search(text, std::regex(kind.beginning));
+    }
+
+    /// The subfolders of the directory that may be ours, as they are.
+    std::vector<fs::path>
+    folders(const fs::path &directory, const std::string &pattern)
+    {
+      if (pattern.find('[') == std::string::npos)
+        return {directory / pattern};
+      std::vector<fs::path> result;
+      const fs::path        parent = directory / fs::path(pattern).parent_path();
+      const std::regex      name(fs::path(pattern).filename().string());
+      std::error_code       error;
+      for (const auto &entry : fs::directory_iterator(parent, error))
+        if (entry.is_directory() && std::regex_match(entry.path().filename().string(), name))
+          result.push_back(entry.path());
+      return result;
+    }
+
+    /// What an earlier run left. Throws for a file that would have to be replaced and is another's.
+    std::vector<fs::path>
+    stale_files(const fs::path &directory)
+    {
+      std::vector<fs::path> result;
+      // Scenes were written without a mark once; results beside them tell.
+      const bool has_results =
+        fs::exists(directory / "results.json") && holds(directory / "results.json", kinds[0]);
+      for (const Kind &kind : kinds)
+        for (const fs::path &folder : folders(directory, kind.folder))
+          {
+            const std::regex name(kind.name);
+            std::error_code  error;
+            for (const auto &entry : fs::directory_iterator(folder, error))
+              if (std::regex_match(entry.path().filename().string(), name))
+                {
+                  const bool is_ours = holds(entry.path(), kind) ||
+                                       (has_results && entry.path().filename() == "scene.prm");
+                  if (entry.is_regular_file() && is_ours)
+                    result.push_back(entry.path());
+                  else if (kind.needed)
+                    throw SceneError("Output/Directory = " + directory.string() + ": the file '" +
+                                     entry.path().filename().string() +
+                                     "' there is not of this program and would be replaced; move "
+                                     "it, or choose another directory");
+                }
+          }
+      return result;
+    }
+
+    void
+    remove_stale_files(const fs::path &directory)
+    {
+      for (const fs::path &file : stale_files(directory))
+        fs::remove(file);
+      std::error_code not_empty;
+      for (const fs::path &folder : folders(directory, "profiles/step-[0-9]{4,}"))
+        fs::remove(folder, not_empty);
+    }
+
+    void
+    create(const fs::path &directory)
+    {
+      std::error_code error;
+      fs::create_directories(directory, error);
+      if (error)
+        throw SceneError("Output/Directory: the directory '" + directory.string() +
+                         "' cannot be created: " + error.message() + "; choose another one");
+    }
+
+
+
+    // The lock ------------------------------------------------------------------------------------
+
+    std::string
+    host_name()
+    {
+      char name[256] = "";
+      gethostname(name, sizeof(name) - 1);
+      return name;
+    }
+
+    struct Owner
+    {
+      pid_t       process = 0;
+      std::string host;
+
+      std::string
+      text() const
+      {
+        return process > 0 ? "process " + std::to_string(process) + " on " + host :
+                             "unknown process";
+      }
+    };
+
+    Owner
+    owner_of(const std::string &file)
+    {
+      Owner         owner;
+      std::ifstream in(file);
+      in >> owner.process >> owner.host;
+      return owner;
+    }
+
+    [[noreturn]] void
+    refuse_locked(const std::string &directory, const std::string &file, const Owner &owner)
+    {
+      throw SceneError("Output/Directory = " + directory + ": another run writes there (" +
+                       owner.text() + "); choose another directory, or wait until it is over" +
+                       (owner.host == host_name() ? "" : ", or remove " + file + " if it is"));
+    }
+
+    /// True if `descriptor` is still the file of that name: its owner may have removed it between
+    /// our opening and locking it.
+    bool
+    is_there(const int descriptor, const std::string &file)
+    {
+      struct stat mine, now;
+      return fstat(descriptor, &mine) == 0 && stat(file.c_str(), &now) == 0 &&
+             mine.st_ino == now.st_ino && mine.st_dev == now.st_dev;
+    }
+
+    /// Takes hold of an open lock file. False if a living process has it.
+    bool
+    hold(const int descriptor, const Owner &owner)
+    {
+      if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+        // Some network file systems lock on each host alone.
+        return owner.host.empty() || owner.host == host_name();
+      if (errno == EWOULDBLOCK)
+        return false;
+      // A file system without locks: what its owner has written has to do.
+      return owner.process == 0 ||
+             (owner.host == host_name() && kill(owner.process, 0) != 0 && errno == ESRCH);
+    }
+
+    /// The descriptor of the lock file, and the owner that died without removing it, if any.
+    std::pair<int, Owner>
+    take_lock(const std::string &directory, const std::string &file)
+    {
+      for (;;)
+        {
+          const int lock = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+          if (lock < 0)
+            throw SceneError("Output/Directory = " + directory +
+                             ": nothing can be written there (" + std::strerror(errno) +
+                             "); choose another directory");
+          const Owner owner = owner_of(file);
+          if (!hold(lock, owner))
+            {
+              close(lock);
+              refuse_locked(directory, file, owner);
+            }
+          if (is_there(lock, file))
+            return {lock, owner};
+          close(lock);
+        }
+    }
+
+    void
+    sign(const int lock, const std::string &file)
+    {
+      const std::string text = std::to_string(getpid()) + " " + host_name() + "\n";
+      if (ftruncate(lock, 0) != 0 ||
+          pwrite(lock, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+        throw SceneError("Output/Directory: cannot write " + file + ": " + std::strerror(errno));
+    }
+  } // namespace
+
+
+
+  OutputDirectory::OutputDirectory(const std::string &path, const MPI_Comm comm)
+    : path(path)
+  {
+    // All ranks have read the scene when they are here: it may lie in this directory.
+    MPI_Barrier(comm);
+    std::string problem;
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      try
+        {
+          create(path);
+          const auto [descriptor, former] = take_lock(path, path + "/run.lock");
+          lock                            = descriptor;
+          sign(lock, path + "/run.lock");
+          remove_stale_files(path);
+          create(path + "/profiles");
+          if (former.process > 0)
+            my_note = "the run of " + former.text() + " did not end properly; its files in " +
+                      path + " are removed";
+        }
+      catch (const std::exception &error)
+        {
+          problem = error.what();
+        }
+    problem = Utilities::MPI::broadcast(comm, problem);
+    my_note = Utilities::MPI::broadcast(comm, my_note);
+    if (problem.empty())
+      return;
+    release();
+    throw SceneError(problem);
+  }
+
+
+
+  OutputDirectory::~OutputDirectory()
+  {
+    release();
+  }
+
+
+
+  void
+  OutputDirectory::release()
+  {
+    if (lock < 0)
+      return;
+    unlink((path + "/run.lock").c_str());
+    close(lock);
+    lock = -1;
+  }
+
+
+
+  std::string
+  mark_of_scene_file()
+  {
+    return "# Written by Signorini " SIGNORINI_VERSION
+           ": the scene with all defaults; runs again as it is.\n";
+  }
+
+
+
+  void
+  replace_file(const std::string &path, const std::string &text)
+  {
+    const std::string part = path + ".part";
+    std::ofstream     out(part, std::ios::binary);
+    out << text;
+    out.close();
+    std::error_code error;
+    if (out)
+      fs::rename(part, path, error);
+    if (!out || error)
+      throw std::runtime_error("cannot write " + path + "; is the disk full?");
+  }
+} // namespace Signorini

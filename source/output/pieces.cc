@@ -1,0 +1,125 @@
+#include <signorini/output/directory.h>
+#include <signorini/output/pieces.h>
+#include <signorini/output/pvd.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// As VTK wants words in XML: the codes of the characters, a zero behind each word.
+    std::string
+    codes(const std::vector<std::string> &words)
+    {
+      std::ostringstream out;
+      for (const std::string &word : words)
+        {
+          for (const char c : word)
+            out << static_cast<unsigned int>(static_cast<unsigned char>(c)) << ' ';
+          out << "0\n";
+        }
+      return out.str();
+    }
+
+    std::string
+    field_data(const PieceSettings &settings)
+    {
+      std::ostringstream out;
+      out.precision(17);
+      out << "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+             "format=\"ascii\">\n"
+          << settings.time << "\n</DataArray>\n<DataArray type=\"String\" Name=\""
+          << settings.names_of << "_names\" NumberOfTuples=\"" << settings.names.size()
+          << "\" format=\"ascii\">\n"
+          << codes(settings.names) << "</DataArray>\n</FieldData>\n";
+      return out.str();
+    }
+
+    enum State : unsigned int
+    {
+      nothing,
+      written,
+      failed
+    };
+  } // namespace
+
+
+
+  template <int dim, int spacedim>
+  std::string
+  write_pieces(const std::vector<DataOutBase::Patch<dim, spacedim>> &patches,
+               const std::vector<std::string>                       &data_names,
+               const NonscalarRanges                                &ranges,
+               const PieceSettings                                  &settings,
+               const MPI_Comm                                        comm)
+  {
+    const unsigned int n_digits =
+      Utilities::needed_digits(Utilities::MPI::n_mpi_processes(comm) - 1);
+    const std::string stem = settings.name + "_" + Utilities::int_to_string(settings.step, 4);
+    const auto        file = [&](const unsigned int rank) {
+      return stem + "." + Utilities::int_to_string(rank, n_digits) + ".vtu";
+    };
+    const unsigned int me    = Utilities::MPI::this_mpi_process(comm);
+    State              state = nothing;
+    if (!patches.empty())
+      {
+        std::ofstream out(settings.directory + "/" + file(me), std::ios::binary);
+        DataOutBase::write_vtu_header(out, vtk_flags());
+        out << field_data(settings);
+        DataOutBase::write_vtu_main(patches, data_names, ranges, vtk_flags(), out);
+        DataOutBase::write_vtu_footer(out);
+        out.close();
+        state = out ? written : failed;
+      }
+    const auto states = Utilities::MPI::all_gather(comm, static_cast<unsigned int>(state));
+
+    std::vector<std::string> files;
+    for (unsigned int rank = 0; rank < states.size(); ++rank)
+      if (states[rank] == failed)
+        throw std::runtime_error("cannot write " + settings.directory + "/" + file(rank) +
+                                 "; is the disk full?");
+      else if (states[rank] == written)
+        files.push_back(file(rank));
+    if (me == 0)
+      {
+        std::ostringstream record;
+        DataOutBase::write_pvtu_record(record, files, data_names, ranges, vtk_flags());
+        replace_file(settings.directory + "/" + stem + ".pvtu", record.str());
+      }
+    return stem + ".pvtu";
+  }
+
+
+
+  template std::string
+  write_pieces(const std::vector<DataOutBase::Patch<1, 2>> &,
+               const std::vector<std::string> &,
+               const NonscalarRanges &,
+               const PieceSettings &,
+               MPI_Comm);
+  template std::string
+  write_pieces(const std::vector<DataOutBase::Patch<2, 3>> &,
+               const std::vector<std::string> &,
+               const NonscalarRanges &,
+               const PieceSettings &,
+               MPI_Comm);
+  template std::string
+  write_pieces(const std::vector<DataOutBase::Patch<2, 2>> &,
+               const std::vector<std::string> &,
+               const NonscalarRanges &,
+               const PieceSettings &,
+               MPI_Comm);
+  template std::string
+  write_pieces(const std::vector<DataOutBase::Patch<3, 3>> &,
+               const std::vector<std::string> &,
+               const NonscalarRanges &,
+               const PieceSettings &,
+               MPI_Comm);
+} // namespace Signorini

@@ -1,0 +1,277 @@
+#include <signorini/output/recorder.h>
+#include <signorini/output/summary.h>
+#include <signorini/parameters/section.h>
+
+#include <sstream>
+#include <stdexcept>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr char unfinished[] = "unfinished: the run goes on, or was ended from outside";
+
+    template <int dim>
+    std::string
+    directory_of(const Scene<dim> &scene)
+    {
+      return scene.output.directory.empty() ? "output/" + scene.name : scene.output.directory;
+    }
+
+    template <int dim>
+    void
+    write_scene(const Scene<dim> &scene, const std::string &path)
+    {
+      std::ostringstream text;
+      text << mark_of_scene_file();
+      Section section(text, false, 0, &scene.given);
+      Scene<dim>(scene).declare(section);
+      replace_file(path, text.str());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Json
+  results_at(const Scene<dim>              &scene,
+             const Snapshot<dim>           &now,
+             const std::vector<Probe<dim>> &probes)
+  {
+    std::vector<bool> rigid;
+    for (const ContactPair<dim> &pair : now.pairs)
+      rigid.push_back(scene.obstacle_of(pair) != nullptr);
+    Json one = {{"pairs", pair_results(now)}};
+    one.update(force_results(now, rigid));
+    one["probes"]                  = probe_results(now, probes);
+    const SolutionErrors deviation = errors(now, scene.known);
+    if (!scene.known.displacement.empty())
+      {
+        one["errors"]["displacement"] = deviation.displacement;
+        one["errors"]["energy"]       = deviation.energy;
+      }
+    if (!scene.known.pressure.empty())
+      one["errors"]["pressure"] = deviation.pressure;
+    return one;
+  }
+
+
+
+  template <int dim>
+  Recorder<dim>::Recorder(const Scene<dim>  &scene,
+                          const Timer       &clock,
+                          const TimerOutput &timer,
+                          const MPI_Comm     comm)
+    : scene(scene)
+    , clock(clock)
+    , timer(timer)
+    , comm(comm)
+    , path(directory_of(scene))
+    , folder(path, comm)
+    , writer(scene.output, path, comm)
+  {
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      write_scene(scene, path + "/scene.prm");
+    results               = {{"program", "Signorini"},
+                             {"version", SIGNORINI_VERSION},
+                             {"scene", scene.name},
+                             {"title", scene.title},
+                             {"libraries", library_versions()},
+                             {"ranks", Utilities::MPI::n_mpi_processes(comm)},
+                             {"dimension", dim},
+                             {"method", scene.contact.method},
+                             {"converged", false},
+                             {"reason", unfinished},
+                             {"output_directory", path}};
+    results["cycles"]     = Json::array();
+    results["load_steps"] = Json::array();
+    write();
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_preflight(const Json &report)
+  {
+    results["preflight"] = report;
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_cycle(const unsigned int newton_iterations, const double estimate)
+  {
+    results["cycles"].push_back({{"newton_iterations", newton_iterations}, {"estimate", estimate}});
+  }
+
+
+
+  template <int dim>
+  Json
+  Recorder<dim>::newton_results(const NewtonReport &report) const
+  {
+    Json         krylov = Json::array(), augmentations = Json::array();
+    unsigned int before = 0;
+    for (const NewtonStep &row : report.steps)
+      {
+        if (row.krylov_iterations > 0)
+          krylov.push_back(row.krylov_iterations);
+        if (row.augments)
+          {
+            augmentations.push_back(krylov.size() - before);
+            before = krylov.size();
+          }
+      }
+    Json result = {{"newton_iterations", krylov.size()},
+                   {"active_points", report.steps.back().active},
+                   {"residual", report.steps.back().residual},
+                   {"krylov_iterations", krylov},
+                   {"newton_iterations_before_augmentations", augmentations}};
+    if (!report.undetermined.empty())
+      result["held_motions"] = {{"names", report.undetermined},
+                                {"largest_force", report.holding_force}};
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_step(const Snapshot<dim> &now,
+                          const NewtonReport  &report,
+                          const unsigned int   multigrid_cycles)
+  {
+    Json one = {{"step", now.step}, {"time", now.time}};
+    one.update(newton_results(report));
+    one["multigrid_cycles"] = multigrid_cycles;
+    one.update(results_at(scene, now, scene.output.probes));
+    results["load_steps"].push_back(one);
+    writer.write(now, scene.known.pressure);
+
+    // Many small steps shall not wait for a long file to be written each time.
+    add_costs();
+    if (clock.wall_time() - written_at >= 20 * writing_takes)
+      write();
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_linear_reference(const LinearReference &linear,
+                                      const double           seconds,
+                                      const double           cycles)
+  {
+    results["linear_reference"] = {{"seconds",
+                                    {{"assembly", linear.seconds_assembly},
+                                     {"preconditioner", linear.seconds_preconditioner},
+                                     {"krylov", linear.seconds_krylov}}},
+                                   {"krylov_iterations", linear.iterations},
+                                   {"near_null_space", linear.near_null_space},
+                                   {"contact_seconds", seconds},
+                                   {"contact_multigrid_cycles", cycles},
+                                   {"R", seconds / linear.seconds()},
+                                   {"W", cycles / linear.iterations}};
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_sizes(const Elasticity<dim> &elasticity, const ContactSetup<dim> &contact)
+  {
+    const GapOperator &gaps    = contact.gap_operator();
+    results["cells"]           = elasticity.mesh().triangulation().n_global_active_cells();
+    results["dofs"]            = elasticity.dof_handler().n_dofs();
+    results["multiplier_dofs"] = scene.contact.chosen().has_multipliers() ? gaps.weight.size() : 0;
+    results["left_out"]        = contact.left_out();
+    unsigned int faces = 0, candidates = 0;
+    for (const ContactSurface<dim> &surface : contact.surfaces())
+      {
+        faces += surface.faces;
+        candidates += surface.points.size();
+      }
+    results["contact_faces"]      = Utilities::MPI::sum(faces, comm);
+    results["contact_candidates"] = Utilities::MPI::sum(candidates, comm);
+    results["contact_bytes"]      = Utilities::MPI::sum(gaps.memory(), comm);
+    results["shares_of_ranks"]    = shares_of_ranks(elasticity, contact.surfaces());
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_costs()
+  {
+    results["seconds"]["total"] = Utilities::MPI::max(clock.wall_time(), comm);
+    for (const auto &[name, time] : timer.get_summary_data(TimerOutput::total_wall_time))
+      results["seconds"][name] = Utilities::MPI::max(time, comm);
+    results["peak_memory_mb"] = peak_memory(comm);
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::write()
+  {
+    if (Utilities::MPI::this_mpi_process(comm) != 0)
+      return;
+    const double before = clock.wall_time();
+    replace_file(path + "/results.json", results.dump(2) + "\n");
+    written_at    = clock.wall_time();
+    writing_takes = written_at - before;
+  }
+
+
+
+  template <int dim>
+  bool
+  Recorder<dim>::finish(const NewtonReport &report, std::ostream &text)
+  {
+    results["converged"] = report.converged;
+    results["reason"]    = report.reason;
+    add_costs();
+    write();
+    if (!report.converged)
+      {
+        text << "\nNot solved: " << report.reason << "\n";
+        return true;
+      }
+    print_summary(results, text);
+    const bool as_expected = compare(scene.expected, results, text);
+    write();
+    return as_expected;
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::stop(const std::string &why)
+  {
+    results["converged"] = false;
+    results["reason"]    = why;
+    try
+      {
+        write();
+      }
+    catch (const std::runtime_error &)
+      {
+        // The disk may be what ends the run; what is said of it is the error.
+      }
+  }
+
+
+
+  template Json
+  results_at(const Scene<2> &, const Snapshot<2> &, const std::vector<Probe<2>> &);
+  template Json
+  results_at(const Scene<3> &, const Snapshot<3> &, const std::vector<Probe<3>> &);
+  template class Recorder<2>;
+  template class Recorder<3>;
+} // namespace Signorini

@@ -1,0 +1,103 @@
+#include <signorini/mesh/generators/file.h>
+#include <signorini/parameters/section.h>
+#include <signorini/run_scene.h>
+#include <signorini/simulation.h>
+
+#include <filesystem>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Prepared : public PreparedScene
+    {
+    public:
+      Prepared(RawSection &raw, const SceneTask &task)
+        : only_check(task.only_check)
+      {
+        Section section(raw);
+        scene.declare(section);
+        section.close();
+        scene.given = raw;
+        scene.name  = std::filesystem::path(task.scene).stem();
+        scene.check();
+      }
+
+      ExitCode
+      run(const MPI_Comm comm, std::ostream &out) const override
+      {
+        Simulation<dim> simulation(scene, comm, out);
+        if (!only_check)
+          return simulation.run();
+        simulation.preflight();
+        return solved;
+      }
+
+    private:
+      Scene<dim> scene;
+      const bool only_check;
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<PreparedScene>
+  PreparedScene::read(const SceneTask &task)
+  {
+    RawSection raw = read_raw(task.scene);
+    for (const std::string &assignment : task.overrides)
+      override_value(raw, assignment);
+    mesh_search_path() = {std::filesystem::path(task.scene).parent_path().string()};
+
+    const RawSection::Value *dimension = raw.find_value("Dimension");
+    if (!dimension)
+      throw SceneError(task.scene +
+                       ": 'Dimension' is not set; write set Dimension = 2 or 3 at the top");
+    if (dimension->text == "2")
+      return std::make_unique<Prepared<2>>(raw, task);
+    if (dimension->text == "3")
+      return std::make_unique<Prepared<3>>(raw, task);
+    throw SceneError(dimension->where + ": Dimension = " + dimension->text + ": must be 2 or 3");
+  }
+
+
+
+  int
+  run_scene(const SceneTask &task, const MPI_Comm comm, std::ostream &out, std::ostream &err)
+  {
+    return exit_code_of([&] { return PreparedScene::read(task)->run(comm, out); },
+                        Utilities::MPI::this_mpi_process(comm) == 0,
+                        err);
+  }
+
+
+
+  int
+  exit_code_of(const std::function<int()> &work, const bool speaks, std::ostream &err)
+  {
+    try
+      {
+        return work();
+      }
+    catch (const SceneError &error)
+      {
+        // All ranks read the same input and end here together.
+        if (speaks)
+          err << "error: " << error.what() << std::endl;
+        return bad_scene;
+      }
+    catch (const std::exception &error)
+      {
+        const bool has_mpi = Utilities::MPI::job_supports_mpi();
+        err << "internal error on rank "
+            << (has_mpi ? Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) : 0) << ": "
+            << error.what() << std::endl;
+        if (has_mpi && Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          MPI_Abort(MPI_COMM_WORLD, internal_error);
+        return internal_error;
+      }
+  }
+} // namespace Signorini

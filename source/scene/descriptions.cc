@@ -1,0 +1,122 @@
+#include <signorini/scene/descriptions.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Sentences = std::map<std::string, std::string>;
+
+    const std::string &
+    sentence(const Sentences &sentences, const std::string &name)
+    {
+      const auto found = sentences.find(name);
+      AssertThrow(found != sentences.end(), ExcMessage("no description of '" + name + "'"));
+      return found->second;
+    }
+  } // namespace
+
+
+
+  std::string
+  about_mesh(const std::string &generator)
+  {
+    static const Sentences sentences = {
+      {"box",
+       "A rectangle or cuboid along the axes, with cells that may grow geometrically along each axis."},
+      {"disc", "A disc, or a half or a quarter of it, with an exact arc."},
+      {"ring",
+       "The space between two circles, in 3D a tube along z, or a half or a quarter of it, with exact arcs."},
+      {"sphere", "A ball, its lower half or a quarter of that, with an exact sphere."},
+      {"shell", "The space between two concentric spheres, its lower half or a quarter of that."},
+      {"file",
+       "A mesh file of Gmsh, Abaqus, CalculiX or VTK, or a part of it; see meshes/README.md."}};
+    return sentence(sentences, generator);
+  }
+
+
+
+  std::string
+  about_shape(const std::string &obstacle)
+  {
+    static const Sentences sentences = {
+      {"plane", "All that lies behind a plane."},
+      {"sphere", "A ball (in 2D a circular cylinder), or the seat of one."},
+      {"cylinder", "A circular cylinder about an axis (in 2D about z), or a bore."},
+      {"paraboloid",
+       "A paraboloid of revolution (in 2D a parabola), with the gap measured along its axis as in Hertz' theory."},
+      {"punch", "A flat circular face (in 2D a strip) with rounded edges at the end of a shaft."},
+      {"cone", "A circular cone (in 2D a wedge)."},
+      {"gap function", "Any surface, by a formula for the gap along one direction."},
+      {"STL", "A surface of triangles from an STL file; the gap is the signed distance. 3D only."}};
+    return sentence(sentences, obstacle);
+  }
+
+
+
+  std::string
+  about_method(const std::string &method)
+  {
+    static const Sentences sentences = {
+      {"penalty", "Bodies penetrate by pressure over stiffness: p = max(0, -eps g)."},
+      {"augmented Lagrangian",
+       "Penalties whose penetration is taken away by augmentations; the result is that of Lagrange multipliers."},
+      {"perturbed Lagrangian",
+       "The pressure is an unknown, and contact is elastic: g + p/eps = 0 where it acts."},
+      {"Lagrange multiplier",
+       "The pressure is an unknown, and the gap weighted at the slave nodes is zero where it acts."},
+      {"direct elimination",
+       "Slave nodes that touch are put on the master surface, one by one; exact where nodes match."},
+      {"Nitsche",
+       "The pressure is the normal stress of the bodies, with a penalty that is chosen by the program."}};
+    return sentence(sentences, method);
+  }
+
+
+
+  std::string
+  about_integration(const std::string &rule)
+  {
+    static const Sentences sentences = {
+      {"auto", "what suits the method"},
+      {"segments", "exactly, on the intersections of slave faces with master faces"},
+      {"quadrature", "by Gauss points on whole slave faces: cheaper"},
+      {"nodes", "at the slave nodes: cheapest, and exact where nodes match"}};
+    return sentence(sentences, rule);
+  }
+
+
+
+  std::string
+  about_preconditioner(const std::string &name)
+  {
+    static const Sentences sentences = {
+      {"contact filter",
+       "exact on the contact zone, multigrid elsewhere: iterations depend neither on the penalty nor on the mesh"},
+      {"block diagonal", "for systems with multipliers: multigrid, and a Schur complement"},
+      {"block triangular",
+       "likewise, and the multipliers see what the displacement has found already"},
+      {"SIMPLE", "likewise, and then the displacement sees the multipliers, through its diagonal"},
+      {"direct",
+       "a factorisation of the whole system: for small problems, and for nearly incompressible bodies"}};
+    return sentence(sentences, name);
+  }
+
+
+
+  std::string
+  about_schur_complement(const std::string &name)
+  {
+    static const Sentences sentences = {{"diagonal", "from the diagonal of the stiffness"},
+                                        {"mass", "the mass of the multipliers, scaled"},
+                                        {"zone",
+                                         "from the stiffness of the contact zone, factorised"},
+                                        {"multigrid", "by inner iterations with multigrid"}};
+    return sentence(sentences, name);
+  }
+} // namespace Signorini

@@ -1,0 +1,385 @@
+#include <signorini/contact/obstacles/shapes.h>
+#include <signorini/parameters/section.h>
+#include <signorini/scene/descriptions.h>
+#include <signorini/scene/reference.h>
+#include <signorini/scene/scene.h>
+#include <signorini/solve/preconditioners/schur_complement.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace Signorini
+{
+  namespace
+  {
+    const std::string introduction = R"(# Reference of all keys
+
+This page is written by the program: `signorini --print-reference`. A scene to start from is printed by `signorini
+--print-template 3`, parts of it by `signorini --print-template ring plane penalty`, with what you choose by name.
+
+A scene consists of `set KEY = VALUE`, and of sections: `subsection NAME`, ..., `end`. `#` starts a comment, `\` at the end
+of a line continues it. NAME below stands for a name of yours. Units are any that are consistent.
+
+* **Numbers** may be formulas: `set Poisson's ratio = 1/3`. Several are separated by commas.
+* **Formulas** know the coordinates `x`, `y` (and `z` in 3D), the time `t`, all names of the section Definitions, `pi`,
+  `+ - * / ^`, comparisons, `&`, `|`, `if(condition, a, b)`, `sin cos tan cot sec csc asin acos atan sinh cosh tanh`,
+  `exp log log2 log10 sqrt abs sign pow min max sum avg int (nearest integer) floor ceil erf erfc`, and
+  `table(t, t1, y1, t2, y2, ...)`, which is linear between its points. Several formulas, one a component, are separated by
+  semicolons; `free` stands for a component that is not prescribed.
+* **Boundaries** are written BODY.BOUNDARY; the names of the boundaries follow from the mesh, and `signorini --check` lists
+  them with their places.
+)";
+
+    /// A section as it is in either dimension; null where it is not there.
+    struct Both
+    {
+      const SectionDescription *two, *three;
+
+      const SectionDescription &
+      any() const
+      {
+        return three ? *three : *two;
+      }
+    };
+
+    const SectionDescription *
+    find(const SectionDescription *section, const std::string &name)
+    {
+      if (section)
+        for (const SectionDescription &child : section->sections)
+          if (child.name == name)
+            return &child;
+      return nullptr;
+    }
+
+    const KeyDescription *
+    find_key(const SectionDescription *section, const std::string &key)
+    {
+      if (section)
+        for (const KeyDescription &one : section->keys)
+          if (one.key == key)
+            return &one;
+      return nullptr;
+    }
+
+    Both
+    child(const Both &section, const std::string &name)
+    {
+      return {find(section.two, name), find(section.three, name)};
+    }
+
+    /// Names in the order of 3D, then those of 2D alone.
+    template <typename List, typename Name>
+    std::vector<std::string>
+    united(const List *two, const List *three, const Name &name)
+    {
+      std::vector<std::string> names;
+      for (const List *list : {three, two})
+        if (list)
+          for (const auto &item : *list)
+            if (std::find(names.begin(), names.end(), name(item)) == names.end())
+              names.push_back(name(item));
+      return names;
+    }
+
+    std::vector<std::string>
+    key_names(const Both &section)
+    {
+      return united(section.two ? &section.two->keys : nullptr,
+                    section.three ? &section.three->keys : nullptr,
+                    [](const KeyDescription &key) { return key.key; });
+    }
+
+    std::vector<std::string>
+    section_names(const Both &section)
+    {
+      return united(section.two ? &section.two->sections : nullptr,
+                    section.three ? &section.three->sections : nullptr,
+                    [](const SectionDescription &one) { return one.name; });
+    }
+
+    std::string
+    code(const std::string &text)
+    {
+      return text.empty() ? "" : "`" + text + "`";
+    }
+
+    /// In a cell of a table.
+    std::string
+    escaped(const std::string &text)
+    {
+      std::string result;
+      for (const char c : text)
+        result += c == '|' ? std::string("\\|") : std::string(1, c);
+      return result;
+    }
+
+    /// "text [unit]" in two.
+    std::pair<std::string, std::string>
+    split_unit(const std::string &help)
+    {
+      const auto open = help.rfind('[');
+      if (open == std::string::npos || help.back() != ']')
+        return {help, ""};
+      return {trim(help.substr(0, open)), help.substr(open + 1, help.size() - open - 2)};
+    }
+
+    std::string
+    value_of(const KeyDescription &key)
+    {
+      if (!key.choices.empty())
+        {
+          std::vector<std::string> words;
+          for (const std::string &choice : key.choices)
+            words.push_back(code(choice));
+          return join(words);
+        }
+      return key.type + (key.range.empty() ? "" : " " + key.range);
+    }
+
+    std::string
+    default_of(const KeyDescription &key)
+    {
+      return key.is_required ? "required" : code(key.value);
+    }
+
+    std::string
+    sentence_of(const KeyDescription &key)
+    {
+      return split_unit(key.help).first;
+    }
+
+    std::string
+    unit_of(const KeyDescription &key)
+    {
+      return split_unit(key.help).second;
+    }
+
+    template <typename F>
+    std::string
+    in_both(const KeyDescription *two, const KeyDescription *three, const F &text)
+    {
+      if (!two || !three)
+        return text(two ? *two : *three);
+      const std::string a = text(*two), b = text(*three);
+      return a == b ? a : "2D: " + a + "; 3D: " + b;
+    }
+
+    /// @param without keys that stand elsewhere
+    void
+    print_keys(const Both &section, std::ostream &out, const std::vector<std::string> &without = {})
+    {
+      std::vector<std::string> names = key_names(section);
+      for (const std::string &key : without)
+        names.erase(std::remove(names.begin(), names.end(), key), names.end());
+      if (names.empty())
+        return;
+      out << "\n| key | value | unit | default | |\n|---|---|---|---|---|\n";
+      for (const std::string &name : names)
+        {
+          const KeyDescription *two   = find_key(section.two, name),
+                               *three = find_key(section.three, name);
+          // Said only where the whole section is in both.
+          const std::string where = !section.two || !section.three || (two && three) ? "" :
+                                    two                                              ? " (2D)" :
+                                                                                       " (3D)";
+          const auto cell = [&](const auto &text) { return escaped(in_both(two, three, text)); };
+          out << "| " << code(name) << where << " | " << cell(value_of) << " | " << cell(unit_of)
+              << " | " << cell(default_of) << " | " << cell(sentence_of) << " |\n";
+        }
+    }
+
+    void
+    heading(const unsigned int level, const std::string &text, std::ostream &out)
+    {
+      out << "\n" << std::string(level, '#') << " " << text << "\n";
+    }
+
+    template <typename Object>
+    SectionDescription
+    described(Object &object)
+    {
+      SectionDescription description;
+      Section            section(description);
+      object.declare(section);
+      return description;
+    }
+
+    template <typename List>
+    bool
+    is_in(const std::string &word, const List &words)
+    {
+      return std::find(words.begin(), words.end(), word) != words.end();
+    }
+
+    std::string
+    dimensions(const bool two, const bool three)
+    {
+      return two && three ? "" : two ? " (2D)" : " (3D)";
+    }
+
+    /// The boundaries of each part: "`arc` (full); `arc`, `top` (lower half)".
+    template <int dim>
+    std::string
+    boundaries_of(const std::string &generator)
+    {
+      if (generator == "file")
+        return "the names that the file gives to faces, and `unnamed` or `unnamed1`, `unnamed2`, ... "
+               "for the others";
+      const auto            any  = MeshGenerator<dim>::create(generator);
+      const auto            keys = described(*any);
+      const KeyDescription *part = find_key(&keys, "Part");
+      std::vector<std::pair<std::string, std::vector<std::string>>> lists; // names, parts
+      for (const std::string &name : part ? part->choices : std::vector<std::string>{""})
+        {
+          RawSection raw;
+          if (part)
+            raw.set_value("Part", name, "the reference");
+          Section    section(raw);
+          const auto one = MeshGenerator<dim>::create(generator);
+          one->declare(section);
+          std::vector<std::string> words;
+          for (const std::string &boundary : one->boundaries())
+            words.push_back(code(boundary));
+          const std::string text = join(words);
+          if (lists.empty() || lists.back().first != text)
+            lists.push_back({text, {}});
+          lists.back().second.push_back(name);
+        }
+      std::vector<std::string> texts;
+      for (const auto &[names, parts] : lists)
+        texts.push_back(names + (lists.size() > 1 ? " (" + join(parts) + ")" : ""));
+      return join(texts, "; ");
+    }
+
+    void
+    print_mesh(const std::string &name, const unsigned int level, std::ostream &out)
+    {
+      const bool two = is_in(name, generator_names<2>()), three = is_in(name, generator_names<3>());
+      SectionDescription keys_2, keys_3;
+      std::string        in_2, in_3;
+      if (two)
+        {
+          keys_2 = described(*MeshGenerator<2>::create(name));
+          in_2   = boundaries_of<2>(name);
+        }
+      if (three)
+        {
+          keys_3 = described(*MeshGenerator<3>::create(name));
+          in_3   = boundaries_of<3>(name);
+        }
+      heading(level, "Mesh = " + name + dimensions(two, three), out);
+      out << "\n" << about_mesh(name) << "\n\nBoundaries: ";
+      if (two && three && in_2 != in_3)
+        out << "in 2D " << in_2 << "; in 3D " << in_3 << ".\n";
+      else
+        out << (three ? in_3 : in_2) << ".\n";
+      print_keys({two ? &keys_2 : nullptr, three ? &keys_3 : nullptr}, out);
+    }
+
+    void
+    print_shape(const std::string &name, const unsigned int level, std::ostream &out)
+    {
+      SectionDescription two   = described(*make_shape<2>(name)),
+                         three = described(*make_shape<3>(name));
+      heading(level, "Shape = " + name, out);
+      out << "\n" << about_shape(name) << "\n";
+      print_keys({&two, &three}, out);
+    }
+
+    template <typename About>
+    void
+    print_choices(const std::string              &key,
+                  const std::vector<std::string> &choices,
+                  const About                    &about,
+                  std::ostream                   &out)
+    {
+      out << "\n" << code(key) << ":\n\n";
+      for (const std::string &choice : choices)
+        out << "* " << code(choice) << ": " << about(choice) << "\n";
+    }
+
+    void
+    print_section(const Both        &section,
+                  const std::string &path,
+                  unsigned int       level,
+                  std::ostream      &out);
+
+    /// What a section has beside its own keys and sections; `without`: keys that belong there.
+    std::vector<std::string>
+    keys_of_first(const SectionDescription &two, const SectionDescription &three)
+    {
+      return key_names({&two, &three});
+    }
+
+    void
+    print_body(const Both &section, const unsigned int level, std::ostream &out)
+    {
+      print_keys(section,
+                 out,
+                 keys_of_first(described(*MeshGenerator<2>::create("box")),
+                               described(*MeshGenerator<3>::create("box"))));
+      const auto two = generator_names<2>(), three = generator_names<3>();
+      for (const std::string &name :
+           united(&two, &three, [](const std::string &name) { return name; }))
+        print_mesh(name, level + 1, out);
+    }
+
+    void
+    print_obstacle(const Both &section, const unsigned int level, std::ostream &out)
+    {
+      print_keys(section,
+                 out,
+                 keys_of_first(described(*make_shape<2>("plane")),
+                               described(*make_shape<3>("plane"))));
+      for (const std::string &name : obstacle_names<3>())
+        print_shape(name, level + 1, out);
+    }
+
+    void
+    print_section(const Both        &section,
+                  const std::string &path,
+                  const unsigned int level,
+                  std::ostream      &out)
+    {
+      heading(level, path, out);
+      if (!section.any().help.empty())
+        out << "\n" << section.any().help << "\n";
+      if (path == "Bodies/NAME")
+        print_body(section, level, out);
+      else if (path == "Obstacles/NAME")
+        print_obstacle(section, level, out);
+      else
+        print_keys(section, out);
+      if (path == "Contact method")
+        {
+          std::vector<std::string> rules = Integration::names();
+          rules.insert(rules.begin(), "auto");
+          print_choices("Integration", rules, about_integration, out);
+        }
+      if (path == "Solver")
+        {
+          print_choices("Preconditioner", preconditioner_names(), about_preconditioner, out);
+          print_choices("Schur complement", SchurComplement::names(), about_schur_complement, out);
+        }
+      for (const std::string &name : section_names(section))
+        print_section(child(section, name), path + "/" + name, level + 1, out);
+    }
+  } // namespace
+
+
+
+  void
+  print_reference(std::ostream &out)
+  {
+    Scene<2>                 scene_2;
+    Scene<3>                 scene_3;
+    const SectionDescription two = described(scene_2), three = described(scene_3);
+    const Both               all{&two, &three};
+    out << introduction;
+    heading(2, "At the top", out);
+    print_keys(all, out);
+    for (const std::string &name : section_names(all))
+      print_section(child(all, name), name, 2, out);
+  }
+} // namespace Signorini

@@ -1,0 +1,69 @@
+"""The active set is found in a few Newton steps by every method, from a cold start and when contact closes and opens."""
+
+import math
+
+from case import SCENES, Case, method
+
+MOST = 10
+
+METHODS = {
+    "multiplier": method("Lagrange multiplier"),
+    "multiplier-standard": method("Lagrange multiplier") + ["Contact method/Pressure basis=standard"],
+    "augmented": method("augmented Lagrangian"),
+    "augmented-newton": method("augmented Lagrangian", Loop="Newton"),
+    "perturbed": method("perturbed Lagrangian"),
+    "perturbed-condensed": method("perturbed Lagrangian", Form="condensed"),
+    "penalty": method("penalty"),
+    "penalty-1e6": method("penalty", Factor="1e6"),
+    "penalty-pointwise": method("penalty", Weighting="pointwise", Factor=10),
+    "elimination": method("direct elimination"),
+    "nitsche-theta=1": method("Nitsche", Theta=1),
+    "nitsche-theta=0": method("Nitsche", Theta=0),
+    "nitsche-theta=-1": method("Nitsche", Theta=-1),
+    "nitsche-unbiased": method("Nitsche", Unbiased="yes"),
+}
+
+
+def newton_steps(step):
+    """From one solution to the next; of methods that augment, those of each augmentation."""
+    before = step["newton_iterations_before_augmentations"]
+    return [*before, step["newton_iterations"] - sum(before)]
+
+
+def check_mirrored(test, steps):
+    """The second half of the load steps goes back the way of the first: steps 1 ... n-1 of 2n stand for the same states
+    as 2n-1 ... n+1, and without friction the forces must be the same."""
+    forces = [[pair["force"] for pair in step["pairs"].values()] for step in steps]
+    half = len(steps) // 2
+    largest = max(math.hypot(*force) for force in forces[half - 1])
+    for k in range(half - 1):
+        for up, down in zip(forces[k], forces[2 * half - 2 - k]):
+            test.check(math.dist(up, down) <= 1e-7 * largest, f"forces on the way there and back differ: {up}, {down}")
+
+
+def found_soon(scene, sets, most=MOST, mirrored=False):
+    def body(test):
+        steps = test.results(SCENES / f"{scene}.prm", sets)["load_steps"]
+        for step in steps:
+            counts = newton_steps(step)
+            test.print(f"t = {step['time']:<8g} {step['active_points']:6} active points, Newton steps: "
+                       + " + ".join(map(str, counts)))
+            test.check(max(counts) <= most, f"more than {most} Newton steps: {counts}")
+        if mirrored:
+            check_mirrored(test, steps)
+    return body
+
+
+def cases():
+    for scene in ("gap-wall-2d", "tube-clearance", "hertz-2d", "hertz-3d"):
+        for name, sets in METHODS.items():
+            yield Case("active-set/cold", f"{scene}/{name}", found_soon(scene, sets), labels={"full"})
+    for name, sets in METHODS.items():
+        history = ["Load steps/Number=20", "Load steps/End time=2"]
+        yield Case("active-set/up-and-down", f"hertz-2d/{name}", found_soon("hertz-2d", sets + history, mirrored=True),
+                   labels={"full"})
+    # Where neither gap nor pressure is, rounding alone says which points are active: no reason for more than one step.
+    yield Case("active-set/cold", "undecided",
+               found_soon("patch-2d", ["Bodies/lower/Poisson's ratio=0", "Bodies/upper/Poisson's ratio=0",
+                                       "Supports/press/Displacement=free; 0", "Loads/Names=pull",
+                                       "Loads/pull/Boundaries=lower.right", "Loads/pull/Traction=100; 0"], most=1))

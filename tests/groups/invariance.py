@@ -1,0 +1,146 @@
+"""The answer does not depend on what it must not depend on: ranks, units, slave and master, the springs of free bodies."""
+
+import math
+import re
+
+from case import SCENES, Case, Failed, method, short
+
+# Of the forces, relative to the largest: solutions with Newton's tolerance of 1e-10, which conditioning multiplies.
+TOLERANCE = 1e-8
+METHODS = ("penalty", "Lagrange multiplier")
+# Powers of two near 1e-3 and 1e6, so that rounding is the same too and counts must be equal, not just close.
+LENGTH, STRESS = 2**-10, 2**20
+
+# What is a length in a scene file: numbers, or formulas that may contain the coordinates, or else positions where only
+# the sign of a formula counts. All other keys are angles, ratios, counts or words.
+LENGTHS = {"Corners", "Inner radius", "Outer radius", "Radius", "Height", "Center", "Point", "Apex", "Search distance",
+           "Edge radius", "Reference point"}
+LENGTH_FORMULAS = {"Displacement", "Normal displacement", "Gap", "Initial gap"}
+POSITION_FORMULAS = {"Where", "Temperature"}
+STRESSES = {"Young's modulus"}
+STRESS_FORMULAS = {"Pressure", "Traction"}
+FORCE_FORMULAS = {"Force"}
+MOMENT_FORMULAS = {"Moment"}
+REFUSED = {"File", "Transformation", "Body force", "Curved boundaries"}
+
+
+def scaled_numbers(text, factor):
+    return re.sub(r"[^,:\s]+", lambda word: repr(float(word[0]) * factor), text)
+
+
+def scaled_formula(text, factor):
+    """Of the coordinates, which have grown; each component times the factor."""
+    if text in ("from geometry", "closed", "", "0"):
+        return text
+    text = re.sub(r"\b[xyz]\b", lambda name: f"({name[0]}/{LENGTH!r})", text)
+    return "; ".join(part if part in ("free", "0") else f"({part})*{factor!r}" for part in re.split(r"\s*;\s*", text))
+
+
+def scaled(key, value, dim):
+    if key in REFUSED and value:
+        raise Failed(f"'{key}' cannot be scaled")
+    if key in LENGTHS:
+        return scaled_numbers(value, LENGTH)
+    if key in STRESSES:
+        return scaled_numbers(value, STRESS)
+    for keys, factor in ((LENGTH_FORMULAS, LENGTH), (POSITION_FORMULAS, 1), (STRESS_FORMULAS, STRESS),
+                         (FORCE_FORMULAS, STRESS * LENGTH ** (dim - 1)), (MOMENT_FORMULAS, STRESS * LENGTH ** dim)):
+        if key in keys:
+            return scaled_formula(value, factor)
+    return value
+
+
+def scaled_scene(scene, name, dim):
+    """Writes a copy of a resolved scene, without what is expected of it, in other units."""
+    with open(scene) as file, open(name, "w") as copy:
+        for line in file:
+            if line.startswith("subsection Expected results"):
+                break
+            match = re.match(r"(\s*set (.+?) =)(.*)", line)
+            copy.write(f"{match[1]} {scaled(match[2], match[3].strip(), dim)}\n" if match else line)
+
+
+def answers(results):
+    """Of each load step and pair: what must be equal, and the force."""
+    return [(step["pairs"][pair]["active_points"], step["pairs"][pair]["force"])
+            for step in results["load_steps"] for pair in step["pairs"]]
+
+
+def compare(test, text, found, wanted, factor=1.0, same_points=True, tolerance=TOLERANCE):
+    """The forces must be `factor` times those wanted, relative to the largest of them."""
+    largest = max(math.hypot(*force) for _, force in wanted) * abs(factor)
+    deviation = max(math.dist(force, [factor * f for f in want]) for (_, force), (_, want) in zip(found, wanted)) / largest
+    points, expected = sum(n for n, _ in found), sum(n for n, _ in wanted)
+    test.print(f"{text:40} {points:10.0f} active points, force deviates by {deviation:8.1e}")
+    test.check(largest > 0 and deviation <= tolerance, f"{text}: the force deviates by {deviation:.1e}")
+    if same_points:
+        test.check(points == expected, f"{text}: {points} active points instead of {expected}")
+
+
+def ranks(scene, sets):
+    def body(test):
+        first = answers(test.results(scene, sets))
+        for distribution, n in (("p4est", 2), ("p4est", 4), ("METIS", 1), ("METIS", 2), ("METIS", 4)):
+            found = answers(test.results(scene, sets + [f"Mesh/Distribution={distribution}"], n))
+            compare(test, f"{distribution}, {n} ranks", found, first)
+    return body
+
+
+def counts_of(value):
+    return value if isinstance(value, list) else [value]
+
+
+def units(scene, sets, counts_differ=0):
+    """counts_differ: where rounding is not quite the same, a solve may need that many iterations more or less."""
+    def body(test):
+        first = test.results(scene, sets)
+        name, dim = test.directory / f"scaled-{test.n_runs}.prm", first["dimension"]
+        scaled_scene(f"{first['output_directory']}/scene.prm", name, dim)
+        second = test.results(name, sets)
+        compare(test, "scaled", answers(second), answers(first), STRESS * LENGTH ** (dim - 1))
+        for key in ("newton_iterations", "krylov_iterations"):
+            one, other = ([n for step in results["load_steps"] for n in counts_of(step[key])] for results in (first, second))
+            test.check(len(one) == len(other) and all(abs(a - b) <= counts_differ for a, b in zip(one, other)),
+                       f"{key}: {one}, scaled {other}")
+    return body
+
+
+def swap(scene, sets):
+    def body(test):
+        first = test.results(scene, sets)
+        with open(f"{first['output_directory']}/scene.prm") as file:
+            section = file.read().split("subsection Contact pairs")[1]
+        name, slave, master = (re.search(pattern, section)[1] for pattern in
+                               (r"set Names = (.*)", r"set Slave = (.*)", r"set Master = (.*)"))
+        pair = f"Contact pairs/{name}"
+        second = test.results(scene, sets + [f"{pair}/Slave={master}", f"{pair}/Master={slave}"])
+        compare(test, "swapped", answers(second), answers(first), -1.0, same_points=False, tolerance=1e-9)
+    return body
+
+
+def springs(scene, sets):
+    """The stabilisation of bodies that contact alone holds, over six decades."""
+    def body(test):
+        first = answers(test.results(scene, sets))
+        for exponent in range(-4, 3):
+            found = answers(test.results(scene, sets + [f"Newton/Stabilisation=1e{exponent}"]))
+            compare(test, f"stabilisation 1e{exponent}", found, first)
+    return body
+
+
+def cases():
+    def table(check, scenes, ranks=1, label="quick", methods=METHODS, sets=()):
+        for scene in scenes:
+            for one in methods:
+                name = f"{scene}{'-' + sets[0].split('/')[-1] if sets else ''}/{short(one)}"
+                yield Case(f"invariance/{check.__name__}", name, check(SCENES / f"{scene}.prm", [*sets, *method(one)]),
+                           ranks, {label})
+
+    yield from table(units, ("shrink-fit", "hertz-2d", "tube-clearance", "hertz-2d-force", "tilted-punch", "patch-3d"))
+    yield Case("invariance/units", "hertz-3d/multiplier", labels={"full"},
+               body=units(SCENES / "hertz-3d.prm", method(METHODS[1]), counts_differ=1))
+    yield from table(springs, ("layer", "hertz-2d-force"))
+    yield from table(swap, ("patch-2d", "patch-3d"))
+    yield from table(ranks, ("patch-3d-distorted", "hertz-2d", "layer", "patch-inclined"), 4, "full", METHODS[:1])
+    yield from table(ranks, ("shrink-fit", "hertz-axisymmetric", "tilted-punch", "patch-3d-distorted"), 4, "full", METHODS[1:])
+    yield from table(ranks, ("patch-3d-distorted",), 4, "full", METHODS[1:], ["Bodies/upper/Degree=2"])

@@ -1,0 +1,103 @@
+"""Patch tests: uniform pressure by contact segments, on meshes that do not match, from either side."""
+
+import csv
+from pathlib import Path
+
+from case import SCENES, Case, Failed, method, short
+
+EXACT = {"patch-2d": 115.7407407407, "patch-3d": 103.7037037037, "patch-overhang-2d": 10, "patch-overhang-3d": 10}
+SWAPPED = ["Contact pairs/interface/Slave=lower.top", "Contact pairs/interface/Master=upper.bottom"]
+
+
+def uniform(scene, sets, pressure, exact=1e-6, spread=1e-9, penetrates=False, ranks=1):
+    """The pressure is the same at all points up to `spread`, relative, and right up to `exact`; the gap is zero, or for
+    methods that penetrate the same negative number."""
+    def body(test):
+        results = test.results(SCENES / f"{scene}.prm", [*sets, "Newton/Tolerance=1e-12"], ranks)
+        with open(Path(results["output_directory"]) / "profiles" / "interface.csv") as file:
+            rows = list(csv.DictReader(file))
+        if not rows:
+            raise Failed("the profile has no points")
+        p, gap = ([float(row[key]) for row in rows] for key in ("pressure", "gap"))
+        mean = sum(p) / len(p)
+        varies, error = (max(p) - min(p)) / mean, abs(mean / pressure - 1)
+        test.print(f"{len(rows)} points, pressure {mean:.12g}, error {error:.1e}, spread {varies:.1e}, "
+                   f"gap from {min(gap):.3e} to {max(gap):.3e}")
+        test.check(varies <= spread, f"the pressure varies by {varies:.1e}, more than {spread:g}")
+        test.check(error <= exact, f"the pressure is off by {error:.1e}, more than {exact:g}")
+        if penetrates:
+            test.check(max(gap) < 0 and min(gap) / max(gap) - 1 <= spread, "the penetration is not uniform")
+        else:
+            test.check(max(map(abs, gap)) <= 1e-10, "the gap is not closed")
+    return body
+
+
+def exact_methods():
+    for basis in ("standard", "dual"):
+        multiplier = [*method("Lagrange multiplier"), f"Contact method/Pressure basis={basis}"]
+        yield f"multiplier-{basis}", multiplier
+        yield f"multiplier-{basis}-swapped", multiplier + SWAPPED
+    yield "augmented", method("augmented Lagrangian")
+    yield "augmented-newton", method("augmented Lagrangian", Loop="Newton")
+    for theta in (1, 0, -1):
+        yield f"nitsche-theta={theta}", method("Nitsche", Theta=theta)
+    yield "nitsche-swapped", method("Nitsche") + SWAPPED
+    yield "nitsche-unbiased", method("Nitsche", Unbiased="yes")
+
+
+def cases():
+    for scene, pressure in EXACT.items():
+        for degree in (1, 2):
+            for name, sets in exact_methods():
+                yield Case("patch/exact", f"{scene}/degree-{degree}/{name}",
+                           uniform(scene, sets + [f"Mesh/Degree={degree}"], pressure))
+    yield from penalties_and_elimination()
+    # Bodies of different degree.
+    for scene, pressure in EXACT.items():
+        for i, body in enumerate(("lower", "upper")):
+            for j, name in enumerate(("Lagrange multiplier", "augmented Lagrangian", "Nitsche")):
+                ranks = 2 if j == (i + len(scene)) % 3 else 1
+                yield Case("patch/mixed-degree", f"{scene}/degree-2-{body}/{short(name)}",
+                           uniform(scene, method(name) + [f"Bodies/{body}/Degree=2"], pressure, ranks=ranks), ranks)
+    # A penalty of 1e8 E/h multiplies the rounding of the gap; the solution is reached up to that.
+    for name in ("penalty", "augmented Lagrangian"):
+        yield Case("patch/exact", f"patch-3d/factor-1e8/{short(name)}",
+                   uniform("patch-3d", method(name, Factor=1e8), EXACT["patch-3d"], spread=1e-6))
+    # On distorted faces the error of the rule remains, and falls with its order.
+    for points, spread in ((2, 5e-3), (3, 5e-4), (4, 1e-6), (7, 5e-8)):
+        yield Case("patch/distorted", f"{points}-points",
+                   uniform("patch-3d-distorted", [f"Contact method/Quadrature points={points}"], EXACT["patch-3d"],
+                           exact=1e-5, spread=spread))
+    yield from solvers()
+
+
+def penalties_and_elimination():
+    """The penalty yields by p/eps: p = p0 / (1 + p0 / (eps 0.01)), eps = 1000 / (h/E + h/E) with the depths h of the cells
+    of both sides."""
+    for scene, pressure, matching in (("patch-2d", 115.6817661, "4,3"), ("patch-3d", 103.6518778, "4,3,2")):
+        for degree in (1, 2):
+            for name, sets in (("penalty", method("penalty")), ("perturbed", method("perturbed Lagrangian")),
+                               ("perturbed-condensed", method("perturbed Lagrangian", Form="condensed"))):
+                yield Case("patch/exact", f"{scene}/degree-{degree}/{name}",
+                           uniform(scene, sets + [f"Mesh/Degree={degree}"], pressure, exact=2e-8, penetrates=True))
+            # Where nodes match, elimination is exact too.
+            yield Case("patch/exact", f"{scene}/degree-{degree}/elimination",
+                       uniform(scene, method("direct elimination") +
+                               [f"Mesh/Degree={degree}", f"Bodies/lower/Subdivisions={matching}",
+                                f"Bodies/upper/Subdivisions={matching}"], EXACT[scene]))
+
+
+def solvers():
+    """The saddle point is solved by each of them."""
+    def solved(name, *sets):
+        return Case("patch/solver", name, uniform("patch-3d", list(sets), EXACT["patch-3d"], ranks=2), ranks=2)
+
+    for one in ("contact filter:CG", "contact filter:FGMRES", "block diagonal:MINRES", "block diagonal:FGMRES",
+                "block triangular:FGMRES", "SIMPLE:FGMRES", "direct:auto"):
+        preconditioner, krylov = one.split(":")
+        yield solved(one, f"Solver/Preconditioner={preconditioner}", f"Solver/Krylov method={krylov}")
+    for one in ("block triangular:diagonal", "block triangular:mass", "block triangular:zone", "block triangular:multigrid",
+                "block diagonal:diagonal", "block diagonal:mass", "SIMPLE:diagonal", "SIMPLE:multigrid"):
+        preconditioner, schur = one.split(":")
+        yield solved(one, f"Solver/Preconditioner={preconditioner}", f"Solver/Schur complement={schur}")
+    yield solved("augmented", "Solver/Preconditioner=block triangular", "Solver/Augmentation=1")

@@ -1,0 +1,41 @@
+"""The program itself as users start it: exit codes, options, several ranks, messages that come once."""
+
+import subprocess
+
+from case import PRM, SCENES, TESTS, Case
+
+
+def starts(words, code, ranks=1, out="", err=""):
+    """`out` and `err` are found exactly once."""
+    def body(test):
+        command = [test.mpiexec, "-n", str(ranks)] if ranks > 1 else []
+        folder = test.directory / test.case.replace("/", "-")
+        words_here = [word.replace("FOLDER", str(folder)) for word in words]
+        run = subprocess.run(command + [test.program, *words_here], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                             timeout=300)
+        test.print(run.stdout + run.stderr)
+        test.check(run.returncode == code, f"exit code {run.returncode} instead of {code}")
+        for text, stream in ((out, run.stdout), (err, run.stderr)):
+            if text:
+                test.check(stream.count(text) == 1, f"'{text}' is there {stream.count(text)} times, not once")
+    return body
+
+
+def cases():
+    def case(name, *arguments, ranks=1, **what):
+        return Case("program", f"{name}/np{ranks}", starts(*arguments, ranks=ranks, **what), ranks)
+
+    output = ["--set", "Output/VTU=no", "--set", "Output/Directory=FOLDER"]
+    plane = [str(PRM / "block-on-plane.prm"), *output]
+    yield case("version", ["--version"], 0, out="Signorini ")
+    yield case("help", ["--help"], 0, out="--print-reference")
+    yield case("template", ["--print-template", "3"], 0, out="Dimension")
+    yield case("no-scene", [], 2, err="no scene is given")
+    yield case("unknown-option", ["--chek", *plane], 2, err="unknown option '--chek'")
+    yield case("check", ["--check", plane[0]], 0, out="nothing was solved")
+    yield case("not-converged", [str(TESTS / "failures" / "not-converged.prm"), *output], 3, out="Not solved: ")
+    yield case("expectation-missed", [str(TESTS / "failures" / "missed-result.prm"), *output], 4, out="MISSED")
+    for ranks in (1, 2, 4):
+        yield case("solved", plane, 0, ranks=ranks, out="results in")
+        yield case("misspelt-key", [str(TESTS / "failures" / "misspelt-key.prm")], 2, ranks=ranks, err="did you mean")
+    yield case("missing-file", [str(SCENES / "no-such-scene.prm")], 2, ranks=2, err="no-such-scene.prm")

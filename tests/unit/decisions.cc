@@ -1,0 +1,273 @@
+// What Newton's method decides: which points are active, which motions are loose, what overlaps
+// count; on contact points without bodies.
+
+#include <signorini/solve/active_set.h>
+#include <signorini/solve/free_motions.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "small_scene.h"
+
+using namespace TestScene;
+
+namespace
+{
+  /// Points along a line, two a pair, on the degrees of freedom of the same numbers: g = u + g_0.
+  struct Points
+  {
+    explicit Points(const Values &rest_gaps)
+    {
+      const MPI_Comm     comm = MPI_COMM_WORLD;
+      const unsigned int n    = rest_gaps.size();
+      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      owned = LA::contiguous_partition(rank == 0 ? n - n / 2 : rank == 1 ? n / 2 : 0, comm);
+      if (Utilities::MPI::n_mpi_processes(comm) == 1)
+        owned = complete_index_set(n);
+      contact.dofs = owned;
+      DynamicSparsityPattern diagonal(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        diagonal.add(i, i);
+      contact.B.reinit(owned, diagonal, comm);
+      for (LA::Vector *v : {&contact.weight,
+                            &contact.stiffness,
+                            &contact.epsilon,
+                            &contact.permanent,
+                            &contact.rest_gap})
+        v->reinit(owned, comm);
+      contact.weight    = 2.;
+      contact.stiffness = 1.;
+      contact.epsilon   = 10.;
+      contact.position.assign(2, contact.zero());
+      for (const auto i : owned)
+        {
+          contact.pair.push_back(i / 2);
+          contact.B.set(i, i, 1);
+          contact.rest_gap(i)    = rest_gaps[i];
+          contact.position[0](i) = i;
+        }
+      contact.B.compress(VectorOperation::insert);
+      contact.rest_gap.compress(VectorOperation::insert);
+      contact.position[0].compress(VectorOperation::insert);
+      contact.B_free.copy_from(contact.B);
+      contact.initial_gap = contact.rest_gap;
+    }
+
+    LA::Vector
+    vector(const Values &values) const
+    {
+      LA::Vector v = contact.zero();
+      for (const auto i : owned)
+        v(i) = values[i];
+      v.compress(VectorOperation::insert);
+      return v;
+    }
+
+    IndexSet    owned;
+    GapOperator contact;
+  };
+
+  Values
+  values_of(const ActiveSet &set)
+  {
+    return everywhere(set.values());
+  }
+} // namespace
+
+
+
+TEST_CASE("the law: p^ - eps g where that pushes, at permanent points always")
+{
+  Points points({0, 0, 0, 0, 0, 0});
+  points.contact.permanent = points.vector({0, 0, 0, 0, 1, 1});
+  const LA::Vector gap     = points.vector({-1, 1, 1, -1, 1, -1}),
+                   p       = points.vector({0, 0, 11, -11, 5, 5});
+  LA::Vector active        = points.contact.zero();
+  CHECK(find_active(points.contact, gap, p, active) == 4);
+  CHECK(everywhere(active) == Values({1, 0, 1, 0, 1, 1}));
+
+  // A node without area is never active.
+  points.contact.weight = points.vector({0, 2, 2, 2, 2, 2});
+  CHECK(find_active(points.contact, gap, p, active) == 3);
+
+  LA::Vector pressure   = points.vector({7, 7, 7, 7, 7, 7});
+  active                = points.vector({1, 0, 1, 0, 1, 1});
+  const auto penalty    = ContactMethod::create("penalty"),
+             multiplier = ContactMethod::create("Lagrange multiplier");
+  set_pressure(*multiplier, points.contact, gap, p, active, pressure);
+  CHECK(everywhere(pressure) == Values({7, 0, 7, 0, 7, 7}));
+  set_pressure(*penalty, points.contact, gap, p, active, pressure);
+  CHECK(everywhere(pressure) == Values({10, 0, 1, 0, -5, 15}));
+}
+
+
+
+TEST_CASE("shares of overlaps: gaps stay, at permanent points they count as well")
+{
+  Points points({-1, 1, -2, 2, -3, 3});
+  points.contact.permanent = points.vector({0, 0, 0, 0, 1, 1});
+  points.contact.set_interference({0.5, 0.25, 0.5});
+  CHECK(everywhere(points.contact.initial_gap) == Values({-0.5, 1, -0.5, 2, -1.5, 1.5}));
+  points.contact.set_interference({1, 1, 1});
+  CHECK(everywhere(points.contact.initial_gap) == Values({-1, 1, -2, 2, -3, 3}));
+  CHECK(everywhere(points.contact.gap(points.vector({1, 1, 1, 1, 1, 1}))) ==
+        Values({0, 2, -1, 3, -2, 4}));
+}
+
+
+
+TEST_CASE("of overlapping points the deepest half of each pair comes first")
+{
+  const Points     points({-1, -0.4, -8, -5, -3, 1});
+  ActiveSet        set(points.contact);
+  const LA::Vector gap = points.contact.initial_gap;
+  set.update(gap, points.contact.zero());
+  CHECK(set.size() == 5);
+  CHECK(set.keep_deepest(gap) == 4);
+  CHECK(values_of(set) == Values({1, 0, 1, 1, 1, 0}));
+  CHECK(set.count_changes() == 4);
+  // What was active stays.
+  set.update(gap, points.contact.zero());
+  CHECK(set.keep_deepest(gap) == 4);
+  CHECK(set.count_changes() == 0);
+}
+
+
+
+TEST_CASE("points that only touch do not count at first, those that never separate do")
+{
+  Points points({0, -1e-13, 3, 0, 0, 0});
+  points.contact.permanent = points.vector({0, 0, 0, 0, 1, 1});
+  ActiveSet set(points.contact);
+  set.update(points.contact.initial_gap, points.contact.zero());
+  CHECK(set.size() == 3);
+  CHECK(set.drop_touching(points.contact.initial_gap) == 2);
+  CHECK(set.size_of_separating() == 0);
+  CHECK(values_of(set) == Values({0, 0, 0, 0, 1, 1}));
+  set.set(points.vector({1, 0, 0, 0, 0, 0}));
+  CHECK(values_of(set) == Values({1, 0, 0, 0, 1, 1}));
+}
+
+
+
+TEST_CASE("one at a time: the point that violates the law most")
+{
+  const Points points({0, 0, 0, 0, 0, 0});
+  ActiveSet    set(points.contact);
+  set.set(points.vector({1, 1, 1, 0, 0, 0}));
+  // Two pull, one overlaps; the law: p - 10 g.
+  const LA::Vector gap = points.vector({0, 0, 0, -0.3, 0.1, 0}),
+                   p   = points.vector({-2, -1, 4, 0, 0, 0});
+  set.update(gap, p);
+  CHECK(values_of(set) == Values({0, 0, 1, 1, 0, 0}));
+  set.keep_all_but_the_worst(gap, p);
+  CHECK(values_of(set) == Values({1, 1, 1, 1, 0, 0}));
+  CHECK(set.count_changes() == 1);
+}
+
+
+
+TEST_CASE("sets that come up again are seen, but not those that stay")
+{
+  const Points points({0, 0, 0, 0, 0, 0});
+  ActiveSet    set(points.contact);
+  const auto   seen = [&](const Values &gap) {
+    set.update(points.vector(gap), points.contact.zero());
+    return set.seen_before();
+  };
+  CHECK(!seen({-1, 1, 1, 1, 1, 1}));
+  CHECK(!seen({-1, 1, 1, 1, 1, 1}));
+  CHECK(!seen({-1, -1, 1, 1, 1, 1}));
+  CHECK(!seen({-1, 1, 1, 1, 1, -1}));
+  CHECK(seen({-1, -1, 1, 1, 1, 1}));
+  set.restart();
+  CHECK(!seen({-1, 1, 1, 1, 1, 1}));
+}
+
+
+
+TEST_CASE("a set that is left at the first step is kept for one more")
+{
+  const Points points({0, 0, 0, 0, 0, 0});
+  ActiveSet    set(points.contact);
+  set.set(points.vector({1, 1, 0, 0, 0, 0}));
+  set.update(points.vector({1, 1, 1, 1, 1, 1}), points.contact.zero());
+  CHECK(set.size() == 0);
+  CHECK(set.keep_last_if_any());
+  CHECK(values_of(set) == Values({1, 1, 0, 0, 0, 0}));
+  CHECK(!set.keep_last_if_any());
+}
+
+
+
+namespace
+{
+  /// Motions of the first and of the last two degrees of freedom.
+  FreeMotions
+  two_motions(const Points &points, const LA::Vector &springs)
+  {
+    return {{{"left", points.vector({1, 1, 0, 0, 0, 0})},
+             {"right", points.vector({0, 0, 0, 0, 3, 3})}},
+            springs,
+            points.contact};
+  }
+} // namespace
+
+TEST_CASE("what active points leave loose has springs, what they stop has none")
+{
+  const Points     points({2, 6, 1, 1, 4, 5});
+  const LA::Vector springs = points.vector({4, 4, 0, 0, 1, 3});
+  FreeMotions      motions = two_motions(points, springs);
+  CHECK(motions.never_held().empty());
+  motions.set_active(points.vector({0, 1, 0, 0, 0, 0}));
+  CHECK(motions.loose() == std::vector<std::string>{"right"});
+
+  // K - S + S z (S z)^T with z.S z = 1: along z it is K again.
+  const LA::Vector right = points.vector({0, 0, 0, 0, 1, 1}),
+                   left  = points.vector({1, 1, 0, 0, 0, 0});
+  LA::Vector f           = points.contact.zero();
+  motions.subtract_springs(f, right);
+  CHECK(everywhere(f) == Values({0, 0, 0, 0, -1, -3}));
+  motions.add_loose(f, right);
+  CHECK(f.linfty_norm() < 1e-14);
+  motions.add_loose(f, left);
+  CHECK(f.linfty_norm() < 1e-14);
+
+  // Driven by forces along what is loose alone.
+  CHECK(motions.driven(points.vector({-1, -1, 0, 0, 0, 0}), 1e-3).empty());
+  CHECK(motions.driven(points.vector({0, 0, 0, 0, -1, 1}), 1e-3).empty());
+  CHECK(motions.driven(points.vector({0, 0, 0, 0, -1, 0}), 1e-3) ==
+        std::vector<std::string>{"right"});
+
+  // Pushed down by 1, z.r = -1/2, so that it moves by -1/4 a unit: 4 to the first contact, and one
+  // more such step.
+  LA::Vector u = points.contact.zero();
+  CHECK(motions.close(u, points.vector({0, 0, 0, 0, -1, 0})));
+  CHECK(everywhere(u)[4] == doctest::Approx(-4.25));
+  CHECK(everywhere(u)[5] == doctest::Approx(-4.25));
+  CHECK(everywhere(u)[0] == 0);
+  u = 0.;
+  CHECK(!motions.close(u, points.vector({0, 0, 0, 0, 1, 0})));
+}
+
+
+
+TEST_CASE("a loose motion is held where that takes little force")
+{
+  const Points     points({0, 0, 0, 0, 0, 0});
+  const LA::Vector springs = points.vector({4, 4, 0, 0, 1, 3});
+  FreeMotions      motions = two_motions(points, springs);
+  motions.set_active(points.vector({1, 1, 0, 0, 0, 0}));
+  // Contact pushes with 2 times 3 on what moves.
+  const LA::Vector p = points.vector({0, 0, 0, 0, 3, 0});
+  LA::Vector       r = points.vector({1, 1, 1, 1, 0.02, 0.02});
+  CHECK(motions.hold(r, p, points.contact.zero()) == doctest::Approx(0.04));
+  CHECK(std::abs(everywhere(r)[4] + everywhere(r)[5]) < 1e-15);
+  CHECK(everywhere(r)[0] == 1);
+  r = points.vector({1, 1, 1, 1, 0.2, 0.2});
+  CHECK(motions.hold(r, p, points.contact.zero()) == 0);
+  CHECK(everywhere(r)[4] == 0.2);
+}

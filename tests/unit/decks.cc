@@ -1,0 +1,380 @@
+#include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/elasticity.h>
+#include <signorini/import/import_deck.h>
+#include <signorini/mesh/formats/abaqus.h>
+#include <signorini/mesh/formats/rigid_motion.h>
+#include <signorini/mesh/pieces.h>
+#include <signorini/scene/scene.h>
+
+#include <sstream>
+
+#include "mesh_helpers.h"
+
+using namespace dealii;
+using namespace Signorini;
+using namespace MeshTests;
+
+namespace
+{
+  const MeshFile::Group &
+  group(const MeshFile &file, const std::string &name)
+  {
+    for (const auto &one : file.groups)
+      if (one.name == name)
+        return one;
+    throw SceneError("there is no group " + name);
+  }
+
+  std::pair<std::string, std::string>
+  imported(const std::string &file)
+  {
+    std::ostringstream scene, messages;
+    import_deck(file, scene, messages);
+    return {scene.str(), messages.str()};
+  }
+
+  /// All that is checked before meshes are made.
+  template <int dim>
+  Scene<dim>
+  checked(const std::string &text)
+  {
+    const TemporaryFile file(text, ".prm");
+    RawSection          raw = read_raw(file.path);
+    Scene<dim>          scene;
+    Section             section(raw);
+    scene.declare(section);
+    section.close();
+    scene.check();
+    return scene;
+  }
+
+  const std::string cube = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n"
+                           "6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n*ELEMENT, TYPE=C3D8\n"
+                           "1, 1, 2, 3, 4, 5, 6, 7, 8\n";
+} // namespace
+
+
+
+TEST_CASE("rotations are right-handed, and leave lengths and the axis alone")
+{
+  const auto quarter = RigidMotion::about_axis({1, 0, 0}, {1, 0, 5}, numbers::PI / 2);
+  CHECK(quarter({2, 0, 3}).distance(Point<3>(1, 1, 3)) < 1e-14);
+  CHECK(quarter({1, 0, 7}).distance(Point<3>(1, 0, 7)) < 1e-14);
+  const auto     skew = RigidMotion::about_axis({1, 2, 3}, {3, 3, 1}, 0.7);
+  const Point<3> on_axis(1 + 2 * 1.5, 2 + 1.5, 3 - 2 * 1.5), a(4, -1, 2), b(0, 3, 3);
+  CHECK(skew(on_axis).distance(on_axis) < 1e-14);
+  CHECK(std::abs(skew(a).distance(skew(b)) - a.distance(b)) < 1e-14);
+  CHECK(std::abs(determinant(skew.rotation) - 1) < 1e-14);
+  // The angle, measured across the axis.
+  const Tensor<1, 3> n = (Point<3>(3, 3, 1) - Point<3>(1, 2, 3)) / 3., arm = a - on_axis;
+  const Tensor<1, 3> before = arm - (arm * n) * n, after = skew(a) - on_axis - (arm * n) * n;
+  CHECK(std::abs(cross_product_3d(before, after) * n / before.norm_square() - std::sin(0.7)) <
+        1e-13);
+  const auto both = quarter.then(RigidMotion::translation(Point<3>(0, 0, 1)));
+  CHECK(both({2, 0, 3}).distance(Point<3>(1, 1, 4)) < 1e-14);
+}
+
+
+
+TEST_CASE("parts and instances: places, sets and surfaces of each")
+{
+  const MeshFile file = read_abaqus(test_mesh("cae-blocks.inp"));
+  CHECK(file.nodes.size() == 12);
+  CHECK(part_names(file, 2) == std::vector<std::string>{"Block-1",
+                                                        "Block-2",
+                                                        "Block-1.Set-1",
+                                                        "Block-1._Left_S4",
+                                                        "Block-1._Right_S2",
+                                                        "Block-2.Set-1",
+                                                        "Block-2._Left_S4",
+                                                        "Block-2._Right_S2"});
+  // The part's (5,6) comes to lie at (6,0) and (6,5).
+  CHECK(file.nodes[3].distance(Point<3>(6, 0, 0)) < 1e-14);
+  CHECK(file.nodes[9].distance(Point<3>(6, 5, 0)) < 1e-14);
+  CHECK(group(file, "base").nodes == MeshFile::Nodes{1, 3, 5});
+  CHECK(group(file, "press").nodes == MeshFile::Nodes{6, 8, 10});
+  CHECK(group(file, "side").nodes == MeshFile::Nodes{0, 1, 6, 7});
+  CHECK(group(file, "Block-2.One").nodes == MeshFile::Nodes{6, 8, 10});
+  CHECK(group(file, "Block-2.Right").faces.size() == 2);
+
+  const auto mesh =
+    generator<2>("file", {{"File", test_mesh("cae-blocks.inp")}, {"Part", "Block-2"}})->generate();
+  CHECK(
+    mesh.boundaries ==
+    std::vector<std::string>{
+      "Block-2.Left", "Block-2.Right", "Block-2.One", "Block-2.Other", "press", "side", "unnamed"});
+}
+
+
+
+TEST_CASE("parts and instances: what is wrong is named")
+{
+  const auto attempt = [](const std::string &text) {
+    const TemporaryFile file(text, ".inp");
+    return message_of([&] { read_abaqus(file.path); });
+  };
+  const std::string part = "*PART, NAME=a\n" + cube + "*END PART\n";
+  says(attempt(part + "*INSTANCE, NAME=a-1, PART=b\n*END INSTANCE\n"), "there is no part 'b'");
+  says(attempt(part + part), "the part 'a' is there twice");
+  says(attempt(part + "*INSTANCE, NAME=i, PART=a\n*END INSTANCE\n*INSTANCE, NAME=I, PART=a\n"
+                      "*END INSTANCE\n"),
+       "the instance 'I' is there twice");
+  says(attempt(part + "*INSTANCE, NAME=i, PART=a\n0,0,0\n1,1,1, 1,1,1, 90\n*END INSTANCE\n"),
+       "the two points of the axis of rotation are the same");
+  says(attempt(part + "*INSTANCE, NAME=i, PART=a\n"), "without its end");
+  says(attempt(part + "*INSTANCE, NAME=i, PART=a\n*END INSTANCE\n*NSET, NSET=n, INSTANCE=j\n1\n"),
+       "there is no instance 'j'");
+  says(attempt(part + "*INSTANCE, NAME=i, PART=a\n*END INSTANCE\n*NSET, NSET=n\ni.9\n"),
+       "'i.9' is no node");
+}
+
+
+
+TEST_CASE("keywords in any spelling, data in other files")
+{
+  const TemporaryFile nodes("1, 0, 0\n2, 1, 0\n** a comment\n3, 1, 1\n", ".nodes");
+  const std::string   name = std::filesystem::path(nodes.path).filename().string();
+  const TemporaryFile file("\xEF\xBB\xBF*heading\n* Node ,  Nset = all ,\n INPUT=" + name +
+                             "\r\n4, 0,\t1\r\n*element, type = cpe4 , Elset=E\r\n1,1,2,3,4\r\n"
+                             "*Surface, name=s, combine=union\n",
+                           ".inp");
+  const MeshFile      mesh = read_abaqus(file.path);
+  CHECK(mesh.nodes.size() == 4);
+  CHECK(mesh.nodes[3] == Point<3>(0, 1, 0));
+  CHECK(group(mesh, "all").nodes.size() == 4);
+}
+
+
+
+TEST_CASE("nodes and elements made of others")
+{
+  // A row of 2 x 3 squares, turned into the plane x = 2 by *SYSTEM.
+  const TemporaryFile file(
+    "*SYSTEM\n2, 0, 0, 2, 1, 0, 2, 0, 1\n*NODE\n1, 0, 0\n3, 2, 0\n"
+    "31, 0, 3\n33, 2, 3\n*NGEN, NSET=low\n1, 3, 1\n*NGEN, NSET=high\n31, 33\n"
+    "*NFILL, NSET=all\nlow, high, 3, 10\n*ELEMENT, TYPE=S4\n"
+    "1, 1, 2, 12, 11\n*ELGEN, ELSET=skin\n1, 2, 1, 1, 3, 10, 10\n"
+    "*NCOPY, CHANGE NUMBER=100, OLD SET=all, SHIFT, NEW SET=copy\n0, 0, 5\n"
+    "*ELCOPY, ELEMENT SHIFT=100, OLD SET=skin, SHIFT NODES=100, NEW SET=far\n",
+    ".inp");
+  const AbaqusDeck deck = read_abaqus_deck(file.path);
+  CHECK(deck.mesh.nodes.size() == 24);
+  CHECK(deck.mesh.elements.size() == 12);
+  const auto place = [&](const std::size_t n) { return deck.mesh.nodes[deck.nodes.index(n)]; };
+  CHECK(place(22).distance(Point<3>(2, 1, 2)) < 1e-14);
+  CHECK(place(122).distance(Point<3>(2, 1, 7)) < 1e-14);
+  CHECK(deck.elements.find("skin")->members.size() == 6);
+  CHECK(deck.elements.find("far")->members.size() == 6);
+  const auto &last = deck.mesh.elements[deck.elements.index(122)];
+  CHECK(deck.mesh.nodes[last.nodes[2]].distance(Point<3>(2, 2, 8)) < 1e-14);
+
+  const TemporaryFile round("*NODE, SYSTEM=C\n1, 2, 90, 3\n*NODE, SYSTEM=S\n2, 2, 0, 90\n"
+                            "*NODE\n3, 5, 5, 5\n*NFILL, BIAS=0.5\n1, 3, 2, 10\n"
+                            "*ELEMENT, TYPE=MASS\n1, 1\n",
+                            ".inp");
+  const AbaqusDeck    polar = read_abaqus_deck(round.path);
+  CHECK(polar.mesh.nodes[0].distance(Point<3>(0, 2, 3)) < 1e-14);
+  CHECK(polar.mesh.nodes[1].distance(Point<3>(0, 0, 2)) < 1e-14);
+  // Intervals of 1 and 2 thirds.
+  const Point<3> between = polar.mesh.nodes[polar.nodes.index(11)];
+  CHECK(between.distance(Point<3>(0, 2, 3) + (Point<3>(5, 5, 5) - Point<3>(0, 2, 3)) / 3.) < 1e-14);
+}
+
+
+
+TEST_CASE("pieces are parts; those that touch need a pair; faces have several names")
+{
+  MeshFile file = read_abaqus(test_mesh("pieces.inp"));
+  add_pieces(file, 2);
+  CHECK(part_names(file, 2) == std::vector<std::string>{"Eall", "piece1", "piece2"});
+  CHECK(group(file, "piece2").elements == std::vector<unsigned int>{2, 3});
+
+  const Keys whole{{"File", test_mesh("pieces.inp")}};
+  const auto all = generator<2>("file", whole);
+  says(all->needs_pair(), "3 pairs, the first at (");
+  const CoarseMesh<2> mesh = all->generate();
+  const auto          name = [&](const std::string &wanted) {
+    return std::find(mesh.boundaries.begin(), mesh.boundaries.end(), wanted) -
+           mesh.boundaries.begin();
+  };
+  CHECK(mesh.ids_of(name("Sslav")) == mesh.ids_of(name("Nslav")));
+  CHECK(mesh.n_boundary_ids() == mesh.names_of_ids.size());
+
+  const auto upper = generator<2>("file", {{"File", test_mesh("pieces.inp")}, {"Part", "piece2"}});
+  CHECK(upper->needs_pair().empty());
+  CHECK(upper->generate().cells.size() == 2);
+  CHECK(upper->node_set("Nbase").empty());
+  CHECK(upper->node_set("Nends").size() == 2);
+  // A node in the middle of an edge has the place of the middle; the middle one is in two cells.
+  const NodeSet<2> middles = upper->node_set("Nmiddles");
+  REQUIRE(middles.size() == 2);
+  CHECK(middles[0].size() == 1);
+  const Point<2> unit = middles[0][0].unit;
+  CHECK(std::min({std::abs(unit[0] - 0.5), std::abs(unit[1] - 0.5)}) == 0);
+  bool found = false;
+  for (unsigned int n = 1; n < 30; ++n)
+    found |= upper->node_set(std::to_string(n)).size() == 1 &&
+             upper->node_set(std::to_string(n))[0].size() == 2;
+  CHECK(found);
+  CHECK(upper->node_set("99").empty());
+}
+
+
+
+TEST_CASE_TEMPLATE("forces at nodes and points keep their sum and moment, on any mesh",
+                   T,
+                   std::integral_constant<int, 2>,
+                   std::integral_constant<int, 3>)
+{
+  constexpr int dim = T::value;
+  for (const unsigned int degree : {1u, 2u})
+    {
+      BodyMesh<dim> body;
+      RawSection    raw;
+      raw.set_value("Corners", dim == 2 ? "0,0 : 2,1" : "0,0,0 : 2,1,1", "test");
+      raw.set_value("Subdivisions", dim == 2 ? "2,1" : "2,1,1", "test");
+      Section section(raw);
+      body.declare(section);
+      MeshSettings<dim> settings;
+      settings.zones.resize(1);
+      settings.zones[0].where = Expression<dim>("1 - x");
+      const Mesh<dim> mesh({{"block", body}}, settings, {}, MPI_COMM_WORLD);
+
+      std::vector<Load<dim>> loads(2);
+      loads[0].nodes.point = {1, 0.5, 0.25}; // on a face with hanging nodes
+      loads[1].nodes.point = {1.3, 1, 0.4};
+      for (Load<dim> &load : loads)
+        {
+          load.nodes.point.resize(dim);
+          load.force = VectorExpression<dim>(dim == 2 ? "3*t; -2" : "3*t; -2; 5");
+        }
+      Elasticity<dim> elasticity(mesh, std::vector<Material>(1), {}, loads, {degree});
+      elasticity.setup();
+      elasticity.set_time(2);
+      LA::Vector                           f       = elasticity.load();
+      const auto                           ghosted = elasticity.with_ghosts(f);
+      Tensor<1, dim>                       force, wanted;
+      Tensor<1, 3>                         moment, wanted_moment;
+      CellNodes<dim>                       nodes_of(mesh, elasticity.finite_elements());
+      std::set<types::global_dof_index>    done;
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const std::vector<Point<dim>> nodes = nodes_of(cell);
+            read_indices<dim>(cell, indices);
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              if (elasticity.owned().is_element(indices[i]) && done.insert(indices[i]).second)
+                {
+                  Tensor<1, dim> one;
+                  one[cell->get_fe().system_to_component_index(i).first] = ghosted(indices[i]);
+                  force += one;
+                  moment += moment_of(nodes[i], one);
+                }
+          }
+      force  = Utilities::MPI::sum(force, MPI_COMM_WORLD);
+      moment = Utilities::MPI::sum(moment, MPI_COMM_WORLD);
+      for (const Load<dim> &load : loads)
+        {
+          Point<dim> x;
+          for (unsigned int d = 0; d < dim; ++d)
+            x[d] = load.nodes.point[d];
+          wanted += load.force.value(x, 2);
+          wanted_moment += moment_of(x, load.force.value(x, 2));
+        }
+      CHECK((force - wanted).norm() < 1e-12);
+      CHECK((moment - wanted_moment).norm() < 1e-12);
+    }
+}
+
+
+
+TEST_CASE("import: a deck of parts and instances is a complete scene")
+{
+  const auto [text, messages] = imported(test_mesh("cae-blocks.inp"));
+  const Scene<2> scene        = checked<2>(text);
+  REQUIRE(scene.bodies.size() == 2);
+  CHECK(scene.model == "plane strain");
+  CHECK(scene.bodies[1].name == "Block-2");
+  CHECK(scene.bodies[1].material.youngs_modulus == 200000);
+  CHECK(scene.bodies[1].material.poissons_ratio == 0.3);
+  REQUIRE(scene.supports.size() == 2);
+  CHECK(scene.supports[0].nodes.sets == std::vector<std::string>{"Block-1.side", "Block-2.side"});
+  CHECK(scene.supports[0].displacement.text() == "0; free");
+  REQUIRE(scene.loads.size() == 1);
+  CHECK(scene.loads[0].boundaries == std::vector<std::string>{"Block-2.Block-2.Left"});
+  CHECK(scene.loads[0].pressure.formula() == "100*t");
+  REQUIRE(scene.pairs.size() == 1);
+  CHECK(scene.pairs[0].slave == "Block-2.Block-2.Right");
+  CHECK(scene.pairs[0].master == "Block-1.Block-1.Left");
+  CHECK(scene.contact.method == "Lagrange multiplier");
+  CHECK(scene.load_steps.ends() == std::vector<double>{1});
+  says(text, "# left out: *STEP, NLGEOM");
+  says(messages, "left out: *STEP, NLGEOM");
+}
+
+
+
+TEST_CASE("import: pieces, forces on nodes, linear contact; what is left out is said")
+{
+  const auto [text, messages] = imported(test_mesh("pieces.inp"));
+  const Scene<2> scene        = checked<2>(text);
+  REQUIRE(scene.bodies.size() == 2);
+  CHECK(scene.model == "plane stress");
+  CHECK(scene.bodies[0].name == "piece1");
+  CHECK(scene.bodies[0].degree == 2);
+  CHECK(scene.contact.method == "penalty");
+  CHECK(scene.contact.chosen().penalty({7, 3, 1}) == 1e4);
+  REQUIRE(scene.loads.size() == 3);
+  CHECK(scene.loads[0].force.text() == "0; -1.66666666667*t/2");
+  CHECK(scene.loads[2].nodes.sets.size() == 1);
+  CHECK(scene.load_steps.ends() == std::vector<double>{2});
+  says(text, "# left out: *FRICTION (contact is without friction): ");
+  says(messages, "*FRICTION");
+}
+
+
+
+TEST_CASE("import: steps, amplitudes, gravity, pressures on elements, symmetry")
+{
+  const TemporaryFile file(
+    "*INCLUDE, INPUT=" + std::filesystem::path(test_mesh("pieces.inp")).string() +
+      "\n*AMPLITUDE, NAME=saw\n0, 0, 1, 1, 2, 0\n*MATERIAL, NAME=EL\n*DENSITY\n3.\n*STEP\n*STATIC\n"
+      "1, 2\n*DLOAD, AMPLITUDE=saw\n1, P4, 5.\nEall, GRAV, 2., 0, -1, 0\n*END STEP\n"
+      "*STEP, PERTURBATION\n*FREQUENCY\n3\n*END STEP\n*STEP\n*STATIC\n"
+      "*DLOAD, OP=NEW\n1, P4, 7.\n*BOUNDARY\nNends, XSYMM\n*MODEL CHANGE, TYPE=ELEMENT, REMOVE\n"
+      "*CLOAD, OP=NEW\nNends, 2, 1.\n*END STEP\n",
+    ".inp");
+  const auto [text, messages] = imported(file.path);
+  const Scene<2> scene        = checked<2>(text);
+  CHECK(scene.load_steps.ends() == std::vector<double>{2, 4, 5});
+  REQUIRE(scene.loads.size() == 6);
+  CHECK(scene.loads[0].force.text().find("table(t, 0, 0, 2, -1.66") != std::string::npos);
+  const Load<2> &pressure = scene.loads[3];
+  CHECK(pressure.boundaries == std::vector<std::string>{"piece1.DLOAD 1"});
+  for (const auto &[t, p] :
+       std::vector<std::pair<double, double>>{{1, 0}, {3, 5}, {4, 0}, {4.5, 3.5}, {5, 7}})
+    CHECK(std::abs(pressure.pressure.value({}, t) - p) < 1e-6);
+  CHECK(std::abs(scene.loads[4].body_force.value({}, 3)[1] + 6) < 1e-6);
+  CHECK(scene.loads[4].bodies == std::vector<std::string>{"piece1"});
+  CHECK(std::abs(scene.loads[0].force.value({}, 5)[1] - 1) < 1e-6);
+  CHECK(std::abs(scene.loads[1].force.value({}, 5)[1]) < 1e-6);
+  for (const std::string word : {"*MODEL CHANGE", "PERTURBATION", "*FREQUENCY"})
+    says(messages, word);
+}
+
+
+
+TEST_CASE("import: what leaves nothing to solve is refused")
+{
+  const auto attempt = [](const std::string &text) {
+    const TemporaryFile file(text, ".inp");
+    return message_of([&] { imported(file.path); });
+  };
+  says(attempt("*NODE\n1, 0, 0\n2, 1, 0\n*ELEMENT, TYPE=B31\n1, 1, 2\n"),
+       "no elastic solid is left");
+  says(attempt(cube), "have no *SOLID SECTION");
+  says(attempt(cube + "*ELSET, ELSET=e\n1\n*MATERIAL, NAME=m\n*HYPERELASTIC\n1, 2\n"
+                      "*SOLID SECTION, ELSET=e, MATERIAL=m\n"),
+       "is not linear elastic: *ELASTIC is missing");
+}

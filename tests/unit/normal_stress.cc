@@ -1,0 +1,144 @@
+// Normal stresses of the bodies at contact points, as Nitsche's method takes them; and the forces
+// of a pressure.
+
+#include <signorini/contact/normal_stress.h>
+#include <signorini/elasticity/kernel.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "two_blocks.h"
+
+using namespace Signorini;
+using namespace dealii;
+using namespace TestScene;
+
+namespace
+{
+  template <int dim>
+  void
+  check_bound(const unsigned int degree)
+  {
+    CAPTURE(dim);
+    CAPTURE(degree);
+    const TwoBlocks<dim> scene(*make_method("Nitsche"), degree);
+    auto                 cell = scene.elasticity.dof_handler().begin_active();
+    while (cell != scene.elasticity.dof_handler().end() && !cell->is_locally_owned())
+      ++cell;
+    if (cell == scene.elasticity.dof_handler().end())
+      return;
+    const unsigned int                   face = 1;
+    const Tensor<1, dim>                 n    = Point<dim>::unit_vector(0);
+    NormalStress<dim>                    stress(scene.elasticity);
+    std::vector<types::global_dof_index> indices(cell->get_fe().n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+    stress.reinit(cell);
+    const double bound = stress.bound(face);
+
+    StiffnessKernel<dim> kernel(scene.mesh,
+                                scene.elasticity.finite_elements(),
+                                scene.elasticity.model());
+    FullMatrix<double>   K;
+    kernel.assemble(cell, scene.elasticity.material(cell->material_id()), K);
+    const QGauss<dim - 1> rule(degree + 2);
+    FullMatrix<double>    M(K.m()); // int (n . sigma n)^2 dA
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const SparseRow row = stress.row(unit_point<dim>(face, rule.point(q)), n, n);
+        Vector<double>  s(K.m());
+        for (const auto &[index, value] : row)
+          s[std::find(indices.begin(), indices.end(), index) - indices.begin()] = value;
+        FullMatrix<double> outer(K.m());
+        outer.outer_product(s, s);
+        M.add(rule.weight(q) * cell->face(face)->measure(), outer);
+      }
+
+    // The quotient of any displacement is below the bound; power iteration with K + M, whose
+    // quotient grows with the other, comes close to it.
+    FullMatrix<double> inverse = K;
+    for (unsigned int i = 0; i < K.m(); ++i)
+      inverse(i, i) += 1e-6 * K.trace() / K.m();
+    inverse.gauss_jordan();
+    Vector<double> v(K.m()), Mv(K.m());
+    for (unsigned int i = 0; i < v.size(); ++i)
+      v[i] = std::sin(1. + i * i);
+    double quotient = 0;
+    for (unsigned int n_steps = 0; n_steps < 300; ++n_steps)
+      {
+        quotient = M.matrix_norm_square(v) / K.matrix_norm_square(v);
+        CHECK(quotient < bound * (1 + 1e-4));
+        M.vmult(Mv, v);
+        inverse.vmult(v, Mv);
+        v /= v.l2_norm();
+      }
+    CHECK(quotient > 0.98 * bound);
+  }
+} // namespace
+
+TEST_CASE("the bound of the normal stress by the energy is sharp")
+{
+  for (const unsigned int degree : {1, 2})
+    {
+      check_bound<2>(degree);
+      check_bound<3>(degree);
+    }
+}
+
+
+
+TEST_CASE("a uniform stress is found at the contact points, none in rigid motions")
+{
+  for (const char *unbiased : {"no", "yes"})
+    {
+      const TwoBlocks<2> scene(*make_method("Nitsche", {{"Unbiased", unbiased}}), 2);
+      // u_y = -c y in bodies of plane strain with sigma_yy = -c E (1-nu)/((1+nu)(1-2nu)).
+      LA::Vector u = scene.elasticity.zero_vector();
+      VectorTools::interpolate(scene.mesh.mapping(),
+                               scene.elasticity.dof_handler(),
+                               DisplacementFunction<2>(VectorExpression<2>("0; -y"), 0),
+                               u);
+      const LA::Vector s     = scene.contact->stress(u);
+      const double     lower = 10 * 0.7 / (1.3 * 0.4), upper = 20 * 0.8 / (1.2 * 0.6);
+      for (const auto i : s.locally_owned_elements())
+        {
+          CHECK(s(i) > 0.999999 * std::min(lower, upper));
+          CHECK(s(i) < 1.000001 * std::max(lower, upper));
+        }
+      VectorTools::interpolate(scene.mesh.mapping(),
+                               scene.elasticity.dof_handler(),
+                               DisplacementFunction<2>(VectorExpression<2>("3-y; 2+x"), 0),
+                               u);
+      CHECK(scene.contact->stress(u).linfty_norm() < 1e-11);
+    }
+}
+
+
+
+TEST_CASE("a contact pressure exerts balanced forces")
+{
+  const TwoBlocks<3> scene(*make_method("Lagrange multiplier"), 1);
+  LA::Vector         p = scene.contact->zero();
+  for (const auto i : p.locally_owned_elements())
+    p(i) = 1 + std::sin(i);
+  p.compress(VectorOperation::insert);
+  // All components of all forces together: action and reaction.
+  CHECK(std::abs(scene.contact->total_force(p, scene.contact->zero()).mean_value()) < 1e-14);
+  // The gap does not change in rigid motions, so that the forces do no work: no moment either.
+  for (const std::vector<double> &mode : scene.elasticity.rigid_body_modes())
+    {
+      LA::Vector u  = scene.elasticity.zero_vector();
+      auto       at = mode.begin();
+      for (const auto i : scene.elasticity.owned())
+        u(i) = *at++;
+      u.compress(VectorOperation::insert);
+      LA::Vector change = scene.contact->gap(u);
+      change -= scene.contact->initial_gap;
+      CHECK(change.linfty_norm() < 1e-12);
+    }
+  // The points' areas sum up to the area of the slave, constant pressure to its resultant.
+  CHECK(scene.contact->weight.l1_norm() == doctest::Approx(1));
+}

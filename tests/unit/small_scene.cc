@@ -1,0 +1,239 @@
+#include "small_scene.h"
+
+#include <signorini/parameters/section.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace TestScene
+{
+  namespace
+  {
+    Section
+    section_of(RawSection &raw, const Lines &lines)
+    {
+      for (const std::string &line : lines)
+        override_value(raw, line);
+      return Section(raw);
+    }
+
+    template <int dim>
+    Scene<dim>
+    read(const Lines &lines)
+    {
+      RawSection raw;
+      Section    section = section_of(raw, lines);
+      Scene<dim> scene;
+      scene.declare(section);
+      section.close();
+      scene.check();
+      return scene;
+    }
+
+    template <int dim>
+    std::unique_ptr<Mesh<dim>>
+    make_mesh(const Scene<dim> &scene)
+    {
+      std::vector<std::pair<std::string, BodyMesh<dim>>> bodies;
+      for (const Body<dim> &body : scene.bodies)
+        bodies.emplace_back(body.name, body.mesh);
+      std::vector<std::pair<std::string, std::string>> surfaces;
+      for (const ContactPair<dim> &pair : scene.pairs)
+        surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
+      return std::make_unique<Mesh<dim>>(bodies, scene.mesh, surfaces, MPI_COMM_WORLD);
+    }
+
+    template <int dim>
+    std::unique_ptr<Elasticity<dim>>
+    make_elasticity(const Scene<dim> &scene, const Mesh<dim> &mesh)
+    {
+      std::vector<Material> materials;
+      for (const Body<dim> &body : scene.bodies)
+        materials.push_back(body.material);
+      std::vector<RigidBody<dim>> rigid_bodies;
+      for (const Obstacle<dim> &obstacle : scene.obstacles)
+        if (obstacle.body.can_move())
+          rigid_bodies.push_back(obstacle.body);
+      return std::make_unique<Elasticity<dim>>(mesh,
+                                               materials,
+                                               scene.supports,
+                                               scene.loads,
+                                               scene.degrees(),
+                                               model_of(scene.model),
+                                               rigid_bodies);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SmallScene<dim>::SmallScene(const Lines &lines)
+    : scene(read<dim>(lines))
+    , silence(std::cout, false)
+    , timer(MPI_COMM_SELF, silence, TimerOutput::never, TimerOutput::wall_times)
+    , mesh(make_mesh(scene))
+    , elasticity(make_elasticity(scene, *mesh))
+  {
+    elasticity->setup();
+    elasticity->assemble();
+  }
+
+
+
+  template <int dim>
+  void
+  SmallScene<dim>::use(const Lines &method)
+  {
+    RawSection      raw;
+    Section         section = section_of(raw, method);
+    ContactSettings settings;
+    settings.declare(section);
+    section.close();
+    scene.contact = settings;
+    scene.check_integration();
+    contact = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, silence);
+    contact->build();
+  }
+
+
+
+  template <int dim>
+  FreeMotions
+  SmallScene<dim>::free_motions() const
+  {
+    if (!elasticity->has_free_motions())
+      return {};
+    return {elasticity->free_motions(), elasticity->stabilising_springs(), gap_operator()};
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  SmallScene<dim>::solve(const double t, LA::Vector &u, LA::Vector &p)
+  {
+    elasticity->set_time(t);
+    contact->set_time(t);
+    Newton newton(scene.newton,
+                  scene.solver,
+                  method(),
+                  elasticity->stiffness(),
+                  elasticity->constraints(),
+                  gap_operator(),
+                  elasticity->rigid_body_modes(),
+                  dim,
+                  timer,
+                  free_motions());
+    u                         = elasticity->lift();
+    p                         = gap_operator().zero();
+    const NewtonReport report = newton.solve(elasticity->load(), u, p, silence);
+    elasticity->distribute(u);
+    return report;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  SmallScene<dim>::rough_field(const double amplitude, const double seed) const
+  {
+    LA::Vector u = elasticity->zero_vector();
+    for (const auto i : elasticity->owned())
+      u(i) = amplitude * std::sin(seed + 1.7 * i + 0.3 * i * std::cos(0.01 * i));
+    u.compress(VectorOperation::insert);
+    elasticity->constraints().set_zero(u);
+    return u;
+  }
+
+
+
+  Values
+  everywhere(const LA::Vector &v)
+  {
+    Values values(v.size(), 0.);
+    for (const auto i : v.locally_owned_elements())
+      values[i] = v(i);
+    Utilities::MPI::sum(values, MPI_COMM_WORLD, values);
+    return values;
+  }
+
+
+
+  double
+  dot(const Values &a, const Values &b)
+  {
+    double result = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      result += a[i] * b[i];
+    return result;
+  }
+
+
+
+  Values
+  sum(const Values &a, const double factor, const Values &b)
+  {
+    Values result = a;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      result[i] += factor * b[i];
+    return result;
+  }
+
+
+
+  template <int dim>
+  Values
+  distributed(const Elasticity<dim> &elasticity, const LA::Vector &u)
+  {
+    LA::Vector full = u;
+    elasticity.distribute(full);
+    return everywhere(full);
+  }
+
+
+
+  template <int dim>
+  Values
+  distributed_change(const Elasticity<dim> &elasticity, const LA::Vector &du)
+  {
+    return sum(distributed(elasticity, du), -1, everywhere(elasticity.lift()));
+  }
+
+
+
+  const std::vector<Lines> &
+  all_methods()
+  {
+    static const std::vector<Lines> methods = {
+      {"Method=penalty", "penalty/Factor=5", "penalty/Growth=1"},
+      {"Method=penalty", "penalty/Factor=5", "Pressure basis=standard"},
+      {"Method=penalty", "penalty/Factor=5", "penalty/Weighting=pointwise"},
+      {"Method=Lagrange multiplier", "Lagrange multiplier/Complementarity factor=3"},
+      {"Method=Lagrange multiplier", "Pressure basis=standard"},
+      {"Method=augmented Lagrangian", "augmented Lagrangian/Factor=7"},
+      {"Method=augmented Lagrangian", "augmented Lagrangian/Loop=Newton"},
+      {"Method=perturbed Lagrangian", "perturbed Lagrangian/Factor=7"},
+      {"Method=perturbed Lagrangian",
+       "perturbed Lagrangian/Factor=7",
+       "perturbed Lagrangian/Form=condensed"},
+      {"Method=Nitsche", "Nitsche/Theta=1"},
+      {"Method=Nitsche", "Nitsche/Theta=0"},
+      {"Method=Nitsche", "Nitsche/Theta=-1"},
+      {"Method=Nitsche", "Nitsche/Unbiased=yes"},
+      {"Method=direct elimination"}};
+    return methods;
+  }
+
+
+
+  template class SmallScene<2>;
+  template class SmallScene<3>;
+  template Values
+  distributed(const Elasticity<2> &, const LA::Vector &);
+  template Values
+  distributed(const Elasticity<3> &, const LA::Vector &);
+  template Values
+  distributed_change(const Elasticity<2> &, const LA::Vector &);
+  template Values
+  distributed_change(const Elasticity<3> &, const LA::Vector &);
+} // namespace TestScene

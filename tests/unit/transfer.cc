@@ -1,0 +1,248 @@
+// What is carried over from mesh to mesh, and where meshes are refined.
+
+#include <signorini/elasticity/cell_nodes.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "contact_cases.h"
+
+using namespace TestScene;
+
+namespace
+{
+  /// The interpolant of u(x, body).
+  template <int dim, typename U>
+  LA::Vector
+  interpolant(const SmallScene<dim> &scene, const U &u)
+  {
+    LA::Vector                           result = scene.elasticity->zero_vector();
+    CellNodes<dim>                       nodes_of(*scene.mesh, scene.elasticity->finite_elements());
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : scene.elasticity->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          read_indices<dim>(cell, indices);
+          const auto &nodes = nodes_of(cell);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (scene.elasticity->owned().is_element(indices[i]))
+              result(indices[i]) =
+                u(nodes[i], cell->material_id())[cell->get_fe().system_to_component_index(i).first];
+        }
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+  template <int dim>
+  double
+  difference(LA::Vector a, const LA::Vector &b)
+  {
+    a -= b;
+    return a.linfty_norm();
+  }
+
+  /// Cells whose level is lower or higher than that of all cells before.
+  template <int dim>
+  std::vector<unsigned int>
+  coarsened_and_refined(const Mesh<dim> &mesh, const int level)
+  {
+    std::vector<unsigned int> n = {0, 0};
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          n[0] += cell->level() < level;
+          n[1] += cell->level() > level;
+        }
+    Utilities::MPI::sum(n, MPI_COMM_WORLD, n);
+    return n;
+  }
+
+  RefinementSettings
+  by_estimate()
+  {
+    RefinementSettings settings;
+    settings.refine_fraction  = 0.3;
+    settings.coarsen_fraction = 0.5;
+    return settings;
+  }
+
+  /// On parallelograms, elements contain the polynomials of their degree: linear ones in the lower
+  /// body, of degree 1, and quadratic ones in the upper body.
+  template <int dim>
+  Tensor<1, dim>
+  polynomial(const Point<dim> &x, const unsigned int body)
+  {
+    Tensor<1, dim> u;
+    for (unsigned int d = 0; d < dim; ++d)
+      u[d] = 1 + d - 2 * x[0] + (d + 1) * x[dim - 1] +
+             (body == 1 ? x[0] * x[dim - 1] - (d + 2) * x[1] * x[1] : 0);
+    return u;
+  }
+
+  template <int dim>
+  void
+  check_transfer()
+  {
+    CAPTURE(dim);
+    const bool        plane = dim == 2;
+    const std::string shear = plane ? "x+0.2*y; y+0.1*x" : "x+0.2*y; y+0.1*z; z+0.1*x";
+    SmallScene<dim>   scene(
+      boxes(plane ? "0,0 : 1,1" : "0,0,0 : 1,1,1",
+            plane ? "2,2" : "1,1,1",
+            plane ? "0,1 : 1,2" : "0,0,1 : 1,1,2",
+            plane ? "2,2" : "1,1,1") +
+      fixed("lower.bottom",
+            plane ? "1 - 2*x + y; 2 - 2*x + 2*y" : "1 - 2*x + z; 2 - 2*x + 2*z; 3 - 2*x + 3*z") +
+      Lines{"Dimension=" + std::to_string(dim),
+            "Bodies/lower/Transformation=" + shear,
+            "Bodies/upper/Transformation=" + shear,
+            "Bodies/upper/Degree=2",
+            "Mesh/Refinements=2",
+            "Obstacles/Names=lid",
+            "Obstacles/lid/Shape=plane",
+            plane ? "Obstacles/lid/Point=0,3" : "Obstacles/lid/Point=0,0,3",
+            plane ? "Obstacles/lid/Normal=0,-1" : "Obstacles/lid/Normal=0,0,-1",
+            plane ? "Obstacles/lid/Displacement=0; free" :
+                      "Obstacles/lid/Displacement=0; 0; free"});
+    Elasticity<dim> &elasticity = *scene.elasticity;
+    LA::Vector       constant   = interpolant(scene, [](auto, auto) {
+      Tensor<1, dim> one;
+      for (unsigned int d = 0; d < dim; ++d)
+        one[d] = 1 + d;
+      return one;
+    });
+    LA::Vector       field      = interpolant(scene, polynomial<dim>);
+    Values           lid(RigidBody<dim>::n_dofs);
+    for (unsigned int i = 0; i < lid.size(); ++i)
+      lid[i] = 0.5 + i;
+    elasticity.set_rigid_motion(lid, field);
+
+    // Where to refine: a displacement with a kink.
+    const LA::Vector bent = interpolant(scene, [](const Point<dim> &x, auto) {
+      Tensor<1, dim> u;
+      u[0] = std::abs(x[0] + x[1] - 0.3);
+      u[1] = 0.01 * std::sin(3 * (x[0] + 2 * x[1] + x[dim - 1]));
+      return u;
+    });
+    for (unsigned int cycle = 0; cycle < 2; ++cycle)
+      {
+        refine(
+          by_estimate(), *scene.mesh, elasticity, cycle == 0 ? bent : field, {&field, &constant});
+        if (cycle == 0)
+          {
+            const auto n = coarsened_and_refined(*scene.mesh, 2);
+            CHECK(n[0] > 0);
+            CHECK(n[1] > 0);
+            CHECK(Utilities::MPI::sum(elasticity.hanging_nodes().n_constraints(), MPI_COMM_WORLD) >
+                  0);
+          }
+        LA::Vector expected = interpolant(scene, polynomial<dim>);
+        elasticity.set_rigid_motion(lid, expected);
+        CHECK(difference<dim>(field, expected) < 1e-13);
+        const LA::Vector one = interpolant(scene, [](auto, auto) {
+          Tensor<1, dim> one;
+          for (unsigned int d = 0; d < dim; ++d)
+            one[d] = 1 + d;
+          return one;
+        });
+        CHECK(difference<dim>(constant, one) < 1e-13);
+        // It obeys the constraints of the new mesh: but for the lid, whose motion is prescribed.
+        elasticity.hanging_nodes().distribute(field);
+        CHECK(difference<dim>(field, expected) < 1e-13);
+        elasticity.distribute(field);
+        elasticity.set_rigid_motion(lid, field);
+        CHECK(difference<dim>(field, expected) < 1e-12);
+      }
+  }
+} // namespace
+
+
+
+TEST_CASE("polynomials of the elements' degree are carried over to other meshes")
+{
+  check_transfer<2>();
+  check_transfer<3>();
+}
+
+
+
+namespace
+{
+  /// A pressure at the places of the gap operator, by their positions.
+  template <int dim>
+  LA::Vector
+  linear_pressure(const GapOperator &contact)
+  {
+    LA::Vector p = contact.zero();
+    for (const auto i : p.locally_owned_elements())
+      {
+        p(i) = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+          p(i) += (2 + d) * contact.position[d](i);
+      }
+    p.compress(VectorOperation::insert);
+    return p;
+  }
+
+  template <int dim>
+  void
+  check_pressure(const Case &which, const std::string &degree)
+  {
+    CAPTURE(which.name);
+    CAPTURE(degree);
+    SmallScene<dim> scene(which.lines +
+                          Lines{"Dimension=" + std::to_string(dim), "Mesh/Degree=" + degree});
+    const Lines     method = {"Method=Lagrange multiplier"};
+    scene.use(method);
+    LA::Vector nodal = scene.elasticity->zero_vector();
+    scene.gap_operator().scatter(linear_pressure<dim>(scene.gap_operator()), nodal);
+    scene.elasticity->hanging_nodes().distribute(nodal);
+    const auto n = scene.mesh->triangulation().n_global_active_cells();
+
+    LA::Vector u = scene.rough_field(1, 0.4);
+    refine(by_estimate(), *scene.mesh, *scene.elasticity, u, {&nodal});
+    scene.use(method);
+    CHECK(scene.mesh->triangulation().n_global_active_cells() != n);
+    LA::Vector p = scene.gap_operator().zero();
+    scene.gap_operator().gather(nodal, p);
+    CHECK(difference<dim>(p, linear_pressure<dim>(scene.gap_operator())) < 1e-13);
+  }
+} // namespace
+
+TEST_CASE("linear nodal pressures are carried over to other meshes")
+{
+  for (const std::string degree : {"1", "2"})
+    {
+      check_pressure<2>(cases_2d()[0], degree);
+      check_pressure<2>(cases_2d()[2], degree);
+    }
+  check_pressure<3>(cases_3d()[0], "1");
+}
+
+
+
+TEST_CASE("the estimate is that of its definition")
+{
+  // u_y = |x - 1/2| in n by n cells of the unit square: its normal derivative jumps by 2 at n faces
+  // of length 1/n, each of which counts for two cells of diameter sqrt(2)/n:
+  // eta^2 = E sum_cells diameter/24 int jump^2 ds.
+  constexpr unsigned int n = 4;
+  for (const double E : {1., 9.})
+    {
+      SmallScene<2>      scene({"Bodies/Names=body",
+                                "Bodies/body/Corners=0,0 : 1,1",
+                                "Bodies/body/Subdivisions=4,4",
+                                "Bodies/body/Young's modulus=" + std::to_string(E),
+                                "Bodies/body/Poisson's ratio=0.3"});
+      LA::Vector         u = interpolant(scene, [](const Point<2> &x, auto) {
+        return Tensor<1, 2>({0., std::abs(x[0] - 0.5)});
+      });
+      RefinementSettings settings;
+      settings.strategy     = "global";
+      const double diameter = std::sqrt(2) / n;
+      CHECK(refine(settings, *scene.mesh, *scene.elasticity, u, {}) ==
+            doctest::Approx(std::sqrt(E * 2 * n * diameter / 24 * 4 / n)).epsilon(1e-6)); // floats
+      CHECK(scene.mesh->triangulation().n_global_active_cells() == 4 * n * n);
+    }
+}
