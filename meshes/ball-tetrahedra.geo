@@ -17,21 +17,16 @@ Box(2) = {0, 0, 0, R, R, R};
 BooleanIntersection(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
 
 e = 1e-3;
+x() = Surface In BoundingBox {-e, -e, -e, e, R + e, R + e};
+y() = Surface In BoundingBox {-e, -e, -e, R + e, e, R + e};
+top() = Surface In BoundingBox {-e, -e, R - e, R + e, R + e, R + e};
+rest() = Boundary{ Volume{3}; };
+rest() -= {x(), y(), top()};
+Physical Surface("contact", 11) = {rest()};
+Physical Surface("top", 12) = {top()};
+Physical Surface("symmetry_x", 13) = {x()};
+Physical Surface("symmetry_y", 14) = {y()};
 Physical Volume("ball", 1) = {3};
-faces() = Boundary{ Volume{3}; };
-For i In {0:#faces() - 1}
-  f = Abs(faces(i));
-  b() = BoundingBox Surface{f};
-  If (b(3) < e)
-    Physical Surface("symmetry_x", 13) += {f};
-  ElseIf (b(4) < e)
-    Physical Surface("symmetry_y", 14) += {f};
-  ElseIf (b(2) > R - e)
-    Physical Surface("top", 12) += {f};
-  Else
-    Physical Surface("contact", 11) += {f};
-  EndIf
-EndFor
 
 Field[1] = Ball;
 Field[1].Radius = 0.08 * R;

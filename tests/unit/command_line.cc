@@ -15,6 +15,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "source_directory.h"
+
 using namespace Signorini;
 
 namespace
@@ -102,7 +104,7 @@ TEST_CASE("doc/reference.md is what the program says")
 {
   std::ostringstream now;
   print_reference(now);
-  std::ifstream      file(SIGNORINI_SOURCE_DIR "/doc/reference.md");
+  std::ifstream      file(source_directory() + "/doc/reference.md");
   std::ostringstream stored;
   stored << file.rdbuf();
   INFO("keys have changed: signorini --print-reference > doc/reference.md");

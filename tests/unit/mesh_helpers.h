@@ -16,6 +16,8 @@
 #include <fstream>
 #include <functional>
 
+#include "source_directory.h"
+
 /// What the tests of meshes share.
 namespace MeshTests
 {
@@ -121,13 +123,13 @@ namespace MeshTests
   inline std::string
   stored_mesh(const std::string &name)
   {
-    return std::string(SIGNORINI_SOURCE_DIR "/meshes/") + name;
+    return source_directory() + "/meshes/" + name;
   }
 
   /// Of those that are for tests alone.
   inline std::string
   test_mesh(const std::string &name)
   {
-    return std::string(SIGNORINI_SOURCE_DIR "/tests/meshes/") + name;
+    return source_directory() + "/tests/meshes/" + name;
   }
 } // namespace MeshTests

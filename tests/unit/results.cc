@@ -18,6 +18,8 @@
 #include <set>
 #include <sstream>
 
+#include "source_directory.h"
+
 using namespace Signorini;
 
 namespace
@@ -93,7 +95,7 @@ namespace
   std::set<std::string>
   documented(const std::string &heading)
   {
-    std::istringstream    page(text_of(SIGNORINI_SOURCE_DIR "/doc/results.md"));
+    std::istringstream    page(text_of(source_directory() + "/doc/results.md"));
     std::set<std::string> result;
     bool                  here = false;
     for (std::string line; std::getline(page, line);)

@@ -9,6 +9,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "source_directory.h"
 #include "two_blocks.h"
 
 using namespace Signorini;
@@ -563,8 +564,7 @@ TEST_CASE("numbers at the nodes of mesh files")
 {
   for (const char *name : {"heated.vtu", "heated.vtk", "heated.msh"})
     {
-      const MeshFile file =
-        read_mesh_file(std::string(SIGNORINI_SOURCE_DIR) + "/tests/meshes/" + name);
+      const MeshFile file = read_mesh_file(source_directory() + "/tests/meshes/" + name);
       CAPTURE(name);
       REQUIRE(file.fields.size() == 2); // not the vectors
       const std::vector<double> &heat = file.fields.at("heat"), &number = file.fields.at("number");

@@ -177,9 +177,10 @@ namespace
     LA::Vector p = contact.zero();
     for (const auto i : p.locally_owned_elements())
       {
-        p(i) = 1;
+        double value = 1;
         for (unsigned int d = 0; d < dim; ++d)
-          p(i) += (2 + d) * contact.position[d](i);
+          value += (2 + d) * contact.position[d](i);
+        p(i) = value;
       }
     p.compress(VectorOperation::insert);
     return p;
