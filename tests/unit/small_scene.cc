@@ -1,5 +1,6 @@
 #include "small_scene.h"
 
+#include <signorini/elasticity/cell_nodes.h>
 #include <signorini/parameters/section.h>
 
 #include <cmath>
@@ -137,9 +138,28 @@ namespace TestScene
   LA::Vector
   SmallScene<dim>::rough_field(const double amplitude, const double seed) const
   {
-    LA::Vector u = elasticity->zero_vector();
-    for (const auto i : elasticity->owned())
-      u(i) = amplitude * std::sin(seed + 1.7 * i + 0.3 * i * std::cos(0.01 * i));
+    LA::Vector                           u = elasticity->zero_vector();
+    CellNodes<dim>                       nodes_of(*mesh, elasticity->finite_elements());
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : elasticity->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          read_indices<dim>(cell, indices);
+          const auto &nodes = nodes_of(cell);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (elasticity->owned().is_element(indices[i]))
+              {
+                double phase = seed + 2.3 * cell->material_id() +
+                               1.7 * cell->get_fe().system_to_component_index(i).first;
+                for (unsigned int d = 0; d < dim; ++d)
+                  phase += (17.3 + 11.9 * d) * nodes[i][d];
+                u(indices[i]) = amplitude * std::sin(phase);
+              }
+        }
+    for (unsigned int b = 0; b < elasticity->rigid_bodies().size(); ++b)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        if (const auto dof = elasticity->first_dof(b) + i; elasticity->owned().is_element(dof))
+          u(dof) = amplitude * std::sin(seed + 1.7 * i);
     u.compress(VectorOperation::insert);
     elasticity->constraints().set_zero(u);
     return u;

@@ -54,8 +54,8 @@ namespace TestScene
     NewtonReport
     solve(double t, LA::Vector &u, LA::Vector &p);
 
-    /// A field without any symmetry that obeys homogeneous constraints: zero at constrained degrees
-    /// of freedom.
+    /// A field without any symmetry, the same on any number of ranks, that obeys homogeneous
+    /// constraints: zero at constrained degrees of freedom.
     LA::Vector
     rough_field(double amplitude, double seed) const;
 
