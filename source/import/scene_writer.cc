@@ -1,7 +1,5 @@
 #include <signorini/import/import_deck.h>
 #include <signorini/import/scene_writer.h>
-#include <signorini/mesh/formats/abaqus_elements.h>
-#include <signorini/mesh/generators/cells.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -14,8 +12,6 @@ namespace Signorini
 {
   namespace
   {
-    using Nodes = MeshFile::Nodes;
-
     std::string
     text(const double x)
     {
@@ -33,18 +29,6 @@ namespace Signorini
       std::string                                      name;
       std::vector<std::pair<std::string, std::string>> keys;
     };
-
-
-
-    /// Without what the scene file has a meaning for.
-    std::string
-    as_name(std::string name)
-    {
-      for (char &c : name)
-        if (std::string("./=;:,#\\").find(c) != std::string::npos)
-          c = '_';
-      return trim(name).empty() ? "body" : trim(name);
-    }
 
 
 
@@ -95,14 +79,6 @@ namespace Signorini
 
 
 
-    bool
-    is_second_order(const MeshFile::Element &element)
-    {
-      return element.nodes.size() > n_corners(element.shape);
-    }
-
-
-
     /// By the types of the plane elements.
     std::string
     model_of_types(const DeckModel &model)
@@ -141,114 +117,6 @@ namespace Signorini
 
 
 
-  void
-  SceneWriter::make_bodies()
-  {
-    const MeshFile &mesh = model.deck.mesh;
-    for (const Piece &piece : pieces_of(mesh, dim))
-      {
-        Body body;
-        body.part = piece.name;
-        body.name = as_name(piece.name);
-        while (std::any_of(all.begin(), all.end(), [&](const Body &other) {
-          return other.name == body.name;
-        }))
-          body.name += "_";
-        body.has_node.resize(mesh.nodes.size());
-        body.has_element.resize(mesh.elements.size());
-        body.is_quadratic = true;
-        for (const unsigned int e : piece.elements)
-          {
-            body.has_element[e] = true;
-            body.is_quadratic &= is_second_order(mesh.elements[e]);
-            for (const unsigned int node : mesh.elements[e].nodes)
-              body.has_node[node] = true;
-          }
-        body.boundaries = boundaries_of(piece);
-        give_material(body, piece);
-        if (!all.empty() && body.thickness != all[0].thickness)
-          model.leave_out("different thicknesses of " + all[0].name + " and " + body.name +
-                            "; contact acts per thickness",
-                          "*SOLID SECTION");
-        all.push_back(body);
-      }
-  }
-
-
-
-  /// The names that have a face of the piece, as the mesh file's faces get them: by an element, or
-  /// by all of their corners.
-  std::set<std::string>
-  SceneWriter::boundaries_of(const Piece &piece) const
-  {
-    const MeshFile               &mesh = model.deck.mesh;
-    std::map<Nodes, unsigned int> n_cells;
-    for (const unsigned int e : piece.elements)
-      for (const Nodes &face : abaqus_faces(mesh.elements[e], ""))
-        ++n_cells[sorted(face)];
-    std::set<unsigned int> nodes;
-    for (const unsigned int e : piece.elements)
-      for (const unsigned int node : corners_of(mesh.elements[e]))
-        nodes.insert(node);
-    std::set<std::string> result;
-    for (const auto &group : mesh.groups)
-      {
-        bool has_face = false;
-        for (const Nodes &face : group.faces)
-          if (const auto found = n_cells.find(sorted(face)); found != n_cells.end())
-            has_face |= found->second == 1;
-        const std::set<unsigned int> set(group.nodes.begin(), group.nodes.end());
-        const bool is_all = std::includes(set.begin(), set.end(), nodes.begin(), nodes.end());
-        if (!set.empty() && !is_all)
-          for (const auto &[face, n] : n_cells)
-            has_face |=
-              n == 1 && std::all_of(face.begin(), face.end(), [&](const unsigned int node) {
-                return set.count(node) > 0;
-              });
-        if (has_face)
-          result.insert(group.name);
-      }
-    return result;
-  }
-
-
-
-  /// The material of most elements; a body has one.
-  void
-  SceneWriter::give_material(Body &body, const Piece &piece)
-  {
-    std::map<std::string, unsigned int> n;
-    for (const auto &one : model.sections)
-      for (const unsigned int e : one.elements)
-        if (body.has_element[e])
-          {
-            ++n[one.material];
-            if (one.thickness > 0 && kind != "axisymmetric")
-              body.thickness = one.thickness;
-          }
-    if (n.empty())
-      throw SceneError("'" + file + "': the elements of " + description(piece) +
-                       " have no *SOLID SECTION");
-    const auto most = std::max_element(n.begin(), n.end(), [](const auto &a, const auto &b) {
-      return a.second < b.second;
-    });
-    body.material   = most->first;
-    for (const auto &[material, count] : n)
-      if (material != body.material)
-        model.leave_out("material " + material + " of " + std::to_string(count) + " elements of " +
-                          body.name +
-                          " (a connected body has one material, that of the most "
-                          "elements: " +
-                          body.material + ")",
-                        "*SOLID SECTION");
-    const auto found = model.materials.find(body.material);
-    if (found == model.materials.end() || !found->second.youngs_modulus)
-      throw SceneError("'" + file + "': the material '" + body.material + "' of " + body.name +
-                       " is not linear elastic: *ELASTIC is missing");
-  }
-
-
-
   std::string
   SceneWriter::bodies() const
   {
@@ -263,6 +131,12 @@ namespace Signorini
         item.keys.emplace_back("Poisson's ratio", text(*material.poissons_ratio));
         if (body.is_quadratic)
           item.keys.emplace_back("Degree", "2");
+        if (!body.temperature.empty())
+          {
+            item.keys.emplace_back("Thermal expansion", text(*material.expansion));
+            item.keys.emplace_back("Temperature", formula(body.temperature));
+            item.keys.emplace_back("Reference temperature", text(body.initial_temperature));
+          }
         items.push_back(item);
       }
     return section("Bodies", items);
@@ -515,6 +389,17 @@ namespace Signorini
 
 
 
+  std::string
+  SceneWriter::free_motions() const
+  {
+    return model.lacks_restraint ?
+             "\nsubsection Newton\n  # What was left out may have held bodies. Look at the forces "
+             "that this takes.\n  set Undetermined motions = hold\nend\n" :
+             "";
+  }
+
+
+
   std::vector<std::string>
   SceneWriter::left_out() const
   {
@@ -537,7 +422,8 @@ namespace Signorini
   SceneWriter::write(std::ostream &scene)
   {
     // First all sections, which leave things out.
-    const std::string body = bodies() + supports() + loads() + pairs() + method() + steps();
+    const std::string body =
+      bodies() + supports() + loads() + pairs() + method() + steps() + free_motions();
     scene << "# Made of " << file << "\n";
     for (const std::string &line : left_out())
       scene << "# " << line << "\n";

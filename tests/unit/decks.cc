@@ -365,6 +365,43 @@ TEST_CASE("import: steps, amplitudes, gravity, pressures on elements, symmetry")
 
 
 
+TEST_CASE("import: temperatures of a body; what may have held bodies")
+{
+  const auto deck = [](const std::string &temperatures) {
+    return imported(
+      TemporaryFile("*INCLUDE, INPUT=" + std::filesystem::path(test_mesh("pieces.inp")).string() +
+                      "\n*MATERIAL, NAME=EL\n*EXPANSION\n2.e-5\n"
+                      "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nNall, 20.\n" +
+                      temperatures,
+                    ".inp")
+        .path);
+  };
+  // The deck's own step ends at t = 2, the two of these at 3 and 4.
+  const auto [text, messages] = deck("*STEP\n*STATIC\n*TEMPERATURE\nNall, 120.\n*END STEP\n"
+                                     "*STEP\n*STATIC\n*TEMPERATURE\nNall, 70.\n*END STEP\n");
+  const Scene<2> scene        = checked<2>(text);
+  for (const auto &body : scene.bodies)
+    {
+      CHECK(body.expansion.given());
+      CHECK(body.expansion.reference == 20);
+      for (const auto &[t, T] : std::vector<std::pair<double, double>>{
+             {0, 20}, {2, 20}, {2.5, 70}, {3, 120}, {3.5, 95}, {4, 70}})
+        CHECK(std::abs(body.expansion.value({}, t, 0) - T) < 1e-6);
+    }
+  CHECK(messages.find("TEMPERATURE") == std::string::npos);
+  CHECK(messages.find("EXPANSION") == std::string::npos);
+  // Friction is left out, and may have held the upper piece.
+  CHECK(scene.newton.undetermined == "hold");
+
+  const auto uneven = deck("*STEP\n*STATIC\n*TEMPERATURE\nNends, 120.\n*END STEP\n");
+  says(uneven.second, "temperatures that differ from node to node of piece2");
+  CHECK(!checked<2>(uneven.first).bodies[1].expansion.given());
+
+  CHECK(checked<2>(imported(test_mesh("cae-blocks.inp")).first).newton.undetermined == "refuse");
+}
+
+
+
 TEST_CASE("import: what leaves nothing to solve is refused")
 {
   const auto attempt = [](const std::string &text) {

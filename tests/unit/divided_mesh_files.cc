@@ -602,6 +602,28 @@ TEST_CASE("divided: mixed meshes whose nodes are numbered at random")
 
 
 
+TEST_CASE("divided: linear fields at the nodes stay linear")
+{
+  const auto linear = [](const Point<3> &x) { return 3 + 2 * x[0] - 5 * x[1] + 7 * x[2]; };
+  for (const bool pyramids : {false, true})
+    for (const unsigned int order : {1u, 2u})
+      {
+        const TemporaryFile  text(Writer(mixed(5, pyramids), order, linear_map(3)).vtk(), ".vtk");
+        MeshFile             file   = read_mesh_file(text.path);
+        std::vector<double> &values = file.fields["T"];
+        for (const Point<3> &x : file.nodes)
+          values.push_back(linear(x));
+        divide_cells(file, 3, "", true);
+        REQUIRE(values.size() == file.nodes.size());
+        double largest = 0;
+        for (unsigned int i = 0; i < values.size(); ++i)
+          largest = std::max(largest, std::abs(values[i] - linear(file.nodes[i])));
+        CHECK(largest < 1e-12);
+      }
+}
+
+
+
 TEST_CASE("divided: how many cells each shape gives")
 {
   const auto n = [](const std::string &name, const Nodes &corners) {

@@ -229,7 +229,8 @@ namespace TestScene
       for (const auto &[pair, node, row] : all)
         place[{pair, node}] = row;
 
-    auto own_row = contact.weight.locally_owned_elements().begin();
+    const IndexSet owned   = contact.weight.locally_owned_elements();
+    auto           own_row = owned.begin();
     for (unsigned int pair = 0; pair < surfaces.size(); ++pair)
       {
         shares.emplace_back();

@@ -18,7 +18,7 @@ namespace Signorini
     struct Material
     {
       std::string           name;
-      std::optional<double> youngs_modulus, poissons_ratio, density;
+      std::optional<double> youngs_modulus, poissons_ratio, density, expansion;
     };
 
     struct SolidSection
@@ -65,6 +65,12 @@ namespace Signorini
       Curve                     size;
     };
 
+    struct Temperatures
+    {
+      std::map<unsigned int, double> of_nodes;
+      std::string                    amplitude;
+    };
+
     struct Interaction
     {
       enum class Kind
@@ -83,17 +89,22 @@ namespace Signorini
       std::string slave, master, interaction;
     };
 
-    AbaqusDeck                         deck;
-    std::string                        title;
-    std::map<std::string, Material>    materials; ///< by names in upper case
-    std::vector<SolidSection>          sections;
-    std::map<std::string, Points>      amplitudes; ///< by names in upper case, in time of the step
-    std::vector<Step>                  steps;      ///< that are computed
-    std::vector<AtNodes>               supports, forces;
-    std::vector<FaceLoad>              pressures;
-    std::vector<BodyLoad>              body_loads;
-    std::map<std::string, Interaction> interactions; ///< by names in upper case
-    std::vector<Pair>                  pairs;
+    AbaqusDeck                      deck;
+    std::string                     title;
+    std::map<std::string, Material> materials; ///< by names in upper case
+    std::vector<SolidSection>       sections;
+    std::map<std::string, Points>   amplitudes; ///< by names in upper case, in time of the step
+    std::vector<Step>               steps;      ///< that are computed
+    std::vector<AtNodes>            supports, forces;
+    std::vector<FaceLoad>           pressures;
+    std::vector<BodyLoad>           body_loads;
+    std::map<unsigned int, double>  initial_temperatures; ///< of nodes
+    std::map<unsigned int, Temperatures> temperatures;    ///< by step
+    std::map<std::string, Interaction>   interactions;    ///< by names in upper case
+    std::vector<Pair>                    pairs;
+
+    /// Something was left out that may have held a body.
+    bool lacks_restraint = false;
 
     /// What was left out, each with its places in the file.
     std::vector<std::pair<std::string, std::vector<std::string>>> left_out;

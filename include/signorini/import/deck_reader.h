@@ -7,7 +7,7 @@
 namespace Signorini
 {
   /// Reads the keywords that make the model, after those of the mesh: a small function each, in the
-  /// registry of deck_reader.cc.
+  /// registry of deck_reader.cc; those of supports and loads stand in deck_loads.cc.
   class DeckReader
   {
   public:
@@ -26,6 +26,8 @@ namespace Signorini
     void
     leave_out(const std::string &why);
     void
+    leave_out_tie();
+    void
     begin_part();
     void
     end_part();
@@ -37,6 +39,8 @@ namespace Signorini
     read_elastic();
     void
     read_density();
+    void
+    read_expansion();
     void
     read_section();
 
@@ -71,6 +75,12 @@ namespace Signorini
     read_surface_loads();
     void
     read_transform();
+    void
+    read_initial_conditions();
+    void
+    read_temperatures();
+    void
+    read_temperatures_of_nodes(std::map<unsigned int, double> &of_nodes);
 
     // Contact
     void
@@ -93,6 +103,7 @@ namespace Signorini
 
     static const std::map<std::string, void (DeckReader::*)()> registry;
     static const std::map<std::string, std::string>            not_modelled;
+    static const std::set<std::string>                         restraints;
 
     KeywordFile            in;
     DeckModel              model;

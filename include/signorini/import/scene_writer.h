@@ -7,7 +7,8 @@
 
 namespace Signorini
 {
-  /// Writes the scene of a deck's model, section by section.
+  /// Writes the scene of a deck's model, section by section; the bodies are found
+  /// in deck_bodies.cc.
   class SceneWriter
   {
   public:
@@ -27,14 +28,22 @@ namespace Signorini
       std::string           name, part, material;
       std::vector<bool>     has_node, has_element;
       std::set<std::string> boundaries; ///< names of surfaces and sets with faces of it
-      double                thickness    = 1;
-      bool                  is_quadratic = false;
+      double                thickness           = 1;
+      bool                  is_quadratic        = false;
+      double                initial_temperature = 0;
+      DeckModel::Curve      temperature; ///< empty without thermal strain
     };
+
+    /// Without what the scene file has a meaning for.
+    static std::string
+    as_name(std::string name);
 
     void
     make_bodies();
     void
     give_material(Body &body, const Piece &piece);
+    void
+    give_temperature(Body &body);
     std::set<std::string>
     boundaries_of(const Piece &piece) const;
 
@@ -50,6 +59,8 @@ namespace Signorini
     steps() const;
     std::string
     method();
+    std::string
+    free_motions() const;
 
     std::string
     targets(const DeckModel::AtNodes &at, const std::string &what);

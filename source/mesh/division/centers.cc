@@ -4,6 +4,9 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
 
 namespace Signorini
 {
@@ -159,6 +162,27 @@ namespace Signorini
             {
               contains[node] = true;
               group.nodes.push_back(node);
+            }
+      }
+  }
+
+
+
+  void
+  Centers::complete_fields()
+  {
+    for (auto &[name, values] : file.fields)
+      {
+        values.resize(file.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+        // In the order in which they were made: corners come before what lies between them.
+        for (const auto &[node, corners] : between)
+          if (!std::isfinite(values[node]))
+            {
+              const std::set<unsigned int> distinct(corners.begin(), corners.end());
+              double                       sum = 0;
+              for (const unsigned int corner : distinct)
+                sum += values[corner];
+              values[node] = sum / distinct.size();
             }
       }
   }

@@ -56,6 +56,7 @@ namespace Signorini
         for (const std::string &note : divide_elements())
           notes.push_back(note);
         centers.complete_node_sets();
+        centers.complete_fields();
         return notes;
       }
 

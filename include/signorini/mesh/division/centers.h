@@ -45,6 +45,11 @@ namespace Signorini
     void
     complete_node_sets();
 
+    /// Give them the mean of the values at these corners, in all scalars of the file that have none
+    /// for them.
+    void
+    complete_fields();
+
     /// Up to four corners, sorted.
     using Key = std::array<unsigned int, 4>;
 
