@@ -309,7 +309,8 @@ namespace Signorini
       }
     if (!motions.never_held().empty() && scene.newton.undetermined == "refuse")
       throw SceneError("Supports/Names: no support holds " + join(motions.never_held()) +
-                       ", and no contact can; " + NewtonSettings::how_to_hold());
+                       ", and no contact can; " + NewtonSettings::how_to_hold() +
+                       ". There are these boundaries: " + join(mesh->boundaries()) + ".");
     return motions;
   }
 

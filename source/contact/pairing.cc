@@ -33,6 +33,28 @@ namespace Signorini
       return QWitherdenVincentSimplex<dim - 1>(n);
     }
 
+    template <int dim>
+    bool
+    is_distorted(const FacePatch<dim> &face)
+    {
+      if constexpr (dim == 2)
+        return false;
+      else
+        {
+          // Of the kites in an equilateral triangle it is 0.5.
+          constexpr double     most   = 0.2;
+          const Tensor<1, dim> defect = (face.position({0, 0}) - face.position({1, 0})) +
+                                        (face.position({1, 1}) - face.position({0, 1}));
+          return defect.norm() > most * face.diameter();
+        }
+    }
+
+    template <int dim>
+    struct SegmentRules
+    {
+      Quadrature<dim - 1> usual, distorted;
+    };
+
     // A slave face on its way to the master's faces.
     template <int dim>
     struct TravellingFace
@@ -67,17 +89,20 @@ namespace Signorini
     class LocalSegments
     {
     public:
-      LocalSegments(const MasterFaces<dim>    &master,
-                    const Quadrature<dim - 1> &rule,
-                    const double               limit,
-                    SearchStatistics          &statistics)
+      LocalSegments(const MasterFaces<dim>  &master,
+                    const SegmentRules<dim> &rules,
+                    const double             limit,
+                    SearchStatistics        &statistics)
         : master(master)
         , faceted(master.patches.begin(), master.patches.end())
         , faces(master, statistics)
-        , rule(rule)
+        , rules(rules)
         , limit(limit)
         , statistics(statistics)
-      {}
+      {
+        for (const FacePatch<dim> &face : master.patches)
+          distorted.push_back(is_distorted(face));
+      }
 
       const RankBox<dim> &
       extent() const
@@ -89,8 +114,12 @@ namespace Signorini
       find(const TravellingFace<dim> &slave, std::vector<PairedPoint<dim>> &found)
       {
         const FacetedFace<dim> own(slave.patch);
+        const bool             own_distorted = is_distorted(slave.patch);
         for (const unsigned int face : faces.in(own.extruded_box(reach(slave.patch, limit))))
-          for (const SegmentPoint<dim> &point : segment_points(own, faceted[face], rule))
+          for (const SegmentPoint<dim> &point :
+               segment_points(own,
+                              faceted[face],
+                              own_distorted || distorted[face] ? rules.distorted : rules.usual))
             if (auto pair = paired(slave, face, point))
               found.push_back(std::move(*pair));
       }
@@ -123,7 +152,8 @@ namespace Signorini
       const MasterFaces<dim>             &master;
       const std::vector<FacetedFace<dim>> faceted;
       LocalFaces<dim>                     faces;
-      const Quadrature<dim - 1>          &rule;
+      std::vector<bool>                   distorted; ///< faces of the master
+      const SegmentRules<dim>            &rules;
       const double                        limit;
       SearchStatistics                   &statistics;
     };
@@ -133,12 +163,12 @@ namespace Signorini
     std::vector<PairedPoint<dim>>
     pair_by_segments(const std::vector<FacePatch<dim>> &slave,
                      const MasterFaces<dim>            &master,
-                     const Quadrature<dim - 1>         &rule,
+                     const SegmentRules<dim>           &rules,
                      const double                       limit,
                      const MPI_Comm                     comm,
                      SearchStatistics                  &statistics)
     {
-      LocalSegments<dim>            segments(master, rule, limit, statistics);
+      LocalSegments<dim>            segments(master, rules, limit, statistics);
       std::vector<PairedPoint<dim>> points;
       for (unsigned int i = 0; i < slave.size(); ++i)
         segments.find({slave[i], i}, points);
@@ -292,9 +322,11 @@ namespace Signorini
     std::iota(faces.begin(), faces.end(), 0);
     if (integration.rule == "segments")
       {
-        points = pair_by_segments(
-          slave, master, segment_rule<dim>(integration.n_points), limit, comm, statistics);
-        faces = remove_overcovered(slave, points);
+        const unsigned int      n     = integration.n_points;
+        const unsigned int      more  = std::max(n, integration.n_points_of_distorted);
+        const SegmentRules<dim> rules = {segment_rule<dim>(n), segment_rule<dim>(more)};
+        points = pair_by_segments(slave, master, rules, limit, comm, statistics);
+        faces  = remove_overcovered(slave, points);
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
       for (auto &point : pair_by_projection(slave, faces, master, rule, limit, comm, statistics))

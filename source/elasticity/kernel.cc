@@ -295,6 +295,12 @@ namespace Signorini
     for (const auto &one : *nodal_forces.on(cell->active_cell_index()))
       {
         const Tensor<1, dim> force = one.value(t);
+        check(one.load->force.value(one.position, t).norm(),
+              *one.load,
+              "Force",
+              one.load->force.text(),
+              one.position);
+        check(force.norm(), *one.load, "Total force", one.load->total_force.text(), one.position);
         for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
           for (unsigned int d = 0; d < dim; ++d)
             cell_load[fe.component_to_system_index(d, i)] +=
@@ -322,7 +328,11 @@ namespace Signorini
         check(pressure, load, "Pressure", load.pressure.formula(), x);
         Tensor<1, dim> force = traction - pressure * face_values.normal_vector(q);
         if (area != areas.end())
-          force += load.total_force.value(x, t) / area->second;
+          {
+            const Tensor<1, dim> total = load.total_force.value(x, t);
+            check(total.norm(), load, "Total force", load.total_force.text(), x);
+            force += total / area->second;
+          }
         force *= face_values.JxW(q) * measure(model, x);
         for (const unsigned int i : face_values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)

@@ -46,7 +46,8 @@ namespace Signorini
     std::set<NodePlace<dim>, decltype(precedes)> nodes(precedes);
     for (const std::string &set : sets)
       for (const auto &places : mesh.node_set(set))
-        nodes.insert(places.at(0));
+        if (!places.at(0).is_made) // what a force on each node was meant for are those of the file
+          nodes.insert(places.at(0));
 
     std::map<unsigned int, std::vector<Point<dim>>> by_coarse_cell;
     for (const NodePlace<dim> &node : nodes)

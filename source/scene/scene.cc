@@ -56,8 +56,8 @@ namespace Signorini
     section.add(
       "Quadrature points",
       quadrature_points,
-      "a direction on a segment or face; 0: degree + 1, of weighted methods on whole faces degree + 3; "
-      "nodes have degree + 1",
+      "a direction on a segment or face; 0: degree + 1; degree + 3 for weighted methods on whole faces, and on segments of "
+      "faces far from parallelograms, as those of divided tetrahedra; nodes have degree + 1",
       Range{0, 20});
     section.add_choice(
       "Pressure basis",
@@ -85,7 +85,8 @@ namespace Signorini
     const bool         is_dual  = weighs && pressure_basis == "dual";
     return {rule,
             quadrature_points == 0 || rule == "nodes" ? usual : quadrature_points,
-            is_dual ? Basis::dual : Basis::standard};
+            is_dual ? Basis::dual : Basis::standard,
+            quadrature_points == 0 ? degree + 3 : quadrature_points};
   }
 
 

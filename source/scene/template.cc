@@ -229,7 +229,7 @@ end
           const std::string word = meaning.unknown[0], close = nearest(word, meaning.known);
           throw SceneError("--print-template: '" + shortened(word) + "' is nothing in " +
                            std::to_string(dim) + "D" +
-                           (close.empty() ? "" : "; did you mean '" + close + "'?") +
+                           (close.empty() ? "." : "; did you mean '" + close + "'?") +
                            " There are: " + join(meaning.known));
         }
       if (!request.overrides.empty())

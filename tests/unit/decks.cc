@@ -7,6 +7,7 @@
 #include <signorini/scene/scene.h>
 
 #include <sstream>
+#include <tuple>
 
 #include "mesh_helpers.h"
 
@@ -289,6 +290,38 @@ TEST_CASE_TEMPLATE("forces at nodes and points keep their sum and moment, on any
 
 
 
+TEST_CASE("a force on each node of a set is not one on nodes that divided cells have beside")
+{
+  // tetrahedra.inp: 4 x 4 nodes at the base of `lower`, of first order; 3 x 4 and the middles of
+  // the edges of their triangles at `press`, of second order.
+  for (const auto &[part, set, n] :
+       std::vector<std::tuple<std::string, std::string, unsigned int>>{{"lower", "base", 16},
+                                                                       {"upper", "press", 35}})
+    for (const bool total : {false, true})
+      {
+        CAPTURE(part);
+        BodyMesh<3> body;
+        RawSection  raw;
+        raw.set_value("Mesh", "file", "test");
+        raw.set_value("File", stored_mesh("tetrahedra.inp"), "test");
+        raw.set_value("Part", part, "test");
+        Section section(raw);
+        body.declare(section);
+        const Mesh<3>        mesh({{"block", body}}, {}, {}, MPI_COMM_WORLD);
+        std::vector<Load<3>> loads(1);
+        loads[0].nodes.sets                             = {"block." + set};
+        (total ? loads[0].total_force : loads[0].force) = VectorExpression<3>("0; 0; 3*t");
+        Elasticity<3> elasticity(mesh, std::vector<Material>(1), {}, loads, {1});
+        elasticity.setup();
+        elasticity.set_time(2);
+        LA::Vector ones = elasticity.zero_vector();
+        ones            = 1.;
+        CHECK(elasticity.load() * ones == doctest::Approx(total ? 6. : 6. * n));
+      }
+}
+
+
+
 TEST_CASE("import: a deck of parts and instances is a complete scene")
 {
   const auto [text, messages] = imported(test_mesh("cae-blocks.inp"));
@@ -368,35 +401,38 @@ TEST_CASE("import: steps, amplitudes, gravity, pressures on elements, symmetry")
 TEST_CASE("import: temperatures of a body; what may have held bodies")
 {
   const auto deck = [](const std::string &temperatures) {
-    return imported(
-      TemporaryFile("*INCLUDE, INPUT=" + std::filesystem::path(test_mesh("pieces.inp")).string() +
-                      "\n*MATERIAL, NAME=EL\n*EXPANSION\n2.e-5\n"
-                      "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nNall, 20.\n" +
-                      temperatures,
-                    ".inp")
-        .path);
+    return "*INCLUDE, INPUT=" + std::filesystem::path(test_mesh("pieces.inp")).string() +
+           "\n*MATERIAL, NAME=EL\n*EXPANSION\n2.e-5\n"
+           "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nNall, 20.\n" +
+           temperatures;
   };
   // The deck's own step ends at t = 2, the two of these at 3 and 4.
-  const auto [text, messages] = deck("*STEP\n*STATIC\n*TEMPERATURE\nNall, 120.\n*END STEP\n"
-                                     "*STEP\n*STATIC\n*TEMPERATURE\nNall, 70.\n*END STEP\n");
-  const Scene<2> scene        = checked<2>(text);
-  for (const auto &body : scene.bodies)
-    {
-      CHECK(body.expansion.given());
-      CHECK(body.expansion.reference == 20);
-      for (const auto &[t, T] : std::vector<std::pair<double, double>>{
-             {0, 20}, {2, 20}, {2.5, 70}, {3, 120}, {3.5, 95}, {4, 70}})
-        CHECK(std::abs(body.expansion.value({}, t, 0) - T) < 1e-6);
-    }
-  CHECK(messages.find("TEMPERATURE") == std::string::npos);
-  CHECK(messages.find("EXPANSION") == std::string::npos);
-  // Friction is left out, and may have held the upper piece.
-  CHECK(scene.newton.undetermined == "hold");
-
-  const auto uneven = deck("*STEP\n*STATIC\n*TEMPERATURE\nNends, 120.\n*END STEP\n");
-  says(uneven.second, "temperatures that differ from node to node of piece2");
-  CHECK(!checked<2>(uneven.first).bodies[1].expansion.given());
-
+  {
+    const TemporaryFile file(deck("*STEP\n*STATIC\n*TEMPERATURE\nNall, 120.\n*END STEP\n"
+                                  "*STEP\n*STATIC\n*TEMPERATURE\nNall, 70.\n*END STEP\n"),
+                             ".inp");
+    const auto [text, messages] = imported(file.path);
+    const Scene<2> scene        = checked<2>(text);
+    for (const auto &body : scene.bodies)
+      {
+        CHECK(body.expansion.given());
+        CHECK(body.expansion.reference == 20);
+        for (const auto &[t, T] : std::vector<std::pair<double, double>>{
+               {0, 20}, {2, 20}, {2.5, 70}, {3, 120}, {3.5, 95}, {4, 70}})
+          CHECK(std::abs(body.expansion.value({}, t, 0) - T) < 1e-6);
+      }
+    CHECK(messages.find("TEMPERATURE") == std::string::npos);
+    CHECK(messages.find("EXPANSION") == std::string::npos);
+    // Friction is left out, and may have held the upper piece.
+    CHECK(scene.newton.undetermined == "hold");
+  }
+  {
+    const TemporaryFile file(deck("*STEP\n*STATIC\n*TEMPERATURE\nNends, 120.\n*END STEP\n"),
+                             ".inp");
+    const auto [text, messages] = imported(file.path);
+    says(messages, "temperatures that differ from node to node of piece2");
+    CHECK(!checked<2>(text).bodies[1].expansion.given());
+  }
   CHECK(checked<2>(imported(test_mesh("cae-blocks.inp")).first).newton.undetermined == "refuse");
 }
 

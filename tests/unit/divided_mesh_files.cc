@@ -624,6 +624,24 @@ TEST_CASE("divided: linear fields at the nodes stay linear")
 
 
 
+TEST_CASE("divided: cells that are there twice, and quadrilaterals on triangles, are refused")
+{
+  const std::string nodes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n"
+                            "6, 1, 0, 1\n7, 1.2, 1.3, 1\n8, 0, 1, 1\n9, 0.5, 0.5, 2\n";
+  const auto        what  = [&](const std::string &elements) {
+    const TemporaryFile file(nodes + elements, ".inp");
+    return message_of([&] { generator<3>("file", {{"File", file.path}})->generate(); });
+  };
+  says(what("*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 5\n2, 2, 3, 1, 5\n"), "twice");
+  // Two tetrahedra on a cube: the upper face of the cube is a quadrilateral, theirs are triangles.
+  const std::string cube = "*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4, 5, 6, 7, 8\n";
+  says(what(cube + "*ELEMENT, TYPE=C3D4\n2, 5, 6, 7, 9\n3, 5, 7, 8, 9\n"),
+       "has a quadrilateral face of element 1");
+  CHECK(what(cube + "*ELEMENT, TYPE=C3D5\n2, 5, 6, 7, 8, 9\n").empty());
+}
+
+
+
 TEST_CASE("divided: how many cells each shape gives")
 {
   const auto n = [](const std::string &name, const Nodes &corners) {

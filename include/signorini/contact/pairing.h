@@ -16,6 +16,8 @@ namespace Signorini
     std::string  rule     = "segments";      ///< one of names()
     unsigned int n_points = 3;               ///< quadrature points a direction; nodes: degree + 1
     Basis        basis    = Basis::standard; ///< of the weights, for methods that sample at nodes
+    unsigned int n_points_of_distorted = 0;  ///< on segments of faces that are no parallelograms by
+                                             ///< far; 0: n_points
 
     static const std::vector<std::string> &
     names();

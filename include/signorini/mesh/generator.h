@@ -18,8 +18,9 @@ namespace Signorini
   template <int dim>
   struct NodePlace
   {
-    unsigned int       cell; ///< coarse
-    dealii::Point<dim> unit; ///< in the unit cell
+    unsigned int       cell;            ///< coarse
+    dealii::Point<dim> unit;            ///< in the unit cell
+    bool               is_made = false; ///< by the division of cells; no node of the file
   };
 
   /// The nodes of a set, each with its places in all coarse cells that have it.

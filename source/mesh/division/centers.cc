@@ -53,7 +53,7 @@ namespace Signorini
         if (is_new)
           remember(cell.nodes[i], corners);
         else if (entry->second != cell.nodes[i])
-          throw SceneError("has element " + std::to_string(cell.number) + " of type " + cell.type +
+          throw SceneError("has element " + std::to_string(cell.number) + " (" + cell.type + ")" +
                            " with the mid-side node " + text_of(file.nodes[cell.nodes[i]]) +
                            " where a neighbour has another one, " +
                            text_of(file.nodes[entry->second]) +

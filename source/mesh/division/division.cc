@@ -8,6 +8,8 @@
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
+#include <map>
+#include <unordered_map>
 
 namespace Signorini
 {
@@ -43,6 +45,8 @@ namespace Signorini
       std::vector<std::string>
       divide(const bool mid_side_nodes)
       {
+        check_conforming();
+        file.n_given = file.nodes.size();
         for (unsigned int e = 0; e < file.elements.size(); ++e)
           if (chosen.all[e])
             {
@@ -61,6 +65,46 @@ namespace Signorini
       }
 
     private:
+      /// No cell is there twice, and no quadrilateral lies on two triangles: their cells would come
+      /// apart.
+      void
+      check_conforming()
+      {
+        std::map<MeshFile::Nodes, unsigned int>                       cells_of;
+        std::unordered_map<Centers::Key, unsigned int, Centers::Hash> n_faces;
+        const auto name = [&](const unsigned int e) {
+          return "element " + std::to_string(file.elements[e].number) + " (" +
+                 file.elements[e].type + ")";
+        };
+        for (unsigned int e = 0; e < file.elements.size(); ++e)
+          if (chosen.all[e])
+            {
+              const auto [found, is_new] =
+                cells_of.insert({sorted(corners_of(file.elements[e])), e});
+              if (!is_new)
+                throw SceneError("has " + name(e) + " twice, also as " + name(found->second) +
+                                 ", at " + text_of(file.nodes[file.elements[e].nodes[0]]));
+              for (const Nodes &face : CellShape::of(file.elements[e].shape).faces)
+                ++n_faces[Centers::key(nodes_at(file.elements[e], face))];
+            }
+        for (unsigned int e = 0; dim == 3 && e < file.elements.size(); ++e)
+          if (chosen.all[e])
+            for (const Nodes &face : CellShape::of(file.elements[e].shape).faces)
+              {
+                const Nodes around = nodes_at(file.elements[e], face);
+                if (around.size() != 4 || n_faces[Centers::key(around)] != 1)
+                  continue;
+                for (unsigned int i = 0; i < 4; ++i)
+                  if (n_faces.count(
+                        Centers::key({around[i], around[(i + 1) % 4], around[(i + 2) % 4]})) > 0)
+                    throw SceneError(
+                      "has a quadrilateral face of " + name(e) + " at " +
+                      text_of(file.nodes[around[i]]) +
+                      " where the cells beside it have triangles, so that they are not connected; "
+                      "put pyramids between them, or take the cells as bodies with a contact pair");
+              }
+      }
+
       /// Nodes of second order to where the corners put them.
       void
       straighten(const MeshFile::Element &element)

@@ -91,6 +91,7 @@ namespace Signorini
       return node < representatives.size() ? representatives[node] : node;
     };
     numbers = file.numbers;
+    n_given = file.n_given;
     std::set<unsigned int> known;
     for (const auto &cell : cells)
       {
@@ -177,7 +178,8 @@ namespace Signorini
       {
         for (unsigned int v = 0; v < corners[c].size(); ++v)
           if (const auto found = at_corner.find(corners[c][v]); found != at_corner.end())
-            result[found->second].push_back({c, GeometryInfo<dim>::unit_cell_vertex(v)});
+            result[found->second].push_back(
+              {c, GeometryInfo<dim>::unit_cell_vertex(v), corners[c][v] >= n_given});
         const auto n_near =
           std::count_if(corners[c].begin(), corners[c].end(), [&](const unsigned int node) {
             return near_middle.count(node) > 0;
