@@ -642,6 +642,23 @@ TEST_CASE("divided: cells that are there twice, and quadrilaterals on triangles,
 
 
 
+TEST_CASE("cells of different sizes that do not share their nodes are refused")
+{
+  const std::string nodes =
+    "*NODE\n1, 0, 0\n2, 2, 0\n3, 2, 1\n4, 0, 1\n5, 1, 1\n6, 0, 2\n7, 1, 2\n"
+    "8, 2, 2\n*ELEMENT, TYPE=CPE4\n1, 1, 2, 3, 4\n2, 4, 5, 7, 6\n3, 5, 3, 8, 7\n";
+  const TemporaryFile file(nodes, ".inp");
+  const auto          what = [&](const std::string &coinciding) {
+    return message_of([&] {
+      generator<2>("file", {{"File", file.path}, {"Coinciding nodes", coinciding}})->generate();
+    });
+  };
+  says(what("refuse"), "has a node at (1 1) on the edge of a cell");
+  CHECK(what("keep").empty());
+}
+
+
+
 TEST_CASE("divided: how many cells each shape gives")
 {
   const auto n = [](const std::string &name, const Nodes &corners) {

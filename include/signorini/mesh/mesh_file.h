@@ -52,7 +52,6 @@ namespace Signorini
     };
 
     std::vector<dealii::Point<3>> nodes;
-    unsigned int                  n_given = -1; ///< from here on, nodes were made by the program
     std::vector<Element>          elements;
     std::vector<Group>            groups; ///< in the order in which they are to be listed
     /// Nodes by their numbers, where the format has any; by the instance (in upper case, empty:

@@ -46,7 +46,6 @@ namespace Signorini
       divide(const bool mid_side_nodes)
       {
         check_conforming();
-        file.n_given = file.nodes.size();
         for (unsigned int e = 0; e < file.elements.size(); ++e)
           if (chosen.all[e])
             {

@@ -87,6 +87,20 @@ namespace Signorini
 
   namespace
   {
+    template <int dim>
+    std::vector<unsigned int>
+    pieces_of_vertices(const std::vector<CellData<dim>> &cells, const unsigned int n_vertices)
+    {
+      const std::vector<unsigned int> piece_of_cell = pieces_of(cells, n_vertices);
+      std::vector<unsigned int>       piece(n_vertices);
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (const unsigned int vertex : cells[c].vertices)
+          piece[vertex] = piece_of_cell[c];
+      return piece;
+    }
+
+
+
     std::string
     number_of_pairs(const unsigned int n)
     {
@@ -100,12 +114,8 @@ namespace Signorini
   std::string
   CoincidingNodes<dim>::refuse_cracks() const
   {
-    const std::vector<unsigned int> piece_of_cell = pieces_of(cells, vertices.size());
-    std::vector<unsigned int>       piece(vertices.size());
-    for (unsigned int c = 0; c < cells.size(); ++c)
-      for (const unsigned int vertex : cells[c].vertices)
-        piece[vertex] = piece_of_cell[c];
-    std::vector<unsigned int> cracks, between; // first nodes
+    const std::vector<unsigned int> piece = pieces_of_vertices(cells, vertices.size());
+    std::vector<unsigned int>       cracks, between; // first nodes
     for (const auto &[node, other] : pairs)
       (piece[node] == piece[other] ? cracks : between).push_back(node);
     if (!cracks.empty())
@@ -126,6 +136,62 @@ namespace Signorini
 
 
 
+  template <int dim>
+  void
+  refuse_hanging_nodes(const std::vector<CellData<dim>>     &cells,
+                       const std::vector<CellData<dim - 1>> &boundary_faces,
+                       const std::vector<Point<dim>>        &vertices)
+  {
+    namespace bgi = boost::geometry::index;
+    std::vector<bool> at_boundary(vertices.size());
+    for (const auto &face : boundary_faces)
+      for (const unsigned int vertex : face.vertices)
+        at_boundary[vertex] = true;
+    std::vector<std::pair<Point<dim>, unsigned int>> nodes;
+    for (unsigned int vertex = 0; vertex < vertices.size(); ++vertex)
+      if (at_boundary[vertex])
+        nodes.emplace_back(vertices[vertex], vertex);
+    const auto                      tree  = pack_rtree(nodes);
+    const std::vector<unsigned int> piece = pieces_of_vertices(cells, vertices.size());
+    constexpr double                near  = 1e-4; // of the edge
+    for (const auto &cell : cells)
+      for (unsigned int l = 0; l < GeometryInfo<dim>::lines_per_cell; ++l)
+        {
+          const unsigned int a = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 0)],
+                             b = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)];
+          if (!at_boundary[a] || !at_boundary[b])
+            continue;
+          const Tensor<1, dim> edge   = vertices[b] - vertices[a];
+          const double         length = edge.norm();
+          BoundingBox<dim>     box({vertices[a], vertices[a]});
+          box.merge_with(BoundingBox<dim>({vertices[b], vertices[b]}));
+          box.extend(near * length);
+          for (const auto &[x, node] : tree | bgi::adaptors::queried(bgi::intersects(box)))
+            {
+              const Tensor<1, dim> offset = x - vertices[a];
+              const double         along  = offset * edge / (length * length);
+              if (piece[node] == piece[a] && along > 0.01 && along < 0.99 &&
+                  (offset - along * edge).norm() < near * length)
+                throw SceneError(
+                  "has a node at " + text_of(x) + " on the edge of a cell from " +
+                  text_of(vertices[a]) + " to " + text_of(vertices[b]) +
+                  " that does not have it: cells of different sizes are not connected there; make "
+                  "the mesh conforming, take the parts as bodies with a contact pair, or say "
+                  "Coinciding nodes = keep if there is a crack or a slit");
+            }
+        }
+  }
+
+
+
   template class CoincidingNodes<2>;
   template class CoincidingNodes<3>;
+  template void
+  refuse_hanging_nodes(const std::vector<CellData<2>> &,
+                       const std::vector<CellData<1>> &,
+                       const std::vector<Point<2>> &);
+  template void
+  refuse_hanging_nodes(const std::vector<CellData<3>> &,
+                       const std::vector<CellData<2>> &,
+                       const std::vector<Point<3>> &);
 } // namespace Signorini

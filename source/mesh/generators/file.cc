@@ -80,7 +80,7 @@ namespace Signorini
           for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
             corners[v] = cell->vertex(v);
           GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
-          for (const double volume : volumes)
+          for (const Tensor<0, dim> &volume : volumes)
             if (!(volume > 0))
               throw SceneError(
                 "folds element " +

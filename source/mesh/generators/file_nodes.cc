@@ -90,8 +90,8 @@ namespace Signorini
     const auto representative = [&](const unsigned int node) {
       return node < representatives.size() ? representatives[node] : node;
     };
-    numbers = file.numbers;
-    n_given = file.n_given;
+    numbers    = file.numbers;
+    first_made = file.first_made;
     std::set<unsigned int> known;
     for (const auto &cell : cells)
       {
@@ -179,7 +179,7 @@ namespace Signorini
         for (unsigned int v = 0; v < corners[c].size(); ++v)
           if (const auto found = at_corner.find(corners[c][v]); found != at_corner.end())
             result[found->second].push_back(
-              {c, GeometryInfo<dim>::unit_cell_vertex(v), corners[c][v] >= n_given});
+              {c, GeometryInfo<dim>::unit_cell_vertex(v), corners[c][v] >= first_made});
         const auto n_near =
           std::count_if(corners[c].begin(), corners[c].end(), [&](const unsigned int node) {
             return near_middle.count(node) > 0;

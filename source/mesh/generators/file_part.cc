@@ -337,7 +337,9 @@ namespace Signorini
       else
         return faces.boundary_quads;
     }();
-    list                  = boundary_faces(cells, vertices);
+    list = boundary_faces(cells, vertices);
+    if (selection.coinciding_nodes != "keep")
+      refuse_hanging_nodes<dim>(cells, list, vertices);
     const Names all_names = name_faces(list, vertices, names, selection.feature_angle, notes);
     boundaries            = all_names.boundaries;
     names_of_ids          = all_names.of_ids;

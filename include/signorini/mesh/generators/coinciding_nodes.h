@@ -32,4 +32,13 @@ namespace Signorini
     const std::vector<dealii::Point<dim>>             &vertices;
     std::vector<std::pair<unsigned int, unsigned int>> pairs; ///< the lower number first, in order
   };
+
+  /// Throws SceneError if a node at the boundary lies inside of an edge there, of cells that are
+  /// connected elsewhere: neighbours of different sizes that do not share their nodes, and would
+  /// come apart. Pieces that touch are none of its business.
+  template <int dim>
+  void
+  refuse_hanging_nodes(const std::vector<dealii::CellData<dim>>     &cells,
+                       const std::vector<dealii::CellData<dim - 1>> &boundary_faces,
+                       const std::vector<dealii::Point<dim>>        &vertices);
 } // namespace Signorini
