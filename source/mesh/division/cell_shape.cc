@@ -152,6 +152,18 @@ namespace Signorini
 
 
 
+  Nodes
+  CellShape::corners_around(const unsigned int i, const MeshFile::Element &cell) const
+  {
+    Nodes result;
+    for (unsigned int corner = 0; corner < n_corners; ++corner)
+      if (nodes[i] & (1u << corner))
+        result.push_back(cell.nodes[corner]);
+    return result;
+  }
+
+
+
   double
   CellShape::orientation(const Nodes &which) const
   {

@@ -40,10 +40,7 @@ namespace Signorini
     const CellShape &shape = CellShape::of(cell.shape);
     for (unsigned int i = shape.n_corners; i < cell.nodes.size(); ++i)
       {
-        MeshFile::Nodes corners;
-        for (unsigned int corner = 0; corner < shape.n_corners; ++corner)
-          if (shape.nodes[i] & (1u << corner))
-            corners.push_back(cell.nodes[corner]);
+        const MeshFile::Nodes corners = shape.corners_around(i, cell);
         if (shape.nodes[i] == shape.all())
           {
             remember(cell.nodes[i], corners);

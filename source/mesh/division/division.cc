@@ -111,15 +111,11 @@ namespace Signorini
         const CellShape &shape = CellShape::of(element.shape);
         for (unsigned int i = shape.n_corners; i < element.nodes.size(); ++i)
           {
-            Point<3>     sum;
-            unsigned int n = 0;
-            for (unsigned int corner = 0; corner < shape.n_corners; ++corner)
-              if (shape.nodes[i] & (1u << corner))
-                {
-                  sum += file.nodes[element.nodes[corner]];
-                  ++n;
-                }
-            file.nodes[element.nodes[i]] = sum / n;
+            const Nodes around = shape.corners_around(i, element);
+            Point<3>    sum;
+            for (const unsigned int corner : around)
+              sum += file.nodes[corner];
+            file.nodes[element.nodes[i]] = sum / double(around.size());
           }
       }
 

@@ -1,3 +1,4 @@
+#include <signorini/mesh/division/cell_shape.h>
 #include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/file_nodes.h>
 
@@ -11,35 +12,6 @@ namespace Signorini
   namespace
   {
     using Nodes = MeshFile::Nodes;
-
-    /// For each node of an element behind its corners, the corners between which it lies, in the
-    /// order of MeshFile.
-    template <int dim>
-    const std::vector<Nodes> &
-    middles()
-    {
-      static const std::vector<Nodes> plane{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}};
-      static const std::vector<Nodes> solid{{0, 1},
-                                            {1, 2},
-                                            {2, 3},
-                                            {3, 0},
-                                            {4, 5},
-                                            {5, 6},
-                                            {6, 7},
-                                            {7, 4},
-                                            {0, 4},
-                                            {1, 5},
-                                            {2, 6},
-                                            {3, 7},
-                                            {0, 3, 4, 7},
-                                            {1, 2, 5, 6},
-                                            {0, 1, 4, 5},
-                                            {2, 3, 6, 7},
-                                            {0, 1, 2, 3},
-                                            {4, 5, 6, 7},
-                                            {0, 1, 2, 3, 4, 5, 6, 7}};
-      return dim == 2 ? plane : solid;
-    }
 
     template <int dim>
     constexpr MeshFile::Shape cell_shape =
@@ -103,9 +75,9 @@ namespace Signorini
            element->shape == cell_shape<dim> && i < element->nodes.size();
            ++i)
         {
-          Nodes of_node;
-          for (const unsigned int corner : middles<dim>()[i - n_corners(element->shape)])
-            of_node.push_back(representative(element->nodes[corner]));
+          Nodes of_node = CellShape::of(element->shape).corners_around(i, *element);
+          for (unsigned int &node : of_node)
+            node = representative(node);
           between[element->nodes[i]] = sorted(of_node);
           known.insert(element->nodes[i]);
         }

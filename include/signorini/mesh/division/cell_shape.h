@@ -45,6 +45,10 @@ namespace Signorini
 
     unsigned int n_corners;
 
+    /// What node number i of such a cell is the center of.
+    MeshFile::Nodes
+    corners_around(unsigned int i, const MeshFile::Element &cell) const;
+
     /// Volume that three edges from corner a span in the reference cell (2D: an area by two).
     double
     orientation(const MeshFile::Nodes &corners) const;
