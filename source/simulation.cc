@@ -1,3 +1,4 @@
+#include <signorini/body_setup.h>
 #include <signorini/output/preflight.h>
 #include <signorini/simulation.h>
 #include <signorini/solve/linear_reference.h>
@@ -13,45 +14,6 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    std::unique_ptr<Mesh<dim>>
-    make_mesh(const Scene<dim> &scene, const MPI_Comm comm)
-    {
-      std::vector<std::pair<std::string, BodyMesh<dim>>> bodies;
-      for (const Body<dim> &body : scene.bodies)
-        bodies.emplace_back(body.name, body.mesh);
-      std::vector<std::pair<std::string, std::string>> contact_surfaces;
-      for (const ContactPair<dim> &pair : scene.known_pairs())
-        contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
-      return std::make_unique<Mesh<dim>>(bodies, scene.mesh, contact_surfaces, comm);
-    }
-
-    template <int dim>
-    std::unique_ptr<Elasticity<dim>>
-    make_elasticity(const Scene<dim> &scene, const Mesh<dim> &mesh)
-    {
-      std::vector<Material>              materials;
-      std::vector<ThermalExpansion<dim>> expansions;
-      for (const Body<dim> &body : scene.bodies)
-        {
-          materials.push_back(body.material);
-          expansions.push_back(body.expansion);
-        }
-      std::vector<RigidBody<dim>> rigid_bodies;
-      for (const Obstacle<dim> &obstacle : scene.obstacles)
-        if (obstacle.body.can_move())
-          rigid_bodies.push_back(obstacle.body);
-      return std::make_unique<Elasticity<dim>>(mesh,
-                                               materials,
-                                               scene.supports,
-                                               scene.loads,
-                                               scene.degrees(),
-                                               model_of(scene.model),
-                                               rigid_bodies,
-                                               scene.newton.stabilisation,
-                                               expansions);
-    }
-
     std::string
     seconds(const double s)
     {

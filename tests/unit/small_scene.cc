@@ -1,5 +1,6 @@
 #include "small_scene.h"
 
+#include <signorini/body_setup.h>
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/parameters/section.h>
 
@@ -30,39 +31,6 @@ namespace TestScene
       scene.check();
       return scene;
     }
-
-    template <int dim>
-    std::unique_ptr<Mesh<dim>>
-    make_mesh(const Scene<dim> &scene)
-    {
-      std::vector<std::pair<std::string, BodyMesh<dim>>> bodies;
-      for (const Body<dim> &body : scene.bodies)
-        bodies.emplace_back(body.name, body.mesh);
-      std::vector<std::pair<std::string, std::string>> surfaces;
-      for (const ContactPair<dim> &pair : scene.pairs)
-        surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
-      return std::make_unique<Mesh<dim>>(bodies, scene.mesh, surfaces, MPI_COMM_WORLD);
-    }
-
-    template <int dim>
-    std::unique_ptr<Elasticity<dim>>
-    make_elasticity(const Scene<dim> &scene, const Mesh<dim> &mesh)
-    {
-      std::vector<Material> materials;
-      for (const Body<dim> &body : scene.bodies)
-        materials.push_back(body.material);
-      std::vector<RigidBody<dim>> rigid_bodies;
-      for (const Obstacle<dim> &obstacle : scene.obstacles)
-        if (obstacle.body.can_move())
-          rigid_bodies.push_back(obstacle.body);
-      return std::make_unique<Elasticity<dim>>(mesh,
-                                               materials,
-                                               scene.supports,
-                                               scene.loads,
-                                               scene.degrees(),
-                                               model_of(scene.model),
-                                               rigid_bodies);
-    }
   } // namespace
 
 
@@ -72,7 +40,7 @@ namespace TestScene
     : scene(read<dim>(lines))
     , silence(std::cout, false)
     , timer(MPI_COMM_SELF, silence, TimerOutput::never, TimerOutput::wall_times)
-    , mesh(make_mesh(scene))
+    , mesh(make_mesh(scene, MPI_COMM_WORLD))
     , elasticity(make_elasticity(scene, *mesh))
   {
     elasticity->setup();

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <signorini/elasticity/elasticity.h>
+#include <signorini/scene/scene.h>
+
+#include <memory>
+
+namespace Signorini
+{
+  /// The bodies of a scene in one mesh, refined where the scene says. Collective.
+  template <int dim>
+  std::unique_ptr<Mesh<dim>>
+  make_mesh(const Scene<dim> &scene, MPI_Comm comm);
+
+  /// Their elasticity, with what acts on them, on that mesh; not set up yet.
+  template <int dim>
+  std::unique_ptr<Elasticity<dim>>
+  make_elasticity(const Scene<dim> &scene, const Mesh<dim> &mesh);
+} // namespace Signorini
