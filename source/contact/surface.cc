@@ -114,6 +114,17 @@ namespace Signorini
       const Expression<dim> formula;
     };
 
+    /// Between x and its partner. What touches up to the rounding of the coordinates touches:
+    /// otherwise that rounding were all that drives a body without loads.
+    template <int dim>
+    double
+    distance(const Point<dim> &x, const Partner<dim> &partner)
+    {
+      const double gap      = (x - partner.position) * partner.normal;
+      const double rounding = 4 * std::numeric_limits<double>::epsilon() * x.norm();
+      return std::abs(gap) <= rounding ? 0. : gap;
+    }
+
     /// Segments that touch a face in a line only have no area, and their points no say.
     template <int dim>
     void
@@ -137,10 +148,10 @@ namespace Signorini
     {
       const Partner<dim> &partner = paired.partner;
       ContactPoint<dim>   point;
-      point.position = patch.position(paired.xi);
-      point.normal   = partner.normal;
-      point.weight   = paired.weight;
-      point.gap = initial_gap(point.position, (point.position - partner.position) * partner.normal);
+      point.position  = patch.position(paired.xi);
+      point.normal    = partner.normal;
+      point.weight    = paired.weight;
+      point.gap       = initial_gap(point.position, distance(point.position, partner));
       point.stiffness = 1 / (1 / stiffness + 1 / partner.stiffness);
       point.row       = trace.normal_displacement(unit_point, partner.normal);
       for (const auto &[index, value] : partner.row)

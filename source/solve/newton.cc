@@ -251,7 +251,7 @@ namespace Signorini
         record(step);
         if (!report.reason.empty())
           return report;
-        if (step.krylov_iterations == 0 && step.residual == before)
+        if (n > 0 && step.krylov_iterations == 0 && step.residual == before)
           {
             report.reason =
               "Newton's method stagnates above its tolerance: the linear solver cannot "

@@ -62,6 +62,14 @@ def cases():
         history = ["Load steps/Number=20", "Load steps/End time=2"]
         yield Case("active-set/up-and-down", f"hertz-2d/{name}", found_soon("hertz-2d", sets + history, mirrored=True),
                    labels={"full"})
+    # One cell a body: all is contact zone, and contact alone stops the upper one; without loads, there is nothing to do.
+    for scene in ("two-cells", "two-cells-2d"):
+        for degree in (1, 2):
+            for name, sets in METHODS.items():
+                sets = sets + [f"Mesh/Degree={degree}"]
+                yield Case("active-set/cells", f"{scene}/degree-{degree}/{name}", found_soon(scene, sets, most=6))
+                yield Case("active-set/cells", f"{scene}/degree-{degree}/{name}/no-load",
+                           found_soon(scene, [*sets, "Loads/press/Pressure=0", "Expected results/Names="], most=2))
     # Where neither gap nor pressure is, rounding alone says which points are active: no reason for more than one step.
     yield Case("active-set/cold", "undecided",
                found_soon("patch-2d", ["Bodies/lower/Poisson's ratio=0", "Bodies/upper/Poisson's ratio=0",

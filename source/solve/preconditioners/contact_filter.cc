@@ -56,13 +56,9 @@ namespace Signorini
   void
   ContactFilter::solve(LA::Vector &dst, const LA::Vector &src) const
   {
-    LA::BlockVector x = system.zero(), right = x, rest = x, correction = x;
+    LA::BlockVector x = system.zero(), right = x;
     right.block(0) = src;
-    start(x, right);
-    system.vmult(rest, x);
-    rest.sadd(-1, 1, right);
-    vmult(correction, rest);
-    x += correction;
+    filter_first(x, right);
     dst = x.block(0);
   }
 
@@ -70,6 +66,32 @@ namespace Signorini
 
   void
   ContactFilter::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    if (zone->size() > 0 && !system.free_motions().empty())
+      filter_first(dst, src);
+    else
+      cycle_and_filter(dst, src);
+  }
+
+
+
+  void
+  ContactFilter::filter_first(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    dst = 0;
+    start(dst, src);
+    LA::BlockVector rest = src, correction = src, force = src;
+    system.contact_terms(force, dst);
+    system.stiffness().vmult_add(force.block(0), dst.block(0));
+    rest -= force;
+    cycle_and_filter(correction, rest);
+    dst += correction;
+  }
+
+
+
+  void
+  ContactFilter::cycle_and_filter(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
     dst = 0;
     amg.vmult(dst.block(0), src.block(0));

@@ -14,7 +14,9 @@ namespace Signorini
   ///
   /// After F the residual vanishes on the zone. It does so for the start value, hence for all
   /// residuals of a Krylov method, for which the first F is void: what remains is one multigrid
-  /// cycle and one F an application.
+  /// cycle and one F an application. Springs against free motions, which F has and the system has
+  /// not, leave a little on the zone, on meshes of a few cells not so little: then, the first F is
+  /// made too.
   ///
   /// On saddle points F keeps the constraints, A B du = A g from the start on: all that CG sees is
   /// the energy on their null space, where F-V-F is symmetric and positive definite (a constraint
@@ -58,6 +60,12 @@ namespace Signorini
     }
 
   private:
+    /// F-V-F, and V-F for what has no part on the zone.
+    void
+    filter_first(LA::BlockVector &dst, const LA::BlockVector &src) const;
+    void
+    cycle_and_filter(LA::BlockVector &dst, const LA::BlockVector &src) const;
+
     const ContactSystem        &system;
     AMG                         amg;
     const std::string           direct_solver;
