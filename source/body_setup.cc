@@ -14,7 +14,10 @@ namespace Signorini
     std::vector<std::pair<std::string, std::string>> contact_surfaces;
     for (const ContactPair<dim> &pair : scene.known_pairs())
       contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
-    return std::make_unique<Mesh<dim>>(bodies, scene.mesh, contact_surfaces, comm);
+    MeshSettings<dim> settings = scene.mesh;
+    if (settings.distribution == "auto" && scene.refinement.cycles > 0)
+      settings.distribution = "p4est";
+    return std::make_unique<Mesh<dim>>(bodies, settings, contact_surfaces, comm);
   }
 
 

@@ -38,8 +38,8 @@ namespace Signorini
   {
     section.add_choice("Distribution",
                        distribution,
-                       {"p4est", "METIS"},
-                       "who distributes the cells; METIS has a fixed mesh");
+                       {"auto", "p4est", "METIS"},
+                       "who distributes the cells; METIS has a fixed mesh; auto: p4est, but METIS for more than 30,000 coarse cells that are refined neither as a whole nor by cycles");
     section.add("Refinements", refinements, "how often all cells are halved at the start");
     section.add("Contact refinements",
                 contact_refinements,
@@ -54,6 +54,17 @@ namespace Signorini
                 "polynomial degree of the cells' shape; 0: 1 if all is straight, else 2",
                 Range{0, 4});
     section.add_named("Zones", zones, "Parts of space that are refined, after that.");
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshSettings<dim>::by_p4est(const std::size_t n_coarse_cells) const
+  {
+    constexpr std::size_t many = 30000;
+    return distribution == "p4est" ||
+           (distribution == "auto" && (n_coarse_cells <= many || refinements > 0));
   }
 
 
@@ -159,7 +170,7 @@ namespace Signorini
     for (const auto &[slave, master] : contact_surfaces)
       slaves.insert(boundary_ids(slave).begin(), boundary_ids(slave).end());
 
-    if (settings.distribution == "p4est")
+    if (settings.by_p4est(coarse.cells.size()))
       {
         tria = std::make_unique<parallel::distributed::Triangulation<dim>>(comm);
         weigh(*tria, slaves, settings.slave_face_weight);

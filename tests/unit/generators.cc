@@ -1,3 +1,4 @@
+#include <signorini/mesh/mesh.h>
 #include <signorini/mesh/transformed_manifold.h>
 
 #include <cmath>
@@ -514,4 +515,20 @@ TEST_CASE("file: what is wrong with it is said, with its name")
   says(attempt(apart, {{"Part", "one"}}), "connected elsewhere are not");
   says(attempt(two_squares(), {{"Part", "two"}, {"Curved boundaries", "right end circle 0 0"}}),
        "do not lie");
+}
+
+
+
+TEST_CASE("METIS takes many coarse cells that stay as they are")
+{
+  MeshSettings<3> settings;
+  CHECK(settings.by_p4est(30000));
+  CHECK(!settings.by_p4est(30001));
+  settings.refinements = 1;
+  CHECK(settings.by_p4est(1000000));
+  settings.distribution = "METIS";
+  CHECK(!settings.by_p4est(1));
+  settings              = {};
+  settings.distribution = "p4est";
+  CHECK(settings.by_p4est(1000000));
 }
