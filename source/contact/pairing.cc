@@ -18,6 +18,7 @@ namespace Signorini
 
   namespace
   {
+    constexpr double beside       = 1e-3;     // a face, in units of its diameter
     constexpr double covered_once = 1 + 1e-4; // of its area; the rest is the error of quadrature
 
     // Of degree 2 n - 1 at least on triangles, but for n = 2: products of two bilinear functions
@@ -69,6 +70,13 @@ namespace Signorini
         ar &patch &number;
       }
     };
+
+    template <int dim>
+    Tensor<1, dim>
+    tangential_part(const Tensor<1, dim> &v, const Tensor<1, dim> &normal)
+    {
+      return v - (v * normal) * normal;
+    }
 
     template <int dim>
     Projection<dim>
@@ -139,6 +147,8 @@ namespace Signorini
 
         PairedPoint<dim> pair{slave.number, point.slave, point.weight, {}};
         pair.partner.normal = patch.normal(foot.xi);
+        pair.is_beside      = tangential_part(x - foot.position, pair.partner.normal).norm() >
+                         beside * patch.diameter();
         if (foot.distance > reach(slave.patch, limit) ||
             !faces_each_other(slave.patch.normal(point.slave), pair.partner.normal))
           return {};
@@ -234,6 +244,37 @@ namespace Signorini
       return points;
     }
 
+    // Of points beside their partner's face the partner that is closest, if that is another one.
+    template <int dim>
+    void
+    move_to_closest(const std::vector<FacePatch<dim>> &slave,
+                    const MasterFaces<dim>            &master,
+                    const MPI_Comm                     comm,
+                    SearchStatistics                  &statistics,
+                    std::vector<PairedPoint<dim>>     &points)
+    {
+      constexpr double                closer = 1 - 1e-6; // over an edge two faces are equally close
+      std::vector<PairedPoint<dim> *> beside_faces;
+      std::vector<Point<dim>>         positions;
+      std::vector<Tensor<1, dim>>     normals;
+      double                          farthest = 0;
+      for (PairedPoint<dim> &point : points)
+        if (point.is_beside)
+          {
+            beside_faces.push_back(&point);
+            positions.push_back(slave[point.face].position(point.xi));
+            normals.push_back(slave[point.face].normal(point.xi));
+            farthest = std::max(farthest, point.partner.distance);
+          }
+      farthest = Utilities::MPI::max(farthest, comm);
+      if (farthest == 0)
+        return;
+      auto partners = find_partners(positions, normals, master, farthest, comm, &statistics);
+      for (std::size_t i = 0; i < partners.size(); ++i)
+        if (partners[i] && partners[i]->distance < closer * beside_faces[i]->partner.distance)
+          beside_faces[i]->partner = std::move(*partners[i]);
+    }
+
     // Points of one face one after the other, in the order that they were found in. Numbers are
     // sorted, since points are large.
     template <int dim>
@@ -327,6 +368,7 @@ namespace Signorini
         const SegmentRules<dim> rules = {segment_rule<dim>(n), segment_rule<dim>(more)};
         points = pair_by_segments(slave, master, rules, limit, comm, statistics);
         faces  = remove_overcovered(slave, points);
+        move_to_closest(slave, master, comm, statistics, points);
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
       for (auto &point : pair_by_projection(slave, faces, master, rule, limit, comm, statistics))
