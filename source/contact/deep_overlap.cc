@@ -91,9 +91,10 @@ namespace Signorini
       const double           diagonal =
         box.get_boundary_points().first.distance(box.get_boundary_points().second);
       const auto partners = find_partners(centers, normals, faces, diagonal, comm);
+      const auto inside   = are_inside(centers, faces, diagonal, comm);
       double     deepest  = 0;
       for (std::size_t i = 0; i < partners.size(); ++i)
-        if (partners[i])
+        if (partners[i] && inside[i])
           deepest = std::max(deepest, (partners[i]->position - centers[i]) * partners[i]->normal);
       return deepest;
     }

@@ -275,6 +275,48 @@ namespace Signorini
           beside_faces[i]->partner = std::move(*partners[i]);
     }
 
+    // Points that lie behind a face because they are beyond the whole body do not overlap with it.
+    template <int dim>
+    void
+    drop_false_overlaps(const std::vector<FacePatch<dim>> &slave,
+                        const MasterFaces<dim>            &master,
+                        const MPI_Comm                     comm,
+                        SearchStatistics                  &statistics,
+                        std::vector<PairedPoint<dim>>     &points)
+    {
+      constexpr double         shallow = 0.01; // in diameters of the slave face: taken for true
+      std::vector<std::size_t> numbers;
+      std::vector<Point<dim>>  positions;
+      double                   farthest = 0;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const Partner<dim>   &partner = points[i].partner;
+          const FacePatch<dim> &face    = slave[points[i].face];
+          const Point<dim>      x       = face.position(points[i].xi);
+          if ((x - partner.position) * partner.normal > -shallow * face.diameter())
+            continue;
+          numbers.push_back(i);
+          positions.push_back(x);
+          farthest = std::max(farthest, partner.distance);
+        }
+      farthest = Utilities::MPI::max(farthest, comm);
+      if (farthest == 0)
+        return;
+      const std::vector<bool> inside = are_inside(positions, master, farthest, comm, &statistics);
+      std::vector<bool>       is_false(points.size(), false);
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        is_false[numbers[i]] = !inside[i];
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (!is_false[i])
+          {
+            if (kept < i)
+              points[kept] = std::move(points[i]);
+            ++kept;
+          }
+      points.resize(kept);
+    }
+
     // Points of one face one after the other, in the order that they were found in. Numbers are
     // sorted, since points are large.
     template <int dim>
@@ -373,6 +415,7 @@ namespace Signorini
     if (Utilities::MPI::max(faces.size(), comm) > 0)
       for (auto &point : pair_by_projection(slave, faces, master, rule, limit, comm, statistics))
         points.push_back(std::move(point));
+    drop_false_overlaps(slave, master, comm, statistics, points);
     keep_near_faces(limit, points);
     return sorted_by_faces(std::move(points));
   }

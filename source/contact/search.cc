@@ -119,6 +119,25 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::vector<bool>
+  are_inside(const std::vector<Point<dim>> &points,
+             const MasterFaces<dim>        &master,
+             const double                   reach,
+             const MPI_Comm                 comm,
+             SearchStatistics              *statistics)
+  {
+    const MasterFaces<dim>            faces{master.patches, [](auto, const auto &, auto &) {}};
+    const std::vector<Tensor<1, dim>> any(points.size());
+    const auto        closest = find_partners(points, any, faces, reach, comm, statistics);
+    std::vector<bool> inside;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      inside.push_back(!closest[i] || (points[i] - closest[i]->position) * closest[i]->normal <= 0);
+    return inside;
+  }
+
+
+
   template std::vector<std::optional<Partner<2>>>
   find_partners<2>(const std::vector<Point<2>> &,
                    const std::vector<Tensor<1, 2>> &,
@@ -133,4 +152,10 @@ namespace Signorini
                    double,
                    MPI_Comm,
                    SearchStatistics *);
+  template std::vector<bool>
+  are_inside<2>(
+    const std::vector<Point<2>> &, const MasterFaces<2> &, double, MPI_Comm, SearchStatistics *);
+  template std::vector<bool>
+  are_inside<3>(
+    const std::vector<Point<3>> &, const MasterFaces<3> &, double, MPI_Comm, SearchStatistics *);
 } // namespace Signorini
