@@ -21,16 +21,6 @@ namespace Signorini
       return mesh.extent();
     }
 
-    template <int dim>
-    double
-    smallest_side(const BoundingBox<dim> &box)
-    {
-      double smallest = box.side_length(0);
-      for (unsigned int d = 1; d < dim; ++d)
-        smallest = std::min(smallest, box.side_length(d));
-      return smallest;
-    }
-
     /// Nothing if there is none.
     template <int dim>
     std::optional<BoundingBox<dim>>
@@ -91,14 +81,27 @@ namespace Signorini
       const double           diagonal =
         box.get_boundary_points().first.distance(box.get_boundary_points().second);
       const auto partners = find_partners(centers, normals, faces, diagonal, comm);
-      const auto inside   = are_inside(centers, faces, diagonal, comm);
+      const auto depth    = depths(centers, faces, diagonal, comm);
       double     deepest  = 0;
       for (std::size_t i = 0; i < partners.size(); ++i)
-        if (partners[i] && inside[i])
+        if (partners[i] && depth[i] >= 0)
           deepest = std::max(deepest, (partners[i]->position - centers[i]) * partners[i]->normal);
       return deepest;
     }
   } // namespace
+
+
+
+  template <int dim>
+  double
+  common_depth(const BoundingBox<dim> &a, const BoundingBox<dim> &b)
+  {
+    const auto box   = common(a, b);
+    double     depth = box ? box->side_length(0) : 0.;
+    for (unsigned int d = 1; box && d < dim; ++d)
+      depth = std::min(depth, box->side_length(d));
+    return depth;
+  }
 
 
 
@@ -117,19 +120,25 @@ namespace Signorini
     double           deepest = 0;
     if (obstacle)
       deepest = depth_in_obstacle(slave.patches, *obstacle->shape);
-    else if (const auto box =
-               common(extent_of_body(mesh, pair.slave), extent_of_body(mesh, pair.master));
-             box && smallest_side(*box) > distance)
-      deepest = depth_in_body(slave.patches,
-                              BoundaryFaces<dim>(elasticity, pair.master).patches,
-                              *box,
-                              comm);
+    else
+      {
+        const auto &a = extent_of_body(mesh, pair.slave), &b = extent_of_body(mesh, pair.master);
+        if (common_depth(a, b) > distance)
+          deepest = depth_in_body(slave.patches,
+                                  BoundaryFaces<dim>(elasticity, pair.master).patches,
+                                  *common(a, b),
+                                  comm);
+      }
     deepest = Utilities::MPI::max(deepest, comm);
     return deepest > distance ? deepest : 0.;
   }
 
 
 
+  template double
+  common_depth(const BoundingBox<2> &, const BoundingBox<2> &);
+  template double
+  common_depth(const BoundingBox<3> &, const BoundingBox<3> &);
   template double
   overlap_beyond(double,
                  const Elasticity<2> &,

@@ -4,6 +4,7 @@
 #include <signorini/contact/segments.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <iterator>
@@ -275,7 +276,24 @@ namespace Signorini
           beside_faces[i]->partner = std::move(*partners[i]);
     }
 
-    // Points that lie behind a face because they are beyond the whole body do not overlap with it.
+    // One of 3^dim, by the signs of the components that are not small.
+    template <int dim>
+    unsigned int
+    direction(const Tensor<1, dim> &normal)
+    {
+      constexpr double small  = 0.38; // sin 22.5 degrees
+      unsigned int     number = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        number = 3 * number + (normal[d] > small ? 2 : normal[d] < -small ? 0 : 1);
+      return number;
+    }
+
+    // A point behind a face that faces it overlaps with the body if it is inside, and if that is
+    // the way out: an overlap is resolved along its least depth. Beyond a plate, points are behind
+    // the plate's other side; of two blocks that overlap a little, the left side of the one is
+    // behind the right side of the other, as far as these are broad. The way out is where points
+    // are about as far from the closest place of the surface as from their partner; near edges they
+    // are not, and follow those of the same direction.
     template <int dim>
     void
     drop_false_overlaps(const std::vector<FacePatch<dim>> &slave,
@@ -287,25 +305,35 @@ namespace Signorini
       constexpr double         shallow = 0.01; // in diameters of the slave face: taken for true
       std::vector<std::size_t> numbers;
       std::vector<Point<dim>>  positions;
-      double                   farthest = 0;
+      std::vector<double>      ways;
       for (std::size_t i = 0; i < points.size(); ++i)
         {
           const Partner<dim>   &partner = points[i].partner;
           const FacePatch<dim> &face    = slave[points[i].face];
           const Point<dim>      x       = face.position(points[i].xi);
-          if ((x - partner.position) * partner.normal > -shallow * face.diameter())
+          const double          way     = (partner.position - x) * partner.normal;
+          if (way <= shallow * face.diameter())
             continue;
           numbers.push_back(i);
           positions.push_back(x);
-          farthest = std::max(farthest, partner.distance);
+          ways.push_back(way);
         }
-      farthest = Utilities::MPI::max(farthest, comm);
+      const double farthest =
+        Utilities::MPI::max(ways.empty() ? 0. : *std::max_element(ways.begin(), ways.end()), comm);
       if (farthest == 0)
         return;
-      const std::vector<bool> inside = are_inside(positions, master, farthest, comm, &statistics);
-      std::vector<bool>       is_false(points.size(), false);
+      const std::vector<double> depth = depths(positions, master, farthest, comm, &statistics);
+      std::vector<double>       way_out(Utilities::fixed_power<dim>(3u), 0.); // of each direction
       for (std::size_t i = 0; i < numbers.size(); ++i)
-        is_false[numbers[i]] = !inside[i];
+        if (double &way = way_out[direction(points[numbers[i]].partner.normal)];
+            depth[i] >= ways[i] / 2)
+          way = std::max(way, ways[i]);
+      Utilities::MPI::max(way_out, comm, way_out);
+
+      std::vector<bool> is_false(points.size(), false);
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        is_false[numbers[i]] =
+          depth[i] < 0 || ways[i] > 2 * way_out[direction(points[numbers[i]].partner.normal)];
       std::size_t kept = 0;
       for (std::size_t i = 0; i < points.size(); ++i)
         if (!is_false[i])

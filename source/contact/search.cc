@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <type_traits>
 
@@ -120,20 +121,26 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<bool>
-  are_inside(const std::vector<Point<dim>> &points,
-             const MasterFaces<dim>        &master,
-             const double                   reach,
-             const MPI_Comm                 comm,
-             SearchStatistics              *statistics)
+  std::vector<double>
+  depths(const std::vector<Point<dim>> &points,
+         const MasterFaces<dim>        &master,
+         const double                   reach,
+         const MPI_Comm                 comm,
+         SearchStatistics              *statistics)
   {
     const MasterFaces<dim>            faces{master.patches, [](auto, const auto &, auto &) {}};
     const std::vector<Tensor<1, dim>> any(points.size());
-    const auto        closest = find_partners(points, any, faces, reach, comm, statistics);
-    std::vector<bool> inside;
+    const auto          closest = find_partners(points, any, faces, reach, comm, statistics);
+    std::vector<double> result;
     for (std::size_t i = 0; i < points.size(); ++i)
-      inside.push_back(!closest[i] || (points[i] - closest[i]->position) * closest[i]->normal <= 0);
-    return inside;
+      if (!closest[i])
+        result.push_back(std::numeric_limits<double>::infinity());
+      else
+        {
+          const bool is_outside = (points[i] - closest[i]->position) * closest[i]->normal > 0;
+          result.push_back((is_outside ? -1 : 1) * closest[i]->distance);
+        }
+    return result;
   }
 
 
@@ -152,10 +159,10 @@ namespace Signorini
                    double,
                    MPI_Comm,
                    SearchStatistics *);
-  template std::vector<bool>
-  are_inside<2>(
+  template std::vector<double>
+  depths<2>(
     const std::vector<Point<2>> &, const MasterFaces<2> &, double, MPI_Comm, SearchStatistics *);
-  template std::vector<bool>
-  are_inside<3>(
+  template std::vector<double>
+  depths<3>(
     const std::vector<Point<3>> &, const MasterFaces<3> &, double, MPI_Comm, SearchStatistics *);
 } // namespace Signorini

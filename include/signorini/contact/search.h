@@ -110,15 +110,15 @@ namespace Signorini
                 MPI_Comm                                   comm,
                 SearchStatistics                          *statistics = nullptr);
 
-  /// Of each point of this rank, whether it lies inside of the master's body, as far as the closest
-  /// place of the surface tells, of whatever orientation. A point behind a face that faces it may
-  /// also be beyond the whole body: above a plate, whose lower side looks down as the point does
-  /// not. Collective.
+  /// Of each point of this rank, how deep it lies inside of the master's body, as far as the
+  /// closest place of the surface tells, of whatever orientation; negative outside, infinity if
+  /// nothing is within reach. A point behind a face that faces it may also be beyond the whole
+  /// body: above a plate, whose lower side looks down as the point does not. Collective.
   template <int dim>
-  std::vector<bool>
-  are_inside(const std::vector<dealii::Point<dim>> &points,
-             const MasterFaces<dim>                &master,
-             double                                 reach,
-             MPI_Comm                               comm,
-             SearchStatistics                      *statistics = nullptr);
+  std::vector<double>
+  depths(const std::vector<dealii::Point<dim>> &points,
+         const MasterFaces<dim>                &master,
+         double                                 reach,
+         MPI_Comm                               comm,
+         SearchStatistics                      *statistics = nullptr);
 } // namespace Signorini
