@@ -16,6 +16,7 @@ namespace
   const std::string usage = R"(Signorini: elastic bodies in contact.
 
   signorini SCENE.prm [--set "Section/Key=value"]...   solve a scene
+  signorini --strict SCENE.prm [--set ...]             the same; warnings about the answer are failures
   signorini --check SCENE.prm [--set ...]              read and check it, report what would be solved
   signorini --import DECK.inp                          the scene that a deck of Abaqus or CalculiX describes
   signorini --print-template [2|3] [--set ...]         a complete commented scene
@@ -25,7 +26,7 @@ namespace
   signorini --help | --version
 
 In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal error,
-2 bad scene or command line, 3 not converged, 4 an expected result of the scene is missed.
+2 bad scene or command line, 3 not converged, or no answer by the verdict, 4 an expected result of the scene is missed.
 )";
 
   struct Arguments
@@ -46,6 +47,8 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
             throw SceneError("--set needs \"Section/Key=value\"");
           arguments.overrides.push_back(words[i]);
         }
+      else if (words[i] == "--strict")
+        arguments.overrides.push_back("Output/Strict=yes");
       else if (words[i] == "--check" || words[i] == "--help" || words[i] == "--version" ||
                words[i] == "--print-reference")
         arguments.action = words[i].substr(2);

@@ -493,12 +493,12 @@ namespace Signorini
   {
     recorder->add_sizes(*elasticity, *contact);
     std::ostringstream text;
-    const bool         as_expected = recorder->finish(report, text);
+    const ExitCode     code = recorder->finish(report, text);
     out << text.str() << "\n"
         << seconds(clock.wall_time()) << ", results in " << recorder->directory()
         << "/results.json\n"
         << "Output directory: " << recorder->directory() << std::endl;
-    return !report.converged ? not_converged : as_expected ? solved : missed;
+    return code;
   }
 
 

@@ -189,6 +189,7 @@ namespace Signorini
       pair.name             = slave + " on " + master;
       pair.slave            = slave;
       pair.master           = master;
+      pair.found            = true;
       result.push_back(pair);
     };
     for (const auto &[a, b] : meeting_boundaries(faces, distance))

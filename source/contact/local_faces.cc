@@ -110,8 +110,10 @@ namespace Signorini
       ++statistics.fallbacks;
 
     Candidate<dim> c;
-    c.partner.normal = patch.normal(projection.xi);
-    if (!(projection.distance <= query.limit) || !faces_each_other(query.normal, c.partner.normal))
+    c.partner.normal           = patch.normal(projection.xi);
+    const bool any_orientation = query.normal.norm_square() == 0;
+    if (!(projection.distance <= query.limit) ||
+        (!any_orientation && !faces_each_other(query.normal, c.partner.normal)))
       return {};
     c.partner.position    = projection.position;
     c.partner.distance    = projection.distance;

@@ -4,6 +4,7 @@
 #include <signorini/contact/segments.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <iterator>
@@ -18,6 +19,7 @@ namespace Signorini
 
   namespace
   {
+    constexpr double beside       = 1e-3;     // a face, in units of its diameter
     constexpr double covered_once = 1 + 1e-4; // of its area; the rest is the error of quadrature
 
     // Of degree 2 n - 1 at least on triangles, but for n = 2: products of two bilinear functions
@@ -69,6 +71,13 @@ namespace Signorini
         ar &patch &number;
       }
     };
+
+    template <int dim>
+    Tensor<1, dim>
+    tangential_part(const Tensor<1, dim> &v, const Tensor<1, dim> &normal)
+    {
+      return v - (v * normal) * normal;
+    }
 
     template <int dim>
     Projection<dim>
@@ -139,6 +148,8 @@ namespace Signorini
 
         PairedPoint<dim> pair{slave.number, point.slave, point.weight, {}};
         pair.partner.normal = patch.normal(foot.xi);
+        pair.is_beside      = tangential_part(x - foot.position, pair.partner.normal).norm() >
+                         beside * patch.diameter();
         if (foot.distance > reach(slave.patch, limit) ||
             !faces_each_other(slave.patch.normal(point.slave), pair.partner.normal))
           return {};
@@ -234,6 +245,106 @@ namespace Signorini
       return points;
     }
 
+    // Of points beside their partner's face the partner that is closest, if that is another one.
+    template <int dim>
+    void
+    move_to_closest(const std::vector<FacePatch<dim>> &slave,
+                    const MasterFaces<dim>            &master,
+                    const MPI_Comm                     comm,
+                    SearchStatistics                  &statistics,
+                    std::vector<PairedPoint<dim>>     &points)
+    {
+      constexpr double                closer = 1 - 1e-6; // over an edge two faces are equally close
+      std::vector<PairedPoint<dim> *> beside_faces;
+      std::vector<Point<dim>>         positions;
+      std::vector<Tensor<1, dim>>     normals;
+      double                          farthest = 0;
+      for (PairedPoint<dim> &point : points)
+        if (point.is_beside)
+          {
+            beside_faces.push_back(&point);
+            positions.push_back(slave[point.face].position(point.xi));
+            normals.push_back(slave[point.face].normal(point.xi));
+            farthest = std::max(farthest, point.partner.distance);
+          }
+      farthest = Utilities::MPI::max(farthest, comm);
+      if (farthest == 0)
+        return;
+      auto partners = find_partners(positions, normals, master, farthest, comm, &statistics);
+      for (std::size_t i = 0; i < partners.size(); ++i)
+        if (partners[i] && partners[i]->distance < closer * beside_faces[i]->partner.distance)
+          beside_faces[i]->partner = std::move(*partners[i]);
+    }
+
+    // One of 3^dim, by the signs of the components that are not small.
+    template <int dim>
+    unsigned int
+    direction(const Tensor<1, dim> &normal)
+    {
+      constexpr double small  = 0.38; // sin 22.5 degrees
+      unsigned int     number = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        number = 3 * number + (normal[d] > small ? 2 : normal[d] < -small ? 0 : 1);
+      return number;
+    }
+
+    // A point behind a face that faces it overlaps with the body if it is inside, and if that is
+    // the way out: an overlap is resolved along its least depth. Beyond a plate, points are behind
+    // the plate's other side; of two blocks that overlap a little, the left side of the one is
+    // behind the right side of the other, as far as these are broad. The way out is where points
+    // are about as far from the closest place of the surface as from their partner; near edges they
+    // are not, and follow those of the same direction.
+    template <int dim>
+    void
+    drop_false_overlaps(const std::vector<FacePatch<dim>> &slave,
+                        const MasterFaces<dim>            &master,
+                        const MPI_Comm                     comm,
+                        SearchStatistics                  &statistics,
+                        std::vector<PairedPoint<dim>>     &points)
+    {
+      constexpr double         shallow = 0.01; // in diameters of the slave face: taken for true
+      std::vector<std::size_t> numbers;
+      std::vector<Point<dim>>  positions;
+      std::vector<double>      ways;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const Partner<dim>   &partner = points[i].partner;
+          const FacePatch<dim> &face    = slave[points[i].face];
+          const Point<dim>      x       = face.position(points[i].xi);
+          const double          way     = (partner.position - x) * partner.normal;
+          if (way <= shallow * face.diameter())
+            continue;
+          numbers.push_back(i);
+          positions.push_back(x);
+          ways.push_back(way);
+        }
+      const double farthest =
+        Utilities::MPI::max(ways.empty() ? 0. : *std::max_element(ways.begin(), ways.end()), comm);
+      if (farthest == 0)
+        return;
+      const std::vector<double> depth = depths(positions, master, farthest, comm, &statistics);
+      std::vector<double>       way_out(Utilities::fixed_power<dim>(3u), 0.); // of each direction
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (double &way = way_out[direction(points[numbers[i]].partner.normal)];
+            depth[i] >= ways[i] / 2)
+          way = std::max(way, ways[i]);
+      Utilities::MPI::max(way_out, comm, way_out);
+
+      std::vector<bool> is_false(points.size(), false);
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        is_false[numbers[i]] =
+          depth[i] < 0 || ways[i] > 2 * way_out[direction(points[numbers[i]].partner.normal)];
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (!is_false[i])
+          {
+            if (kept < i)
+              points[kept] = std::move(points[i]);
+            ++kept;
+          }
+      points.resize(kept);
+    }
+
     // Points of one face one after the other, in the order that they were found in. Numbers are
     // sorted, since points are large.
     template <int dim>
@@ -327,10 +438,12 @@ namespace Signorini
         const SegmentRules<dim> rules = {segment_rule<dim>(n), segment_rule<dim>(more)};
         points = pair_by_segments(slave, master, rules, limit, comm, statistics);
         faces  = remove_overcovered(slave, points);
+        move_to_closest(slave, master, comm, statistics, points);
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
       for (auto &point : pair_by_projection(slave, faces, master, rule, limit, comm, statistics))
         points.push_back(std::move(point));
+    drop_false_overlaps(slave, master, comm, statistics, points);
     keep_near_faces(limit, points);
     return sorted_by_faces(std::move(points));
   }

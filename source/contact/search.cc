@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <type_traits>
 
@@ -119,6 +120,31 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::vector<double>
+  depths(const std::vector<Point<dim>> &points,
+         const MasterFaces<dim>        &master,
+         const double                   reach,
+         const MPI_Comm                 comm,
+         SearchStatistics              *statistics)
+  {
+    const MasterFaces<dim>            faces{master.patches, [](auto, const auto &, auto &) {}};
+    const std::vector<Tensor<1, dim>> any(points.size());
+    const auto          closest = find_partners(points, any, faces, reach, comm, statistics);
+    std::vector<double> result;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!closest[i])
+        result.push_back(std::numeric_limits<double>::infinity());
+      else
+        {
+          const bool is_outside = (points[i] - closest[i]->position) * closest[i]->normal > 0;
+          result.push_back((is_outside ? -1 : 1) * closest[i]->distance);
+        }
+    return result;
+  }
+
+
+
   template std::vector<std::optional<Partner<2>>>
   find_partners<2>(const std::vector<Point<2>> &,
                    const std::vector<Tensor<1, 2>> &,
@@ -133,4 +159,10 @@ namespace Signorini
                    double,
                    MPI_Comm,
                    SearchStatistics *);
+  template std::vector<double>
+  depths<2>(
+    const std::vector<Point<2>> &, const MasterFaces<2> &, double, MPI_Comm, SearchStatistics *);
+  template std::vector<double>
+  depths<3>(
+    const std::vector<Point<3>> &, const MasterFaces<3> &, double, MPI_Comm, SearchStatistics *);
 } // namespace Signorini

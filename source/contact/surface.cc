@@ -1,4 +1,5 @@
 #include <signorini/contact/boundary_faces.h>
+#include <signorini/contact/deep_overlap.h>
 #include <signorini/contact/lagrange.h>
 #include <signorini/contact/method.h>
 #include <signorini/contact/normal_stress.h>
@@ -7,6 +8,7 @@
 #include <signorini/contact/reach.h>
 #include <signorini/contact/surface.h>
 #include <signorini/parameters/section.h>
+#include <signorini/parameters/text.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -379,6 +381,19 @@ namespace Signorini
       paired.resize(n);
     }
 
+    /// That an initial overlap asks for.
+    template <int dim>
+    double
+    limit_for(const double overlap, const ContactPair<dim> &pair)
+    {
+      if (pair.search_distance > 0)
+        throw SceneError(
+          pair.slave_place + ": '" + pair.slave + "' lies up to " + short_text(overlap, 4) +
+          " deep in '" + pair.master + "' at the start, deeper than its Search distance of " +
+          short_text(pair.search_distance, 4) + "; enlarge that, or move the bodies apart");
+      return 1.1 * overlap;
+    }
+
     /// With the pair's slave and master as they are.
     template <int dim>
     ContactSurface<dim>
@@ -389,10 +404,13 @@ namespace Signorini
               const Integration      &integration,
               const double            reach)
     {
-      const MPI_Comm           comm  = elasticity.mesh().communicator();
-      const double             limit = search_limit(elasticity, pair, reach);
+      const MPI_Comm           comm = elasticity.mesh().communicator();
       const BoundaryFaces<dim> slave(elasticity, pair.slave);
-      ContactSurface<dim>      surface;
+      double                   limit = search_limit(elasticity, pair, reach);
+      if (const double overlap = overlap_beyond(limit, elasticity, pair, obstacle, slave);
+          overlap > 0)
+        limit = limit_for(overlap, pair);
+      ContactSurface<dim> surface;
       surface.faces     = slave.faces.size();
       surface.separates = pair.separates;
       surface.reach     = pair.search_distance > 0 ? limit : reach;

@@ -36,10 +36,11 @@ namespace Signorini
   void
   MeshSettings<dim>::declare(Section &section)
   {
-    section.add_choice("Distribution",
-                       distribution,
-                       {"auto", "p4est", "METIS"},
-                       "who distributes the cells; METIS has a fixed mesh; auto: p4est, but METIS for more than 30,000 coarse cells that are refined neither as a whole nor by cycles");
+    section.add_choice(
+      "Distribution",
+      distribution,
+      {"auto", "p4est", "METIS"},
+      "who distributes the cells; METIS has a fixed mesh; auto: p4est, but METIS for more than 30,000 coarse cells that are refined neither as a whole nor by cycles");
     section.add("Refinements", refinements, "how often all cells are halved at the start");
     section.add("Contact refinements",
                 contact_refinements,

@@ -1,6 +1,7 @@
 #include <signorini/output/recorder.h>
 #include <signorini/output/summary.h>
 #include <signorini/parameters/section.h>
+#include <signorini/verdict/checks.h>
 
 #include <sstream>
 #include <stdexcept>
@@ -149,6 +150,9 @@ namespace Signorini
     one.update(newton_results(report));
     one["multigrid_cycles"] = multigrid_cycles;
     one.update(results_at(scene, now, scene.output.probes));
+    largest_force = std::max(largest_force, one["largest_force"].get<double>());
+    verdict.add(check_solution(scene, now, one, largest_force), now.time);
+    results["verdict"] = verdict.json();
     results["load_steps"].push_back(one);
     writer.write(now, scene.known.pressure);
 
@@ -230,22 +234,28 @@ namespace Signorini
 
 
   template <int dim>
-  bool
+  ExitCode
   Recorder<dim>::finish(const NewtonReport &report, std::ostream &text)
   {
-    results["converged"] = report.converged;
-    results["reason"]    = report.reason;
+    const Outcome outcome = verdict.outcome();
+    const bool    is_answer =
+      outcome == Outcome::passed || (outcome == Outcome::warned && !scene.output.strict);
+    results["converged"] = report.converged && is_answer;
+    results["reason"] = report.converged && !is_answer ? verdict.summary(outcome) : report.reason;
     add_costs();
     write();
     if (!report.converged)
       {
         text << "\nNot solved: " << report.reason << "\n";
-        return true;
+        return not_converged;
       }
     print_summary(results, text);
+    verdict.print(text);
     const bool as_expected = compare(scene.expected, results, text);
     write();
-    return as_expected;
+    if (!is_answer)
+      text << "\nNo answer: " << results["reason"].get<std::string>() << "\n";
+    return !is_answer ? not_converged : as_expected ? solved : missed;
   }
 
 

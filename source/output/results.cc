@@ -263,6 +263,7 @@ namespace Signorini
     return {{"supports", supports},
             {"obstacles", obstacle_results(s)},
             {"total_load", list(reactions.back().force)},
+            {"largest_force", largest},
             {"force_balance", largest > 0 ? sum.force.norm() / largest : 0.},
             {"moment_balance", largest > 0 ? sum.moment.norm() / (largest * lever) : 0.}};
   }

@@ -15,6 +15,10 @@ namespace Signorini
                 linear_reference,
                 "yes or no: solve without contact too, and compare: R of the seconds, W of the "
                 "multigrid cycles");
+    section.add(
+      "Strict",
+      strict,
+      "yes or no: what the verdict on the answer warns of ends the run with exit code 3, as --strict does");
     section.add_named("Probes", probes, "Points whose displacement and stress are reported.");
   }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 
 namespace Signorini
 {
@@ -256,6 +258,16 @@ namespace Signorini
       *value = {key, text, place};
     else
       values.push_back({key, text, place});
+  }
+
+
+
+  std::string
+  short_text(const double value, const int digits)
+  {
+    std::ostringstream text;
+    text << std::setprecision(digits) << value;
+    return text.str();
   }
 
 

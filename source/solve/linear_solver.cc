@@ -1,4 +1,5 @@
 #include <signorini/parameters/section.h>
+#include <signorini/parameters/text.h>
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/preconditioners/schur_complement.h>
 
@@ -9,8 +10,6 @@
 
 #include <Amesos.h>
 
-#include <iomanip>
-#include <sstream>
 
 namespace Signorini
 {
@@ -60,14 +59,6 @@ namespace Signorini
 
   namespace
   {
-    std::string
-    short_text(const double value)
-    {
-      std::ostringstream text;
-      text << std::setprecision(2) << value;
-      return text.str();
-    }
-
     /// On one rank, KLU is quicker for what is small or as thin as a contact zone; for the whole
     /// system MUMPS is, five times and more in 3D.
     std::string

@@ -35,6 +35,15 @@ def cases():
     yield case("check", ["--check", plane[0]], 0, out="nothing was solved")
     yield case("not-converged", [str(TESTS / "failures" / "not-converged.prm"), *output], 3, out="Not solved: ")
     yield case("expectation-missed", [str(TESTS / "failures" / "missed-result.prm"), *output], 4, out="MISSED")
+    roller = [str(SCENES / "roller.prm"), "--set", "Mesh/Contact refinements=0", "--set", "Expected results/Names=", *output]
+    for ranks in (1, 2):
+        yield case("few-faces", roller, 0, ranks=ranks, out="faces across the contact zone, pair in                1         5  WARNED")
+        yield case("strict", ["--strict", *roller], 3, ranks=ranks, out="No answer: faces across the contact zone, pair in")
+    yield case("strict-passed", ["--strict", *plane], 0, out="results in")
+    apart = [plane[0], "--set", "Supports/press/Displacement=0; 0.001*t", *output]
+    yield case("never-acts", apart, 0, out="its surfaces never touch")
+    far = [plane[0], "--set", "Supports/press/Displacement=0; 10*t", *output]
+    yield case("far-away", far, 3, out="No answer: motion / size of the scene: 'block' moves farther than the scene is large")
     for ranks in (1, 2, 4):
         yield case("solved", plane, 0, ranks=ranks, out="results in")
         yield case("misspelt-key", [str(TESTS / "failures" / "misspelt-key.prm")], 2, ranks=ranks, err="did you mean")

@@ -19,6 +19,7 @@ namespace Signorini
     bool            separates   = true;  ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
+    bool            found = false; ///< by the program: the scene does not say that it will act
 
     void
     declare(Section &section);

@@ -36,6 +36,7 @@ namespace Signorini
     dealii::Point<dim - 1> xi;     ///< its parameter there
     double                 weight; ///< area of the slave that it stands for
     Partner<dim>           partner;
+    bool is_beside = false; ///< of the partner: not above it, but above another face
 
     template <class Archive>
     void
@@ -44,6 +45,7 @@ namespace Signorini
       serialize_bytes(ar, face);
       serialize_bytes(ar, xi);
       serialize_bytes(ar, weight);
+      serialize_bytes(ar, is_beside);
       ar &partner;
     }
   };
@@ -51,6 +53,8 @@ namespace Signorini
   /// The points of quadrature on slave faces that have a partner. `nodes`: Gauss-Lobatto points,
   /// which are the nodes of the finite element; `quadrature`: Gauss points; `segments`: Gauss
   /// points on each segment (see segment_points()), with the partner on the segment's master face.
+  /// Where surfaces are curved and far from each other, the closest place may be on the next face:
+  /// it is the partner then, for the rim of the first one would be that of many points.
   ///
   /// A slave face that more than one layer of master faces lies opposite to, within the limit, is
   /// covered more than once by segments; it is paired by Gauss points, which take the nearest

@@ -99,6 +99,8 @@ namespace Signorini
   /// Ties (a point that projects on the common edge of two faces) are broken by the face whose
   /// center is lexicographically smaller, so that the result does not depend on the partition; but
   /// a face that the point lies above goes before one whose rim it overhangs.
+  ///
+  /// Points with a normal of zero take faces of any orientation.
   template <int dim>
   std::vector<std::optional<Partner<dim>>>
   find_partners(const std::vector<dealii::Point<dim>>     &points,
@@ -107,4 +109,16 @@ namespace Signorini
                 double                                     reach,
                 MPI_Comm                                   comm,
                 SearchStatistics                          *statistics = nullptr);
+
+  /// Of each point of this rank, how deep it lies inside of the master's body, as far as the
+  /// closest place of the surface tells, of whatever orientation; negative outside, infinity if
+  /// nothing is within reach. A point behind a face that faces it may also be beyond the whole
+  /// body: above a plate, whose lower side looks down as the point does not. Collective.
+  template <int dim>
+  std::vector<double>
+  depths(const std::vector<dealii::Point<dim>> &points,
+         const MasterFaces<dim>                &master,
+         double                                 reach,
+         MPI_Comm                               comm,
+         SearchStatistics                      *statistics = nullptr);
 } // namespace Signorini

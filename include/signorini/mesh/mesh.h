@@ -39,9 +39,9 @@ namespace Signorini
     void
     declare(Section &section);
 
-    /// By p4est, which puts coarse cells into an order in seconds that grow with the square of their
-    /// number (300,000 cells: 70 s); or else by METIS, for which each rank has all cells in the
-    /// beginning.
+    /// By p4est, which puts coarse cells into an order in seconds that grow with the square of
+    /// their number (300,000 cells: 70 s); or else by METIS, for which each rank has all cells in
+    /// the beginning.
     bool
     by_p4est(std::size_t n_coarse_cells) const;
   };

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <signorini/contact_setup.h>
+#include <signorini/exit_code.h>
 #include <signorini/output/directory.h>
 #include <signorini/output/results.h>
 #include <signorini/output/writer.h>
 #include <signorini/solve/linear_reference.h>
 #include <signorini/solve/newton.h>
+#include <signorini/verdict/verdict.h>
 
 #include <deal.II/base/timer.h>
 
@@ -62,8 +64,8 @@ namespace Signorini
     add_sizes(const Elasticity<dim> &elasticity, const ContactSetup<dim> &contact);
 
     /// The end. A run that has converged is compared with what the scene expects. @param text gets
-    /// the summary for a person. Returns whether all that is expected holds. Collective.
-    bool
+    /// the summary for a person. Collective.
+    ExitCode
     finish(const NewtonReport &report, std::ostream &text);
 
     /// The end of a run that ends with an error. Not collective.
@@ -93,6 +95,8 @@ namespace Signorini
     OutputDirectory            folder;
     Writer<dim>                writer;
     Json                       results;
-    double written_at = 0, writing_takes = 0; ///< seconds: the file grows from step to step
+    Verdict                    verdict;
+    double                     largest_force = 0; ///< of all load steps so far
+    double written_at = 0, writing_takes = 0;     ///< seconds: the file grows from step to step
   };
 } // namespace Signorini

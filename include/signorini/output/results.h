@@ -18,8 +18,8 @@ namespace Signorini
   Json
   pair_results(const Snapshot<dim> &snapshot);
 
-  /// Per support the force that it exerts, the total load, and the balance: the sum of all forces
-  /// on the bodies divided by the largest of them.
+  /// Per support the force that it exerts, the total load, the largest of all forces on the
+  /// bodies (of pairs: the sum of their sizes), and the balance: their sum divided by that.
   template <int dim>
   Json
   force_results(const Snapshot<dim> &snapshot, const std::vector<bool> &master_is_rigid);

@@ -28,6 +28,7 @@ namespace Signorini
     std::string             directory; ///< empty: output/ and the name of the scene
     bool                    vtu              = true;
     bool                    linear_reference = false;
+    bool                    strict           = false; ///< warnings of the verdict are failures
     std::vector<Probe<dim>> probes;
 
     void

@@ -11,6 +11,10 @@ namespace Signorini
   std::string
   shortened(const std::string &text);
 
+  /// For messages: a number with a few digits.
+  std::string
+  short_text(double value, int digits = 2);
+
   /// Three bytes at the start by which some editors say that a file is UTF-8.
   void
   skip_byte_order_mark(std::istream &in);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <signorini/output/snapshot.h>
+#include <signorini/scene/scene.h>
+#include <signorini/verdict/verdict.h>
+
+namespace Signorini
+{
+  /// All questions about the solution of one load step. Collective; the same on all ranks.
+  /// @param results what results.json says of the step
+  /// @param largest_force of all load steps so far
+  template <int dim>
+  std::vector<Finding>
+  check_solution(const Scene<dim>             &scene,
+                 const Snapshot<dim>          &now,
+                 const nlohmann::ordered_json &results,
+                 double                        largest_force);
+
+  /// Of one body.
+  struct Extremes
+  {
+    double motion   = 0; ///< largest displacement, in the middle of cells
+    double gradient = 0; ///< largest norm of its gradient there
+  };
+
+  /// Body by body.
+  template <int dim>
+  std::vector<Extremes>
+  extremes_of_bodies(const Snapshot<dim> &now);
+
+  // One after the other:
+
+  /// Motions larger than the scene, and gradients of the displacement of which the theory neglects
+  /// the squares: strains or rotations beyond small.
+  template <int dim>
+  std::vector<Finding>
+  check_motions(const Snapshot<dim> &now, const std::vector<Extremes> &extremes);
+
+  /// Named pairs that never act, and contact zones of a few faces.
+  template <int dim>
+  std::vector<Finding>
+  check_pairs(const Scene<dim> &scene, const Snapshot<dim> &now);
+
+  /// Forces and moments in balance.
+  /// @param scale a force beside which they are to be small
+  std::vector<Finding>
+  check_balance(const nlohmann::ordered_json &results, double scale);
+} // namespace Signorini

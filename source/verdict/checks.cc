@@ -1,0 +1,83 @@
+#include <signorini/elasticity/model.h>
+#include <signorini/verdict/checks.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  std::vector<Finding>
+  check_balance(const nlohmann::ordered_json &results, const double scale)
+  {
+    // Newton's method ends at 1e-10 and less; the linear solvers of stiff bodies beside soft ones,
+    // and geometry that is not free of rotations, leave more.
+    struct Bounds
+    {
+      const char *check, *key;
+      double      warned, failed;
+    };
+    const double         largest = results["largest_force"];
+    std::vector<Finding> findings;
+    for (const auto &[check, key, warned, failed] :
+         {Bounds{"balance of forces", "force_balance", 1e-5, 0.1},
+          Bounds{"balance of moments", "moment_balance", 1e-3, 0.1}})
+      {
+        Finding finding;
+        finding.check   = check;
+        finding.value   = scale > 0 ? results[key].get<double>() * largest / scale : 0.;
+        finding.limit   = warned;
+        finding.outcome = finding.value <= warned ? Outcome::passed :
+                          finding.value <= failed ? Outcome::warned :
+                                                    Outcome::failed;
+        finding.what =
+          "what acts on the bodies is not in balance, by that share of the largest force";
+        finding.cure =
+          "take a smaller Newton/Tolerance or Solver/Preconditioner = direct; of moments: a finer mesh";
+        findings.push_back(finding);
+      }
+    return findings;
+  }
+
+
+
+  namespace
+  {
+    /// Of the stress that the largest strains would be over the whole scene.
+    template <int dim>
+    double
+    elastic_force(const Snapshot<dim> &s, const std::vector<Extremes> &extremes)
+    {
+      double stress = 0;
+      for (unsigned int body = 0; body < extremes.size(); ++body)
+        stress =
+          std::max(stress, s.elasticity.material(body).youngs_modulus * extremes[body].gradient);
+      const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      return stress * std::pow(s.elasticity.mesh().size(), is_plane ? 1 : 2);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Finding>
+  check_solution(const Scene<dim>             &scene,
+                 const Snapshot<dim>          &now,
+                 const nlohmann::ordered_json &results,
+                 const double                  largest_force)
+  {
+    constexpr double     rounding = 1e-6; // of elastic forces that are in balance inside of bodies
+    const auto           extremes = extremes_of_bodies(now);
+    const double         scale = std::max(largest_force, rounding * elastic_force(now, extremes));
+    std::vector<Finding> all   = check_motions(now, extremes);
+    for (const auto &some : {check_pairs(scene, now), check_balance(results, scale)})
+      all.insert(all.end(), some.begin(), some.end());
+    return all;
+  }
+
+
+
+  template std::vector<Finding>
+  check_solution(const Scene<2> &, const Snapshot<2> &, const nlohmann::ordered_json &, double);
+  template std::vector<Finding>
+  check_solution(const Scene<3> &, const Snapshot<3> &, const nlohmann::ordered_json &, double);
+} // namespace Signorini

@@ -1,0 +1,113 @@
+#include <signorini/elasticity/model.h>
+#include <signorini/verdict/checks.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  // Singularities at edges are not met in the middle of cells.
+  template <int dim>
+  std::vector<Extremes>
+  extremes_of_bodies(const Snapshot<dim> &s)
+  {
+    const Elasticity<dim>           &elasticity = s.elasticity;
+    const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
+    hp::FEValues<dim>                values_of(elasticity.mesh().mappings(),
+                                elasticity.finite_elements(),
+                                hp::QCollection<dim>(QMidpoint<dim>()),
+                                update_values | update_gradients | update_quadrature_points);
+    const FEValuesExtractors::Vector displacement(0);
+    std::vector<Tensor<1, dim>>      u(1);
+    std::vector<Tensor<2, dim>>      gradient(1);
+    std::vector<Extremes>            largest(elasticity.mesh().n_bodies());
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          values_of.reinit(cell);
+          const FEValues<dim> &values = values_of.get_present_fe_values();
+          values[displacement].get_function_values(ghosted, u);
+          values[displacement].get_function_gradients(ghosted, gradient);
+          double square = gradient[0].norm_square();
+          if (elasticity.model() == Model::axisymmetric)
+            square += std::pow(u[0][0] / values.quadrature_point(0)[0], 2);
+          Extremes &of_body = largest[cell->material_id()];
+          of_body.motion    = std::max(of_body.motion, u[0].norm());
+          of_body.gradient  = std::max(of_body.gradient, std::sqrt(square));
+        }
+    const MPI_Comm comm = elasticity.mesh().communicator();
+    for (Extremes &of_body : largest)
+      {
+        of_body.motion   = Utilities::MPI::max(of_body.motion, comm);
+        of_body.gradient = Utilities::MPI::max(of_body.gradient, comm);
+      }
+    return largest;
+  }
+
+
+
+  namespace
+  {
+    /// The worst of all bodies, by name.
+    template <int dim>
+    Finding
+    worst(const Snapshot<dim>         &s,
+          const std::vector<Extremes> &largest,
+          double Extremes::*member,
+          const double      scale)
+    {
+      Finding finding;
+      for (unsigned int body = 0; body < largest.size(); ++body)
+        if (const double value = largest[body].*member / scale; value > finding.value || body == 0)
+          {
+            finding.value = value;
+            finding.where = "";
+            finding.what  = s.elasticity.mesh().body_name(body);
+          }
+      return finding;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Finding>
+  check_motions(const Snapshot<dim> &now, const std::vector<Extremes> &largest)
+  {
+    constexpr double small = 0.1; // the squares that are neglected are half of that, relative
+
+    Finding motion = worst(now, largest, &Extremes::motion, now.elasticity.mesh().size());
+    motion.check   = "motion / size of the scene";
+    motion.limit   = 1;
+    motion.outcome = motion.value > motion.limit ? Outcome::failed : Outcome::passed;
+    motion.what    = "'" + motion.what + "' moves farther than the scene is large";
+    motion.cure =
+      "look at its supports, at what holds it by contact, and at the pairs' initial gaps";
+
+    Finding strain = worst(now, largest, &Extremes::gradient, 1);
+    strain.check   = "displacement gradient";
+    strain.limit   = small;
+    strain.outcome = strain.value > strain.limit ? Outcome::warned : Outcome::passed;
+    strain.what =
+      "strains or rotations of '" + strain.what +
+      "' are not small: the theory neglects terms half as large, relative to its strains";
+    strain.cure = "take forces and pressures for estimates with that error, or smaller loads";
+    return {motion, strain};
+  }
+
+
+
+  template std::vector<Finding>
+  check_motions(const Snapshot<2> &, const std::vector<Extremes> &);
+  template std::vector<Extremes>
+  extremes_of_bodies(const Snapshot<2> &);
+  template std::vector<Finding>
+  check_motions(const Snapshot<3> &, const std::vector<Extremes> &);
+  template std::vector<Extremes>
+  extremes_of_bodies(const Snapshot<3> &);
+} // namespace Signorini

@@ -1,0 +1,130 @@
+#include <signorini/verdict/verdict.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+
+namespace Signorini
+{
+  namespace
+  {
+    const char *
+    name(const Outcome outcome)
+    {
+      return outcome == Outcome::passed ? "passed" :
+             outcome == Outcome::warned ? "warned" :
+                                          "failed";
+    }
+
+    bool
+    is_worse(const Finding &a, const Finding &b)
+    {
+      return a.outcome != b.outcome ? a.outcome > b.outcome : a.value > b.value;
+    }
+
+    bool
+    replaces(const Finding &now, const Finding &before)
+    {
+      switch (now.over)
+        {
+          case Finding::Over::last:
+            return true;
+          case Finding::Over::best:
+            return is_worse(before, now);
+          default:
+            return is_worse(now, before);
+        }
+    }
+
+    std::string
+    title(const Finding &finding)
+    {
+      return finding.check + (finding.where.empty() ? "" : ", ") + finding.where;
+    }
+  } // namespace
+
+
+
+  void
+  Verdict::add(const std::vector<Finding> &of_step, const double time)
+  {
+    for (const Finding &now : of_step)
+      {
+        const auto same = std::find_if(entries.begin(), entries.end(), [&](const Entry &entry) {
+          return entry.finding.check == now.check && entry.finding.where == now.where;
+        });
+        if (same == entries.end())
+          entries.push_back({now, time});
+        else if (replaces(now, same->finding))
+          *same = {now, time};
+      }
+  }
+
+
+
+  Outcome
+  Verdict::outcome() const
+  {
+    Outcome worst = Outcome::passed;
+    for (const Entry &entry : entries)
+      worst = std::max(worst, entry.finding.outcome);
+    return worst;
+  }
+
+
+
+  nlohmann::ordered_json
+  Verdict::json() const
+  {
+    nlohmann::ordered_json checks = nlohmann::ordered_json::array();
+    for (const auto &[finding, time] : entries)
+      {
+        const bool passed = finding.outcome == Outcome::passed;
+        checks.push_back({{"check", finding.check},
+                          {"where", finding.where},
+                          {"value", finding.value},
+                          {"limit", finding.limit},
+                          {"outcome", name(finding.outcome)},
+                          {"time", time},
+                          {"what", passed ? "" : finding.what},
+                          {"cure", passed ? "" : finding.cure}});
+      }
+    return {{"outcome", name(outcome())}, {"checks", checks}};
+  }
+
+
+
+  void
+  Verdict::print(std::ostream &out) const
+  {
+    if (entries.empty())
+      return;
+    out << "\n  Verdict                                           value     limit\n";
+    for (const auto &[finding, time] : entries)
+      {
+        const bool passed = finding.outcome == Outcome::passed;
+        out << "  " << std::left << std::setw(44) << title(finding) << std::right
+            << std::defaultfloat << std::setprecision(3) << std::setw(11) << finding.value
+            << std::setw(10) << finding.limit << "  "
+            << (passed                             ? "passed" :
+                finding.outcome == Outcome::warned ? "WARNED" :
+                                                     "FAILED")
+            << "\n";
+        if (!passed)
+          out << "    " << finding.what << " (t = " << time << ")\n    " << finding.cure << "\n";
+      }
+  }
+
+
+
+  std::string
+  Verdict::summary(const Outcome outcome) const
+  {
+    std::string text;
+    for (const auto &[finding, time] : entries)
+      if (finding.outcome == outcome)
+        text +=
+          (text.empty() ? "" : "; ") + title(finding) + ": " + finding.what + "; " + finding.cure;
+    return text;
+  }
+} // namespace Signorini
