@@ -1,5 +1,6 @@
 #include <signorini/compatibility.h>
 #include <signorini/mesh/extent.h>
+#include <signorini/mesh/memory.h>
 #include <signorini/mesh/mesh.h>
 #include <signorini/mesh/pieces.h>
 #include <signorini/mesh/transformed_manifold.h>
@@ -12,6 +13,7 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace Signorini
@@ -107,15 +109,47 @@ namespace Signorini
       to.insert(to.end(), from.begin(), from.end());
     }
 
+    /// @param n_refined cells of this rank that are to be halved, at least, in what is still to
+    /// come
+    template <int dim>
+    void
+    check_memory(const Triangulation<dim> &triangulation, const double n_refined)
+    {
+      const MPI_Comm     comm     = triangulation.get_communicator();
+      const unsigned int children = GeometryInfo<dim>::max_children_per_cell;
+      const double       n_cells  = triangulation.n_global_active_cells() +
+                             Utilities::MPI::sum(n_refined, comm) * (children - 1);
+      const double most = largest_number_of_cells() * Utilities::MPI::n_mpi_processes(comm);
+      if (n_cells <= most)
+        return;
+      std::ostringstream text;
+      text << "Mesh: refinement at the start would make " << n_cells << " cells, more than the "
+           << most
+           << " that memory could hold; take smaller Mesh/Refinements, Contact refinements, "
+           << "Zones/.../Times or Bodies/.../Refinements, or coarser bodies";
+      throw SceneError(text.str());
+    }
+
+    /// @param growth of the number of cells that are wanted, at least, from one time to the next
     template <int dim, typename Wanted>
     void
-    refine_where(Triangulation<dim> &triangulation, const unsigned int times, const Wanted &wanted)
+    refine_where(Triangulation<dim> &triangulation,
+                 const unsigned int  times,
+                 const double        growth,
+                 const Wanted       &wanted)
     {
       for (unsigned int i = 0; i < times; ++i)
         {
+          std::size_t n_refined = 0;
           for (const auto &cell : triangulation.active_cell_iterators())
             if (!cell->is_artificial() && wanted(cell))
-              cell->set_refine_flag();
+              {
+                cell->set_refine_flag();
+                n_refined += cell->is_locally_owned();
+              }
+          if (Utilities::MPI::sum(n_refined, triangulation.get_communicator()) == 0)
+            return;
+          check_memory(triangulation, n_refined * std::pow(growth, times - i - 1));
           triangulation.execute_coarsening_and_refinement();
         }
     }
@@ -273,9 +307,10 @@ namespace Signorini
     const MeshSettings<dim>                                  &settings,
     const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const
   {
-    triangulation.refine_global(settings.refinements);
+    constexpr double children = GeometryInfo<dim>::max_children_per_cell;
+    refine_where(triangulation, settings.refinements, children, [](const auto &) { return true; });
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      refine_where(triangulation, bodies[b].second.refinements, [b](const auto &cell) {
+      refine_where(triangulation, bodies[b].second.refinements, children, [b](const auto &cell) {
         return cell->material_id() == b;
       });
 
@@ -284,7 +319,7 @@ namespace Signorini
       for (const std::string &surface : {slave, master})
         if (!surface.empty())
           surfaces.insert(boundary_ids(surface).begin(), boundary_ids(surface).end());
-    refine_where(triangulation, settings.contact_refinements, [&](const auto &cell) {
+    refine_where(triangulation, settings.contact_refinements, children / 2, [&](const auto &cell) {
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() && surfaces.count(cell->face(f)->boundary_id()) > 0)
           return true;
@@ -292,7 +327,7 @@ namespace Signorini
     });
 
     for (const RefinementZone<dim> &zone : settings.zones)
-      refine_where(triangulation, zone.times, [&](const auto &cell) {
+      refine_where(triangulation, zone.times, 1, [&](const auto &cell) {
         return touches<dim>(zone, cell) &&
                (zone.bodies.empty() ||
                 std::count(zone.bodies.begin(), zone.bodies.end(), names[cell->material_id()]));

@@ -98,7 +98,7 @@ namespace Signorini
                 end_time,
                 "t runs from 0 to this; supports, loads and obstacles depend on it",
                 positive);
-    section.add("Number", number, "of equal steps", positive);
+    section.add("Number", number, "of equal steps", Range{1, 1e6});
     section.add("Times", times, "ends of the steps, instead of End time and Number; increasing");
     section.add("Cut-backs",
                 cut_backs,

@@ -1,4 +1,5 @@
 #include <signorini/mesh/generators/box.h>
+#include <signorini/mesh/memory.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -109,6 +110,7 @@ namespace Signorini
     check_size(section);
     if (subdivisions.size() != dim)
       section.fail("Subdivisions", "must have " + std::to_string(dim) + " numbers");
+    check_number_of_cells(section, "Subdivisions", subdivisions);
     if (grading.size() != dim)
       section.fail("Grading", "must have " + std::to_string(dim) + " numbers");
   }

@@ -1,5 +1,6 @@
 #include <signorini/mesh/generators/circle_part.h>
 #include <signorini/mesh/generators/ring.h>
+#include <signorini/mesh/memory.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/manifold_lib.h>
@@ -99,6 +100,7 @@ namespace Signorini
       return;
     if (inner_radius >= outer_radius)
       section.fail("Inner radius", "must be smaller than the outer one");
+    check_number_of_cells(section, "Cells around", {cells_around, cells_through});
     if (cells_around < circle_part(part).quarters)
       section.fail("Cells around", "there must be at least one cell in 90 degrees");
   }

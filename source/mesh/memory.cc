@@ -1,0 +1,33 @@
+#include <signorini/mesh/memory.h>
+
+#include <unistd.h>
+
+#include <sstream>
+
+namespace Signorini
+{
+  double
+  largest_number_of_cells()
+  {
+    constexpr double bytes = 400; // of a cell, by deal.II's triangulations alone
+    return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) / bytes;
+  }
+
+
+
+  void
+  check_number_of_cells(const Section                   &section,
+                        const std::string               &key,
+                        const std::vector<unsigned int> &numbers)
+  {
+    double product = 1;
+    for (const unsigned int n : numbers)
+      product *= n;
+    if (product <= largest_number_of_cells())
+      return;
+    std::ostringstream text;
+    text << "asks for " << product << " cells, more than the " << largest_number_of_cells()
+         << " that the memory of this machine could hold; take fewer";
+    section.fail(key, text.str());
+  }
+} // namespace Signorini
