@@ -4,6 +4,7 @@
 #include <signorini/contact/reach.h>
 #include <signorini/contact_setup.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 #include <signorini/scene/expected_motion.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  ContactSetup<dim>::ContactSetup(const Scene<dim>      &scene,
+  ContactSetup<dim>::ContactSetup(Scene<dim>            &scene,
                                   const Elasticity<dim> &elasticity,
                                   TimerOutput           &timer,
                                   ConditionalOStream    &out)
@@ -31,6 +32,49 @@ namespace Signorini
 
 
   template <int dim>
+  ContactSurface<dim>
+  ContactSetup<dim>::surface_of(const ContactPair<dim> &pair, const unsigned int i) const
+  {
+    return make_contact_surface(elasticity,
+                                pair,
+                                scene.obstacle_of(pair),
+                                scene.contact.chosen(),
+                                scene.integration_of(pair),
+                                reach[i]);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::exchange_sides(const unsigned int i)
+  {
+    ContactPair<dim> &pair  = scene.pairs[i];
+    const Sides       sides = my_surfaces[i].sides;
+    if (pair.sides == "as named" || scene.contact.chosen().unbiased() ||
+        !sides.better_exchanged() || kept.count(pair.name) > 0)
+      return;
+    ContactPair<dim> other = pair;
+    other.exchange();
+    try
+      {
+        scene.contact.chosen().check(scene.integration_of(other), scene.degree_of(other.slave));
+        my_surfaces[i] = surface_of(other, i);
+      }
+    catch (const SceneError &)
+      {
+        kept.insert(pair.name); // the other side cannot carry a pressure
+        return;
+      }
+    out << "  pair " << pair.name << ": slave and master are exchanged, since '" << pair.slave
+        << "' is " << short_text(sides.modulus, 2) << " times as stiff, with faces "
+        << short_text(sides.size, 2) << " times as large" << std::endl;
+    pair = other;
+  }
+
+
+
+  template <int dim>
   void
   ContactSetup<dim>::build()
   {
@@ -39,12 +83,10 @@ namespace Signorini
       TimerOutput::Scope scope(timer, "search");
       my_surfaces.clear();
       for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-        my_surfaces.push_back(make_contact_surface(elasticity,
-                                                   scene.pairs[i],
-                                                   scene.obstacle_of(scene.pairs[i]),
-                                                   method,
-                                                   scene.integration_of(scene.pairs[i]),
-                                                   reach[i]));
+        {
+          my_surfaces.push_back(surface_of(scene.pairs[i], i));
+          exchange_sides(i);
+        }
     }
     TimerOutput::Scope scope(timer, "contact");
     contact           = make_gap_operator(elasticity, my_surfaces, method);

@@ -302,6 +302,7 @@ namespace Signorini
                                           elasticity->constraints(),
                                           contact->gap_operator(),
                                           elasticity->rigid_body_modes(),
+                                          elasticity->bodies_of_dofs(),
                                           dim,
                                           timer,
                                           std::move(free_motions));

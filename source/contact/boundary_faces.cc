@@ -15,7 +15,7 @@ namespace Signorini
           if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
             {
               faces.emplace_back(cell, f);
-              patches.emplace_back(mesh.mapping(), mesh.geometry_degree(), cell, f);
+              patches.emplace_back(mesh.surface_mapping(), mesh.surface_degree(), cell, f);
             }
   }
 
@@ -33,9 +33,18 @@ namespace Signorini
 
   template <int dim>
   double
+  BoundaryFaces<dim>::modulus(const Elasticity<dim> &elasticity, const unsigned int i) const
+  {
+    return elasticity.material(faces[i].first->material_id()).youngs_modulus;
+  }
+
+
+
+  template <int dim>
+  double
   BoundaryFaces<dim>::stiffness(const Elasticity<dim> &elasticity, const unsigned int i) const
   {
-    return elasticity.material(faces[i].first->material_id()).youngs_modulus / depth(i);
+    return modulus(elasticity, i) / depth(i);
   }
 
 

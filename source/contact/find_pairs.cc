@@ -56,7 +56,7 @@ namespace Signorini
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary())
               {
-                const FacePatch<dim> patch(mesh.mapping(), mesh.geometry_degree(), cell, f);
+                const FacePatch<dim> patch(mesh.surface_mapping(), mesh.surface_degree(), cell, f);
                 Point<dim - 1>       middle;
                 for (unsigned int d = 0; d < dim - 1; ++d)
                   middle[d] = 0.5;

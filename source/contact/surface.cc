@@ -68,11 +68,17 @@ namespace Signorini
     {
       MasterFaces<dim> master;
       master.patches = boundary.patches;
-      std::vector<double> stiffnesses;
+      std::vector<double> stiffnesses, moduli, sizes;
       for (unsigned int i = 0; i < boundary.faces.size(); ++i)
-        stiffnesses.push_back(boundary.stiffness(elasticity, i));
+        {
+          stiffnesses.push_back(boundary.stiffness(elasticity, i));
+          moduli.push_back(boundary.modulus(elasticity, i));
+          sizes.push_back(boundary.patches[i].diameter());
+        }
       master.complete = [faces = boundary.faces,
                          stiffnesses,
+                         moduli,
+                         sizes,
                          with_stress,
                          trace  = Trace<dim>(elasticity),
                          stress = std::make_shared<NormalStress<dim>>(elasticity),
@@ -85,6 +91,8 @@ namespace Signorini
         trace.reinit(cell, face);
         partner.row       = trace.normal_displacement(place, n);
         partner.stiffness = stiffnesses[i];
+        partner.modulus   = moduli[i];
+        partner.size      = sizes[i];
         if (!with_stress)
           return;
         stress->reinit(cell);
@@ -325,6 +333,28 @@ namespace Signorini
     }
 
     template <int dim>
+    Sides
+    compare_sides(const Elasticity<dim>               &elasticity,
+                  const BoundaryFaces<dim>            &slave,
+                  const std::vector<PairedPoint<dim>> &paired,
+                  const MPI_Comm                       comm)
+    {
+      std::vector<double> sums(3, 0.); // area, logarithms of the ratios
+      for (const PairedPoint<dim> &point : paired)
+        {
+          sums[0] += point.weight;
+          sums[1] +=
+            point.weight * std::log(slave.modulus(elasticity, point.face) / point.partner.modulus);
+          sums[2] +=
+            point.weight * std::log(slave.patches[point.face].diameter() / point.partner.size);
+        }
+      Utilities::MPI::sum(sums, comm, sums);
+      if (sums[0] == 0)
+        return {};
+      return {std::exp(sums[1] / sums[0]), std::exp(sums[2] / sums[0])};
+    }
+
+    template <int dim>
     double
     deepest_overlap(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm)
     {
@@ -439,8 +469,10 @@ namespace Signorini
         keep_touching(pair, slave, paired, surface.points);
       else if (surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
-      surface.largest_angle   = largest_angle(slave, paired, comm);
-      surface.sees_nothing    = n_paired == 0;
+      surface.largest_angle = largest_angle(slave, paired, comm);
+      surface.sees_nothing  = n_paired == 0;
+      if (!obstacle)
+        surface.sides = compare_sides(elasticity, slave, paired, comm);
       surface.is_apart        = Utilities::MPI::sum(surface.points.size(), comm) == 0;
       const auto n_prescribed = set_pressure_functions(
         elasticity, method, integration.basis, slave, paired, surface.points);

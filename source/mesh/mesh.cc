@@ -1,4 +1,5 @@
 #include <signorini/compatibility.h>
+#include <signorini/mesh/cell_mapping.h>
 #include <signorini/mesh/extent.h>
 #include <signorini/mesh/memory.h>
 #include <signorini/mesh/mesh.h>
@@ -52,10 +53,11 @@ namespace Signorini
       slave_face_weight,
       "work of contact on a slave face, in units of the work on a cell: ranks get equal sums",
       Range{0, 1000});
-    section.add("Geometry degree",
-                geometry_degree,
-                "polynomial degree of the cells' shape; 0: 1 if all is straight, else 2",
-                Range{0, 4});
+    section.add(
+      "Geometry degree",
+      geometry_degree,
+      "polynomial degree of the cells' shape, and of curved surfaces where gaps are measured; 0: of cells that of the displacement, of surfaces 4",
+      Range{0, 4});
     section.add_named("Zones", zones, "Parts of space that are refined, after that.");
   }
 
@@ -197,8 +199,12 @@ namespace Signorini
   {
     const CoarseMesh<dim> coarse = merge(bodies);
     if (settings.geometry_degree > 0)
-      degree = settings.geometry_degree;
-    my_mappings.push_back(MappingQ<dim>(degree));
+      {
+        degree = degree_of_surfaces = settings.geometry_degree;
+        degree_of_body.assign(bodies.size(), degree);
+      }
+    my_mappings.push_back(CellMapping<dim>(degree, degree_of_body));
+    my_surface_mappings.push_back(MappingQ<dim>(degree_of_surfaces));
     find_pieces(coarse);
     check_slaves_and_masters(contact_surfaces);
     BoundaryIds slaves;
@@ -249,8 +255,10 @@ namespace Signorini
         bool            is_curved = body.generator->curved();
         if (!body.transformation.empty())
           is_curved = transform(one, is_curved, body.transformation);
+        degree_of_body.push_back(is_curved ? body.degree : 1);
+        degree = std::max(degree, degree_of_body.back());
         if (is_curved)
-          degree = 2;
+          degree_of_surfaces = 4;
 
         my_temperature.append(one.cells, body.generator->temperature());
         const types::manifold_id first_manifold =

@@ -54,7 +54,7 @@ namespace Signorini
             for (const unsigned int f : cell->face_indices())
               if (cell->face(f)->at_boundary())
                 for (const unsigned int i : names_of[cell->face(f)->boundary_id()])
-                  add(i, FacePatch<dim>(mesh.mapping(), mesh.geometry_degree(), cell, f));
+                  add(i, FacePatch<dim>(mesh.surface_mapping(), mesh.surface_degree(), cell, f));
         for (auto *numbers : {&faces, &size, &moment})
           Utilities::MPI::sum(*numbers, mesh.communicator(), *numbers);
         Utilities::MPI::min(low, mesh.communicator(), low);

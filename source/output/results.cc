@@ -79,12 +79,14 @@ namespace Signorini
         if (*which++ == pair)
           {
             const double p = s.pressure(i), g = s.gap(i), force = p * s.contact.weight(i);
+            // On what the scene calls the slave.
+            const double on_slave = s.pairs[pair].exchanged ? -force : force;
             // Radial forces are in balance around the axis, and so are moments.
             const bool on_circles = s.elasticity.model() == Model::axisymmetric;
             for (unsigned int d = on_circles; d < sums.force.size(); ++d)
-              sums.force[d] += force * s.contact.normal[d](i);
+              sums.force[d] += on_slave * s.contact.normal[d](i);
             for (unsigned int d = on_circles; d < sums.moment.size(); ++d)
-              sums.moment[d] += force * s.contact.moment[d](i);
+              sums.moment[d] += on_slave * s.contact.moment[d](i);
             sums.normal_force += force;
             sums.sum_of_sizes += std::abs(force);
             sums.points += 1;
@@ -145,6 +147,7 @@ namespace Signorini
       {
         const PairSums sums               = sums_of(snapshot, pair);
         result[snapshot.pairs[pair].name] = {
+          {"slave", snapshot.pairs[pair].named_slave()},
           {"force", list(sums.force)},
           {"moment", list(sums.moment)},
           {"normal_force", sums.normal_force},
@@ -206,17 +209,18 @@ namespace Signorini
 
   namespace
   {
-    /// Of the forces of bodies that are moved without strain.
+    /// The forces that Newton's method may leave of bodies that are moved without strain.
     template <int dim>
     double
-    rounding_of_forces(const Snapshot<dim> &s)
+    rounding_of_forces(const Snapshot<dim> &s, const double tolerance)
     {
       const Mesh<dim> &mesh     = s.elasticity.mesh();
       double           stiffest = 0;
       for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
         stiffest = std::max(stiffest, s.elasticity.material(body).youngs_modulus);
       const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
-      return 1e-12 * stiffest * s.displacement.linfty_norm() * (is_plane ? 1. : mesh.size());
+      return 10 * tolerance * stiffest * s.displacement.linfty_norm() *
+             (is_plane ? 1. : mesh.size());
     }
   } // namespace
 
@@ -224,7 +228,9 @@ namespace Signorini
 
   template <int dim>
   Json
-  force_results(const Snapshot<dim> &s, const std::vector<bool> &master_is_rigid)
+  force_results(const Snapshot<dim>     &s,
+                const std::vector<bool> &master_is_rigid,
+                const double             tolerance)
   {
     const auto reactions =
       s.elasticity.reactions(s.displacement,
@@ -255,7 +261,7 @@ namespace Signorini
       }
     const double lever = s.elasticity.mesh().size();
     // What rounding alone would leave is in balance, whatever its directions are.
-    if (largest <= rounding_of_forces(s))
+    if (largest <= rounding_of_forces(s, tolerance))
       {
         sum     = Resultant<dim>();
         largest = 0;
@@ -359,11 +365,11 @@ namespace Signorini
   template Json
   probe_results(const Snapshot<3> &, const std::vector<Probe<3>> &);
   template Json
-  force_results(const Snapshot<2> &, const std::vector<bool> &);
+  force_results(const Snapshot<2> &, const std::vector<bool> &, double);
   template Json
   shares_of_ranks(const Elasticity<2> &, const std::vector<ContactSurface<2>> &);
   template Json
   shares_of_ranks(const Elasticity<3> &, const std::vector<ContactSurface<3>> &);
   template Json
-  force_results(const Snapshot<3> &, const std::vector<bool> &);
+  force_results(const Snapshot<3> &, const std::vector<bool> &, double);
 } // namespace Signorini

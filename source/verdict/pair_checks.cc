@@ -1,4 +1,5 @@
 #include <signorini/output/point_values.h>
+#include <signorini/parameters/text.h>
 #include <signorini/verdict/checks.h>
 
 #include <cmath>
@@ -73,6 +74,24 @@ namespace Signorini
       return finding;
     }
 
+    Finding
+    stands(const std::string &name, const Sides &sides)
+    {
+      constexpr double percents = 4;
+      Finding          finding;
+      finding.check   = "sides";
+      finding.where   = "pair " + name;
+      finding.value   = sides.risk();
+      finding.limit   = percents;
+      finding.outcome = finding.value <= percents ? Outcome::passed : Outcome::warned;
+      finding.what    = "the slave is so much stiffer or finer than the master (" +
+                     short_text(sides.modulus, 2) + " times as stiff, faces " +
+                     short_text(sides.size, 2) +
+                     " times as large) that its pressure may oscillate by percents";
+      finding.cure = "exchange Slave and Master (Sides = automatic does), or refine the master";
+      return finding;
+    }
+
     /// Unless all that may touch does: then its edges are those of the surfaces.
     template <int dim>
     Finding
@@ -110,6 +129,8 @@ namespace Signorini
         const Zone zone = zone_of(now, i);
         if (!now.pairs[i].found)
           findings.push_back(acts(now.pairs[i].name, zone));
+        if (zone.active > 0 && scene.obstacle_of(now.pairs[i]) == nullptr)
+          findings.push_back(stands(now.pairs[i].name, now.surfaces[i].sides));
         if (const Finding finding =
               resolved<dim>(now.pairs[i].name, scene.degree_of(now.pairs[i].slave), zone);
             zone.active > 0)

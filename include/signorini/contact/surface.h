@@ -4,6 +4,7 @@
 #include <signorini/contact/pair.h>
 #include <signorini/contact/pairing.h>
 #include <signorini/contact/pressure_basis.h>
+#include <signorini/contact/sides.h>
 #include <signorini/elasticity/elasticity.h>
 
 #include <utility>
@@ -52,6 +53,7 @@ namespace Signorini
     bool   is_apart      = false; ///< none is one
     double largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]
     bool   sees_nothing  = false; ///< no point has a partner within the search distance
+    Sides  sides;                 ///< alike if the master is an obstacle
   };
 
   /// Share of the slave's area that has a partner. Collective.

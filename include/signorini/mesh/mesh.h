@@ -32,7 +32,7 @@ namespace Signorini
     std::string                      distribution        = "auto";
     unsigned int                     refinements         = 0;
     unsigned int                     contact_refinements = 0;
-    unsigned int                     geometry_degree     = 0; ///< 0: 1 if all is straight, else 2
+    unsigned int                     geometry_degree     = 0; ///< 0: chosen
     double                           slave_face_weight   = 2;
     std::vector<RefinementZone<dim>> zones;
 
@@ -86,10 +86,26 @@ namespace Signorini
       return *tria;
     }
 
+    /// The shape of the cells: no richer than the displacement of their body, so that rigid motions
+    /// are free of strain.
     const dealii::Mapping<dim> &
     mapping() const
     {
       return my_mappings[0];
+    }
+
+    /// The true shape of the boundaries, up to a polynomial of degree surface_degree(): gaps and
+    /// normals are those of the surfaces that generators and files describe, not of the cells.
+    const dealii::Mapping<dim> &
+    surface_mapping() const
+    {
+      return my_surface_mappings[0];
+    }
+
+    unsigned int
+    surface_degree() const
+    {
+      return degree_of_surfaces;
     }
 
     /// The same as a collection, for elements of different degree.
@@ -208,12 +224,13 @@ namespace Signorini
     std::vector<unsigned int>                              first_cells; ///< of the bodies, coarse
     std::vector<std::shared_ptr<const MeshGenerator<dim>>> generators;
     CoarseField<dim>                                       my_temperature;
-    unsigned int                                           degree = 1;
-    std::vector<dealii::BoundingBox<dim>>                  extents; ///< of the bodies
+    unsigned int                                           degree = 1, degree_of_surfaces = 1;
+    std::vector<unsigned int>                              degree_of_body; ///< of its cells
+    std::vector<dealii::BoundingBox<dim>>                  extents;        ///< of the bodies
     dealii::BoundingBox<dim>                               whole_extent;
 
     std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;
-    dealii::hp::MappingCollection<dim>                                   my_mappings;
+    dealii::hp::MappingCollection<dim> my_mappings, my_surface_mappings;
   };
 
   /// Partition a serial triangulation by METIS into `n_parts`, so that cells that face each other
