@@ -67,6 +67,11 @@ namespace Signorini
     void
     set_time(double t);
 
+    /// Two pairs that press the same nodes, as a cause of singular systems, in words; may be empty.
+    /// Collective.
+    std::string
+    pressed_twice(const LA::Vector &active) const;
+
     /// What was left out, for the results.
     std::vector<std::string>
     left_out() const;
@@ -86,8 +91,7 @@ namespace Signorini
     std::vector<double>              reach; ///< of each pair: gaps of candidates
     std::vector<ContactSurface<dim>> my_surfaces;
     std::unique_ptr<GapOperator>     contact;
-    std::set<std::string>            warned; ///< pairs that have moved too far
-    std::set<std::string>            kept;   ///< pairs whose master cannot be the slave
+    std::set<std::string>            kept; ///< pairs whose master cannot be the slave
   };
 
   /// How far surfaces of a scene may come closer: sound guesses save a second solution.

@@ -191,6 +191,19 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    template <int dim>
+    double
+    diagonal_of(const std::vector<Point<dim>> &points)
+    {
+      const BoundingBox<dim> box(points);
+      return box.get_boundary_points().first.distance(box.get_boundary_points().second);
+    }
+  } // namespace
+
+
+
   template <int dim>
   Mesh<dim>::Mesh(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
                   const MeshSettings<dim>                                  &settings,
@@ -253,8 +266,10 @@ namespace Signorini
       {
         CoarseMesh<dim> one       = body.generator->generate();
         bool            is_curved = body.generator->curved();
+        const double    size      = diagonal_of(one.vertices);
         if (!body.transformation.empty())
           is_curved = transform(one, is_curved, body.transformation);
+        const double growth = diagonal_of(one.vertices) / size;
         degree_of_body.push_back(is_curved ? body.degree : 1);
         degree = std::max(degree, degree_of_body.back());
         if (is_curved)
@@ -285,6 +300,7 @@ namespace Signorini
         for (unsigned int i = 0; i < one.boundaries.size(); ++i)
           {
             boundary_names.push_back(name + "." + one.boundaries[i]);
+            sagittas.push_back(one.sagittas.empty() ? 0. : growth * one.sagittas[i]);
             ids_of_names.emplace_back();
             for (const types::boundary_id id : one.ids_of(i))
               ids_of_names.back().insert(first_id + id);
@@ -353,6 +369,16 @@ namespace Signorini
       throw SceneError("there is no boundary '" + name + "'; the boundaries are " +
                        join(boundary_names));
     return ids_of_names[found - boundary_names.begin()];
+  }
+
+
+
+  template <int dim>
+  double
+  Mesh<dim>::sagitta(const std::string &boundary) const
+  {
+    const auto found = std::find(boundary_names.begin(), boundary_names.end(), boundary);
+    return found == boundary_names.end() ? 0. : sagittas[found - boundary_names.begin()];
   }
 
 

@@ -1,5 +1,6 @@
-#include <signorini/output/nodal_fields.h>
-#include <signorini/output/point_values.h>
+#include <signorini/fields/contact_patch.h>
+#include <signorini/fields/point_values.h>
+#include <signorini/fields/recovered_pressure.h>
 #include <signorini/output/results.h>
 
 #include <deal.II/base/utilities.h>
@@ -43,7 +44,8 @@ namespace Signorini
       {}
 
       std::vector<double> force, moment;
-      double normal_force = 0, sum_of_sizes = 0, area = 0, active_points = 0, points = 0;
+      double              normal_force = 0, sum_of_sizes = 0, active_points = 0, points = 0;
+      ContactPatch        patch;
       // Of each, the maximum.
       double pressure = 0, penetration = 0, minus_gap = -std::numeric_limits<double>::max(),
              tension = 0, complementarity = 0;
@@ -54,7 +56,7 @@ namespace Signorini
         for (auto *numbers : {&force, &moment})
           for (double &x : *numbers)
             x = Utilities::MPI::sum(x, comm);
-        for (double *x : {&normal_force, &sum_of_sizes, &area, &active_points, &points})
+        for (double *x : {&normal_force, &sum_of_sizes, &active_points, &points})
           *x = Utilities::MPI::sum(*x, comm);
         for (double *x : {&pressure, &penetration, &minus_gap, &tension, &complementarity})
           *x = Utilities::MPI::max(*x, comm);
@@ -90,26 +92,18 @@ namespace Signorini
             sums.normal_force += force;
             sums.sum_of_sizes += std::abs(force);
             sums.points += 1;
-            sums.area += s.active(i) * s.contact.weight(i);
             sums.active_points += s.active(i);
-            sums.pressure        = std::max(sums.pressure, p);
             sums.penetration     = std::max(sums.penetration, violation(s.pairs[pair], g));
             sums.minus_gap       = std::max(sums.minus_gap, -g);
-            sums.tension         = std::max(sums.tension, -p);
             sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
           }
-      // Within a face, a pressure at points varies by more than the solution does; its means with
-      // the nodes' shape functions are what other methods call the pressure.
-      if (!samples_nodes(s.contact))
+      const LA::Vector nodal = recovered_pressure(s, pair);
+      for (const auto i : nodal.locally_owned_elements())
         {
-          sums.pressure = sums.tension = 0;
-          const LA::Vector nodal       = nodal_field(s, s.pressure, pair);
-          for (const auto i : nodal.locally_owned_elements())
-            {
-              sums.pressure = std::max(sums.pressure, nodal(i));
-              sums.tension  = std::max(sums.tension, -nodal(i));
-            }
+          sums.pressure = std::max(sums.pressure, nodal(i));
+          sums.tension  = std::max(sums.tension, -nodal(i));
         }
+      sums.patch = contact_patch(s, pair, nodal);
       sums.over_ranks(s.elasticity.mesh().communicator());
       return sums;
     }
@@ -151,7 +145,8 @@ namespace Signorini
           {"force", list(sums.force)},
           {"moment", list(sums.moment)},
           {"normal_force", sums.normal_force},
-          {"area", sums.area},
+          {"area", sums.patch.area},
+          {"semi_axes", list(sums.patch.semi_axes)},
           {"points", sums.points},
           {"active_points", sums.active_points},
           {"separates", snapshot.pairs[pair].separates},

@@ -94,12 +94,19 @@ namespace Signorini
       return my_mappings[0];
     }
 
-    /// The true shape of the boundaries, up to a polynomial of degree surface_degree(): gaps and
-    /// normals are those of the surfaces that generators and files describe, not of the cells.
+    /// The true shape of the boundaries, up to a polynomial of degree surface_degree(): gaps,
+    /// normals and loads are those of the surfaces that generators and files describe, not of the
+    /// cells.
     const dealii::Mapping<dim> &
     surface_mapping() const
     {
       return my_surface_mappings[0];
+    }
+
+    const dealii::hp::MappingCollection<dim> &
+    surface_mappings() const
+    {
+      return my_surface_mappings;
     }
 
     unsigned int
@@ -150,6 +157,10 @@ namespace Signorini
     /// Boundary ids of "body.boundary". Throws SceneError naming the boundaries there are.
     const BoundaryIds &
     boundary_ids(const std::string &name) const;
+
+    /// How far facets of "body.boundary" may be from the curved surface that they stand for, about.
+    double
+    sagitta(const std::string &boundary) const;
 
     const std::vector<std::string> &
     boundaries() const
@@ -217,6 +228,7 @@ namespace Signorini
 
     std::vector<std::string>                               names, boundary_names;
     std::vector<BoundaryIds>                               ids_of_names;
+    std::vector<double>                                    sagittas; ///< of names
     unsigned int                                           n_ids = 0;
     std::vector<BodyPiece<dim>>                            my_pieces;
     std::vector<dealii::types::coarse_cell_id>             coarse_ids;           ///< of all bodies

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <signorini/fields/snapshot.h>
 #include <signorini/output/probes.h>
-#include <signorini/output/snapshot.h>
 
 #include <nlohmann/json.hpp>
 

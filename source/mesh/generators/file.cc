@@ -2,10 +2,10 @@
 #include <signorini/mesh/division/collapsed_cells.h>
 #include <signorini/mesh/division/division.h>
 #include <signorini/mesh/division/merged_nodes.h>
+#include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/curved_cells.h>
-#include <signorini/mesh/generators/facets.h>
 #include <signorini/mesh/generators/file.h>
-#include <signorini/mesh/generators/round_faces.h>
+#include <signorini/mesh/generators/round_off.h>
 #include <signorini/mesh/pieces.h>
 #include <signorini/parameters/section.h>
 
@@ -120,71 +120,6 @@ namespace Signorini
             throw SceneError("has no temperature at the node at " + text_of(part.vertices[v]));
         }
       return result;
-    }
-
-
-
-    /// Give facets that stand for round surfaces these for manifolds. Cells that are so thin that
-    /// the surface would come near their other side keep their facets.
-    /// @return what was found, in words
-    template <int dim>
-    std::vector<std::string>
-    round_off(Triangulation<dim> &triangulation, const FilePart<dim> &part)
-    {
-      constexpr double thin = 0.2; // sagitta by depth
-      std::map<std::vector<unsigned int>,
-               std::pair<double, typename Triangulation<dim>::face_iterator>>
-        face_at;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (const auto face = cell->face(f); face->at_boundary())
-            {
-              std::vector<unsigned int> vertices;
-              for (const unsigned int v : face->vertex_indices())
-                vertices.push_back(face->vertex_index(v));
-              face_at[sorted(vertices)] = {cell->measure() / face->measure(), face};
-            }
-      const auto &faces = [&]() -> const auto &
-      {
-        if constexpr (dim == 2)
-          return part.faces.boundary_lines;
-        else
-          return part.faces.boundary_quads;
-      }
-      ();
-
-      std::vector<std::string> notes;
-      types::manifold_id       id = 0;
-      for (const RoundFaces<dim> &round : find_round_faces(faces, part.vertices, part.made))
-        {
-          const auto at = [&](const unsigned int f) -> const auto &
-          {
-            return face_at.at(sorted(faces[f].vertices));
-          };
-          if (std::any_of(round.faces.begin(), round.faces.end(), [&](const unsigned int f) {
-                return round.sagitta > thin * at(f).first;
-              }))
-            continue;
-          std::set<unsigned int> names;
-          for (const unsigned int f : round.faces)
-            {
-              const auto &face = at(f).second;
-              face->set_all_manifold_ids(id);
-              for (const unsigned int v : face->vertex_indices())
-                if (part.made[face->vertex_index(v)])
-                  face->vertex(v) = round.surface.closest(face->vertex(v));
-              for (const unsigned int name : part.names_of_ids[face->boundary_id()])
-                names.insert(name);
-            }
-          triangulation.set_manifold(id++, *round.surface.manifold());
-          std::vector<std::string> words;
-          for (const unsigned int name : names)
-            words.push_back(part.boundaries[name]);
-          notes.push_back(std::to_string(round.faces.size()) + " facets of " + join(words) +
-                          " are taken for " + round.surface.description() +
-                          "; Curved boundaries = none keeps the facets");
-        }
-      return notes;
     }
 
 
@@ -359,15 +294,16 @@ namespace Signorini
         key = "File";
         const unsigned int n_curved =
           mid_side_nodes ? curve_cells(triangulation, all, part.elements, surfaces.size()) : 0;
-        std::vector<std::string> rounded;
-        if (curved_text == "automatic" && n_curved == 0)
-          rounded = round_off(triangulation, part);
-        tell(section.path(), path, rounded);
-        is_curved = n_curved + surfaces.size() + rounded.size() > 0;
+        const Rounding rounding = n_curved == 0 && surfaces.empty() ?
+                                    round_off(triangulation, part, curved_text == "automatic") :
+                                    Rounding();
+        tell(section.path(), path, rounding.notes);
+        is_curved = n_curved + surfaces.size() + rounding.notes.size() > 0;
         key       = "Curved boundaries";
         check_not_folded(triangulation, part);
         mesh =
           CoarseMesh<dim>::from_triangulation(triangulation, part.boundaries, part.names_of_ids);
+        mesh.sagittas = rounding.sagittas;
       }
     catch (const SceneError &error)
       {

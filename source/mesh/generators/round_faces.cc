@@ -55,19 +55,21 @@ namespace Signorini
             join(rim, members[0], members[1]);
       }
 
-      std::vector<RoundFaces<dim>>
+      Facets<dim>
       find()
       {
-        std::vector<RoundFaces<dim>> result;
-        unsigned int                 in_vain = 0;
+        Facets<dim>  result;
+        unsigned int in_vain = 0;
         for (unsigned int seed = 0; seed < faces.size() && in_vain < max_seeds; ++seed)
           if (!used[seed] && !neighbours[seed].empty())
             {
               if (auto found = grown_from(seed))
-                result.push_back(std::move(*found));
+                result.round.push_back(std::move(*found));
               else if (sagitta({seed}) > 0)
                 ++in_vain;
             }
+        for (unsigned int f = 0; f < faces.size(); ++f)
+          result.sagitta.push_back(used[f] ? 0. : sagitta({f}));
         return result;
       }
 
@@ -204,7 +206,7 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<RoundFaces<dim>>
+  Facets<dim>
   find_round_faces(const std::vector<CellData<dim - 1>> &faces,
                    const std::vector<Point<dim>>        &vertices,
                    const std::vector<bool>              &made)
@@ -214,11 +216,11 @@ namespace Signorini
 
 
 
-  template std::vector<RoundFaces<2>>
+  template Facets<2>
   find_round_faces(const std::vector<CellData<1>> &,
                    const std::vector<Point<2>> &,
                    const std::vector<bool> &);
-  template std::vector<RoundFaces<3>>
+  template Facets<3>
   find_round_faces(const std::vector<CellData<2>> &,
                    const std::vector<Point<3>> &,
                    const std::vector<bool> &);

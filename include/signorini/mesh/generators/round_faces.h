@@ -15,6 +15,16 @@ namespace Signorini
     double                    sagitta; ///< largest distance of facets from the surface, about
   };
 
+  /// All faces of a list.
+  template <int dim>
+  struct Facets
+  {
+    std::vector<RoundFaces<dim>> round;
+    /// Of each face that is not in there, how far a smooth surface through its corners and those of
+    /// the faces next to it would be from it, about.
+    std::vector<double> sagitta;
+  };
+
   /// What CAD programs make of circles, spheres, cylinders and cones: facets that meet at small
   /// angles, with all corners on the surface. Such surfaces may go on smoothly as others, as
   /// fillets do. Found from seeds of a few facets, which grow as far as corners lie on the surface,
@@ -22,7 +32,7 @@ namespace Signorini
   /// @param faces with vertices in deal.II's order
   /// @param made vertices between others, which count for nothing
   template <int dim>
-  std::vector<RoundFaces<dim>>
+  Facets<dim>
   find_round_faces(const std::vector<dealii::CellData<dim - 1>> &faces,
                    const std::vector<dealii::Point<dim>>        &vertices,
                    const std::vector<bool>                      &made);
