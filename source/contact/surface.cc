@@ -161,6 +161,7 @@ namespace Signorini
       point.position  = patch.position(paired.xi);
       point.normal    = partner.normal;
       point.weight    = paired.weight;
+      point.facing    = -(patch.normal(paired.xi) * partner.normal);
       point.gap       = initial_gap(point.position, distance(point.position, partner));
       point.stiffness = 1 / (1 / stiffness + 1 / partner.stiffness);
       point.row       = trace.normal_displacement(unit_point, partner.normal);

@@ -196,15 +196,14 @@ namespace Signorini
               for (const unsigned int i : nodes)
                 if (const auto node = face.nodes[i]; is_active(node))
                   {
-                    // Nothing is known of zones of one node: half of the way.
-                    double value = -squares(node);
-                    if (slopes[dim](node) > 0)
-                      {
-                        Tensor<1, dim> slope;
-                        for (unsigned int d = 0; d < dim; ++d)
-                          slope[d] = slopes[d](node) / slopes[dim](node);
-                        value = squares(node) + slope * (face.positions[open] - face.positions[i]);
-                      }
+                    // Of zones of one node nothing is known, nor where pressures grow towards the
+                    // edge, as at corners: half of the way.
+                    double change = 0;
+                    for (unsigned int d = 0; d < dim; ++d)
+                      if (slopes[dim](node) > 0)
+                        change += slopes[d](node) / slopes[dim](node) *
+                                  (face.positions[open] - face.positions[i])[d];
+                    const double value = change < 0 ? squares(node) + change : -squares(node);
                     sum(face.nodes[open]) += value;
                     count(face.nodes[open]) += 1;
                   }
@@ -234,8 +233,7 @@ namespace Signorini
         return shares;
       }
 
-      /// What of a part has positive values, by samples; those of parts in contact are for their
-      /// curvature.
+      /// What of a part has positive values, by samples.
       void
       add_part(const std::array<unsigned int, n> &nodes,
                const SlaveFace<dim>              &face,
@@ -244,11 +242,15 @@ namespace Signorini
                const double                       covered,
                Moments<dim>                      &moments) const
       {
-        const unsigned int m = is_whole ? 2 : dim == 2 ? 200 : 16;
+        // By Gauss points, or as many as the edge needs.
+        const unsigned int m     = is_whole ? 2 : dim == 2 ? 200 : 16;
+        const auto         place = [&](const unsigned int a) {
+          return is_whole ? 0.5 + (a == 0 ? -1 : 1) * std::sqrt(1. / 12) : (a + 0.5) / m;
+        };
         for (unsigned int b = 0; b < (dim == 3 ? m : 1); ++b)
           for (unsigned int a = 0; a < m; ++a)
             {
-              const std::array<double, 2>   at = {{(a + 0.5) / m, (b + 0.5) / m}};
+              const std::array<double, 2>   at = {{place(a), place(b)}};
               std::array<double, n>         shape;
               double                        value = 0;
               Point<dim>                    x;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -11,7 +12,8 @@ namespace Signorini
 
   namespace
   {
-    constexpr unsigned int n_steps = 2;
+    constexpr unsigned int max_steps = 40;
+    constexpr double       enough    = 1e-9; // of the largest pressure, that a step changes
 
     template <int dim>
     constexpr unsigned int n_corners = dim == 2 ? 2 : 4;
@@ -58,6 +60,7 @@ namespace Signorini
         , area(s.elasticity.zero_vector())
         , open_area(s.elasticity.zero_vector())
         , offset(dim, s.elasticity.zero_vector())
+        , matrices(surface.slave_faces.size())
       {
         // Of points, which have rows of their own.
         if (!samples_nodes(s.contact))
@@ -66,19 +69,23 @@ namespace Signorini
             for (unsigned int p = 0; p < pair; ++p)
               first_row += s.surfaces[p].points.size();
           }
-        for_points([&](const ContactPoint<dim> &point, const SlaveFace<dim> &face, const auto &at) {
-          const bool is_open = has_open_node(face);
-          for (unsigned int c = 0; c < n_corners<dim>; ++c)
-            {
-              const auto   v = vertex(face, c);
-              const double w = point.weight * at.value[c];
-              area(v) += w;
-              if (is_open)
-                open_area(v) += w;
-              for (unsigned int d = 0; d < dim; ++d)
-                offset[d](v) += w * (point.position[d] - corner(face, c)[d]);
-            }
-        });
+        for (const ContactPoint<dim> &point : surface.points)
+          {
+            const SlaveFace<dim> &face    = surface.slave_faces[point.face];
+            const bool            is_open = has_open_node(face);
+            const Corners<dim>    at(point.xi);
+            add_to_matrices(point, at);
+            for (unsigned int c = 0; c < n; ++c)
+              {
+                const auto   v = vertex(face, c);
+                const double w = point.weight * at.value[c];
+                area(v) += w;
+                if (is_open)
+                  open_area(v) += w;
+                for (unsigned int d = 0; d < dim; ++d)
+                  offset[d](v) += w * (point.position[d] - corner(face, c)[d]);
+              }
+          }
         area.compress(VectorOperation::add);
         open_area.compress(VectorOperation::add);
         for (LA::Vector &component : offset)
@@ -88,36 +95,64 @@ namespace Signorini
       LA::Vector
       run() const
       {
-        const LA::Vector        means = mean_pressure();
-        LA::Vector              q     = means;
-        std::vector<LA::Vector> gradient;
-        for (unsigned int step = 0; step < n_steps; ++step)
+        const LA::Vector        means    = mean_pressure();
+        const double            most     = means.linfty_norm();
+        LA::Vector              q        = means;
+        std::vector<LA::Vector> gradient = mean_gradients(q);
+        double                  before   = std::numeric_limits<double>::max();
+        for (unsigned int step = 0; step < max_steps; ++step)
           {
-            gradient          = gradients(q);
-            LA::Vector excess = means_of_linear(q); // M q - q
-            excess -= q;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                LA::Vector along = gradient[d];
-                along.scale(offset[d]);
-                excess += along;
-              }
-            excess *= 0.5;
-            LA::Vector next = means;
-            next -= excess;
-            q = keep_at_edges(next, means);
+            gradient              = corrected(mean_gradients(q), gradient);
+            const LA::Vector next = keep_at_edges(next_guess(q, means, gradient), means);
+            q -= next;
+            const double change = q.linfty_norm();
+            // On meshes that are too irregular for it, what was reached.
+            if (step > 4 && change >= before)
+              return with_nodes_between(means, gradient);
+            q = next;
+            if (change <= enough * most)
+              break;
+            before = change;
           }
-        return with_nodes_between(q, gradients(q));
+        return with_nodes_between(q, gradient);
       }
 
     private:
-      template <typename Visit>
-      void
-      for_points(const Visit &visit) const
+      static constexpr unsigned int n = n_corners<dim>;
+
+      /// Of the linear functions of a face: int phi_c phi_e dA, int phi_c grad phi_e dA.
+      struct FaceMatrices
       {
-        for (unsigned int q = 0; q < surface.points.size(); ++q)
-          if (const auto &point = surface.points[q]; point.weight > 0)
-            visit(point, surface.slave_faces[point.face], Corners<dim>(point.xi));
+        std::array<std::array<double, n>, n>         mass{};
+        std::array<std::array<Tensor<1, dim>, n>, n> gradient{};
+      };
+
+      void
+      add_to_matrices(const ContactPoint<dim> &point, const Corners<dim> &at)
+      {
+        const SlaveFace<dim>               &face = surface.slave_faces[point.face];
+        std::array<Tensor<1, dim>, dim - 1> tangents;
+        for (unsigned int c = 0; c < n; ++c)
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            tangents[d] += at.slope[c][d] * Tensor<1, dim>(corner(face, c));
+        Tensor<2, dim - 1> metric;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          for (unsigned int e = 0; e < dim - 1; ++e)
+            metric[d][e] = tangents[d] * tangents[e];
+        const Tensor<2, dim - 1> inverse = invert(metric);
+        FaceMatrices            &matrix  = matrices[point.face];
+        for (unsigned int e = 0; e < n; ++e)
+          {
+            const Tensor<1, dim - 1> raised = inverse * at.slope[e];
+            Tensor<1, dim>           gradient;
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              gradient += raised[d] * tangents[d];
+            for (unsigned int c = 0; c < n; ++c)
+              {
+                matrix.mass[c][e] += point.weight * at.value[c] * at.value[e];
+                matrix.gradient[c][e] += point.weight * at.value[c] * gradient;
+              }
+          }
       }
 
       static types::global_dof_index
@@ -175,7 +210,7 @@ namespace Signorini
             else if (!is_dual)
               for (unsigned int i = 0; i < shape.size(); ++i)
                 own += shape[i] * raw(face.nodes[i]);
-            for (unsigned int c = 0; c < n_corners<dim>; ++c)
+            for (unsigned int c = 0; c < n; ++c)
               {
                 double weighted = at.value[c] * own;
                 if (samples_nodes_here() && is_dual)
@@ -221,47 +256,69 @@ namespace Signorini
       {
         const LA::Vector q      = s.elasticity.with_ghosts(vertices);
         LA::Vector       result = s.elasticity.zero_vector();
-        for_points([&](const ContactPoint<dim> &point, const SlaveFace<dim> &face, const auto &at) {
-          double value = 0;
-          for (unsigned int c = 0; c < n_corners<dim>; ++c)
-            value += at.value[c] * q(vertex(face, c));
-          for (unsigned int c = 0; c < n_corners<dim>; ++c)
-            result(vertex(face, c)) += point.weight * at.value[c] * value;
-        });
+        for (unsigned int f = 0; f < matrices.size(); ++f)
+          if (const SlaveFace<dim> &face = surface.slave_faces[f]; face.degree > 0)
+            for (unsigned int c = 0; c < n; ++c)
+              for (unsigned int e = 0; e < n; ++e)
+                result(vertex(face, c)) += matrices[f].mass[c][e] * q(vertex(face, e));
         divide(result);
         return result;
       }
 
       /// Along the surface, of the linear interpolant, means at the vertices.
       std::vector<LA::Vector>
-      gradients(const LA::Vector &vertices) const
+      mean_gradients(const LA::Vector &vertices) const
       {
         const LA::Vector        q = s.elasticity.with_ghosts(vertices);
         std::vector<LA::Vector> result(dim, s.elasticity.zero_vector());
-        for_points([&](const ContactPoint<dim> &point, const SlaveFace<dim> &face, const auto &at) {
-          Tensor<1, dim - 1>                  slope;
-          std::array<Tensor<1, dim>, dim - 1> tangents;
-          for (unsigned int c = 0; c < n_corners<dim>; ++c)
-            {
-              slope += q(vertex(face, c)) * at.slope[c];
-              for (unsigned int d = 0; d < dim - 1; ++d)
-                tangents[d] += at.slope[c][d] * Tensor<1, dim>(corner(face, c));
-            }
-          Tensor<2, dim - 1> metric;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            for (unsigned int e = 0; e < dim - 1; ++e)
-              metric[d][e] = tangents[d] * tangents[e];
-          const Tensor<1, dim - 1> raised = invert(metric) * slope;
-          Tensor<1, dim>           gradient;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            gradient += raised[d] * tangents[d];
-          for (unsigned int c = 0; c < n_corners<dim>; ++c)
-            for (unsigned int d = 0; d < dim; ++d)
-              result[d](vertex(face, c)) += point.weight * at.value[c] * gradient[d];
-        });
+        for (unsigned int f = 0; f < matrices.size(); ++f)
+          if (const SlaveFace<dim> &face = surface.slave_faces[f]; face.degree > 0)
+            for (unsigned int c = 0; c < n; ++c)
+              {
+                Tensor<1, dim> sum;
+                for (unsigned int e = 0; e < n; ++e)
+                  sum += q(vertex(face, e)) * matrices[f].gradient[c][e];
+                for (unsigned int d = 0; d < dim; ++d)
+                  result[d](vertex(face, c)) += sum[d];
+              }
         for (LA::Vector &component : result)
           divide(component);
         return result;
+      }
+
+      /// The means of the linear interpolant's gradients are gradients at 3/2 of the offsets.
+      std::vector<LA::Vector>
+      corrected(std::vector<LA::Vector> means, const std::vector<LA::Vector> &gradient) const
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const std::vector<LA::Vector> curvature = mean_gradients(gradient[d]);
+            for (unsigned int e = 0; e < dim; ++e)
+              {
+                LA::Vector change = curvature[e];
+                change.scale(offset[e]);
+                means[d].add(-1.5, change);
+              }
+          }
+        return means;
+      }
+
+      LA::Vector
+      next_guess(const LA::Vector              &q,
+                 const LA::Vector              &means,
+                 const std::vector<LA::Vector> &gradient) const
+      {
+        LA::Vector excess = means_of_linear(q); // M q - q
+        excess -= q;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            LA::Vector along = gradient[d];
+            along.scale(offset[d]);
+            excess += along;
+          }
+        excess *= -0.5;
+        excess += means;
+        return excess;
       }
 
       LA::Vector
@@ -284,7 +341,7 @@ namespace Signorini
         const bool          is_smooth = !has_open_node(face);
         const unsigned int  k = face.degree, rows = dim == 3 ? k + 1 : 1;
         std::vector<double> values(face.nodes.size());
-        for (unsigned int c = 0; c < n_corners<dim>; ++c)
+        for (unsigned int c = 0; c < n; ++c)
           values[node_of_corner<dim>(c, k)] = q(vertex(face, c));
         const auto middle = [&](const unsigned int a, const unsigned int b, const unsigned int m) {
           double               bend = 0;
@@ -348,6 +405,7 @@ namespace Signorini
       types::global_dof_index    first_row = numbers::invalid_dof_index;
       LA::Vector              area, open_area; ///< int phi_v dA, and that on faces with open nodes
       std::vector<LA::Vector> offset;          ///< d
+      std::vector<FaceMatrices> matrices;      ///< of slave faces
     };
   } // namespace
 

@@ -296,10 +296,10 @@ namespace Signorini
               one["master_faces"]     = master.n;
               one["master_face_size"] = master.size;
               one["matching"]         = match(slave, master, comm);
-              if (slave.size > 1.5 * master.size)
+              if (slave.size > 8 * master.size)
                 warnings.push_back(where +
-                                   "the slave is coarser than the master, whose nodes may go "
-                                   "through it unseen; exchange Slave and Master, or refine " +
+                                   "the slave is more than 8 times coarser than the master, whose "
+                                   "resolution is lost on it; refine " +
                                    pair.slave);
               else if (master.size > 8 * slave.size)
                 warnings.push_back(where +

@@ -262,8 +262,8 @@ namespace Signorini
         if (!std::isfinite(step.residual + step.gap_residual))
           report.reason = "the residual is not a number: loads, supports or the mesh are invalid";
         else if (!report.converged && n == settings.maximum_steps)
-          report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" +
-                          active_set.chattering_points();
+          report.reason = "Newton's method did not converge in " + std::to_string(n) +
+                          " steps (Newton/Maximum steps)" + active_set.chattering_points();
         if (report.converged || !report.reason.empty())
           {
             record(step);
@@ -348,9 +348,12 @@ namespace Signorini
     const bool       at_bottom = step.changes == 0 && before > 0 && step.residual > before / 2 &&
                            step.residual <= force_rounding / scale;
     const double of_all = std::max(step.residual, step.residual_of_bodies);
-    const bool   is_small =
+    // Nothing is left of forces that were there before but their rounding.
+    const bool is_over =
+      scale <= 10 * force_rounding && step.residual * scale <= 10 * force_rounding;
+    const bool is_small =
       of_all <= settings.tolerance && (step.changes == 0 || step.residual <= largest_undecided);
-    return (is_small || at_bottom) && !step.follows && !step.withholds &&
+    return (is_small || at_bottom || is_over) && !step.follows && !step.withholds &&
            (softness == 1 || step.active == 0);
   }
 
@@ -431,11 +434,13 @@ namespace Signorini
     active_set.update(gap, start);
     if (is_cold && n <= 1)
       {
-        const unsigned int all      = active_set.size();
-        const bool         may_fall = n == 0 && !system.free_motions().empty();
-        const unsigned int kept =
-          may_fall ? active_set.drop_touching(gap) : active_set.keep_deepest(gap);
-        step.withholds = kept < all;
+        const unsigned int all    = active_set.size();
+        const bool         falls  = n == 0 && !system.free_motions().empty();
+        const bool         stands = falls && touches_where_it_can(gap);
+        const unsigned int kept   = stands ? active_set.add_touching(gap) :
+                                    falls  ? active_set.drop_touching(gap) :
+                                             active_set.keep_deepest(gap);
+        step.withholds            = kept < all;
       }
     if (!cautious && active_set.seen_before())
       {
@@ -462,6 +467,17 @@ namespace Signorini
       factorised = false;
     set_pressure(method, contact, gap, start, active_set.values(), p);
     p *= softness;
+  }
+
+
+
+  bool
+  Newton::touches_where_it_can(const LA::Vector &gap)
+  {
+    ActiveSet touching(contact);
+    touching.add_touching(gap);
+    system.find_loose_motions(touching.values());
+    return system.free_motions().loose().size() <= system.free_motions().never_held().size();
   }
 
 

@@ -1,4 +1,5 @@
 #include <signorini/contact/reach.h>
+#include <signorini/elasticity/model.h>
 #include <signorini/fields/point_values.h>
 #include <signorini/parameters/text.h>
 #include <signorini/verdict/checks.h>
@@ -20,6 +21,8 @@ namespace Signorini
       double active = 0, candidates = 0;       ///< of all faces that were looked at
       double touched_faces = 0, n_touched = 0; ///< faces that carry pressure
       double smallest_rest_gap = std::numeric_limits<double>::max();
+      double smallest_facing   = 1; ///< where there is pressure
+      double penetration       = 0; ///< there, the mean
     };
 
     template <int dim>
@@ -32,6 +35,7 @@ namespace Signorini
         if (*which++ == pair)
           {
             zone.active += s.active(i) * s.contact.weight(i);
+            zone.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
             zone.candidates += s.contact.weight(i);
             zone.smallest_rest_gap = std::min(zone.smallest_rest_gap, s.contact.rest_gap(i));
           }
@@ -47,6 +51,9 @@ namespace Signorini
           Face &face = faces[s.surfaces[pair].points[q].face];
           face.area += s.surfaces[pair].points[q].weight;
           face.touched |= values.pressure[q] > 0;
+          if (values.pressure[q] > 0)
+            zone.smallest_facing =
+              std::min(zone.smallest_facing, s.surfaces[pair].points[q].facing);
         }
       for (const auto &[number, face] : faces)
         if (face.touched)
@@ -55,9 +62,16 @@ namespace Signorini
             zone.n_touched += 1;
           }
       const MPI_Comm comm = s.elasticity.mesh().communicator();
-      for (double *sum : {&zone.active, &zone.candidates, &zone.touched_faces, &zone.n_touched})
+      for (double *sum : {&zone.active,
+                          &zone.candidates,
+                          &zone.penetration,
+                          &zone.touched_faces,
+                          &zone.n_touched})
         *sum = Utilities::MPI::sum(*sum, comm);
-      zone.smallest_rest_gap = Utilities::MPI::min(zone.smallest_rest_gap, comm);
+      if (zone.active > 0)
+        zone.penetration /= zone.active;
+      for (double *least : {&zone.smallest_rest_gap, &zone.smallest_facing})
+        *least = Utilities::MPI::min(*least, comm);
       return zone;
     }
 
@@ -161,6 +175,57 @@ namespace Signorini
                         "elements of second order with curved sides");
     }
 
+    /// Of methods whose pressure is the gap times a stiffness.
+    template <int dim>
+    Finding
+    exact(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      double pressure = 0, rounding = 0;
+      auto   which = s.contact.pair.begin();
+      for (const auto i : s.active.locally_owned_elements())
+        if (*which++ == pair && s.active(i) > 0)
+          {
+            pressure = std::max(pressure, s.pressure(i));
+            rounding = std::max(rounding, s.contact.epsilon(i));
+          }
+      const MPI_Comm comm = s.elasticity.mesh().communicator();
+      pressure            = Utilities::MPI::max(pressure, comm);
+      rounding            = Utilities::MPI::max(rounding, comm) * s.displacement.linfty_norm() *
+                 std::numeric_limits<double>::epsilon();
+      return finding_of("rounding / pressure",
+                        s.pairs[pair].name,
+                        pressure > 0 ? rounding / pressure : 0.,
+                        1e-6,
+                        "the factor of the method is so large that the rounding of displacements "
+                        "is seen in the pressure",
+                        "take a smaller Factor");
+    }
+
+    /// Of methods that let bodies go through each other: beside what the strain changes over the
+    /// width of the contact zone. Bodies that are strained by so much give way by as much.
+    template <int dim>
+    Finding
+    tight(const Snapshot<dim>         &s,
+          const unsigned int           pair,
+          const Zone                  &zone,
+          const std::vector<Extremes> &extremes)
+    {
+      double strain = 0;
+      for (const Extremes &body : extremes)
+        strain = std::max(strain, body.gradient);
+      const bool   is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      const double width    = is_plane ? zone.active : std::sqrt(zone.active);
+      return finding_of("penetration / deformation",
+                        s.pairs[pair].name,
+                        strain > 0           ? zone.penetration / (strain * width) :
+                        zone.penetration > 0 ? 1. :
+                                               0.,
+                        0.05,
+                        "the bodies go through each other by a depth that counts beside their "
+                        "deformation: pressures are off by about that share",
+                        "take a larger Factor, or a method with multipliers");
+    }
+
     /// Unless all that may touch does: then its edges are those of the surfaces.
     template <int dim>
     Finding
@@ -190,7 +255,9 @@ namespace Signorini
 
   template <int dim>
   std::vector<Finding>
-  check_pairs(const Scene<dim> &scene, const Snapshot<dim> &now)
+  check_pairs(const Scene<dim>            &scene,
+              const Snapshot<dim>         &now,
+              const std::vector<Extremes> &extremes)
   {
     std::vector<Finding>      findings;
     const std::vector<double> displacements =
@@ -213,13 +280,18 @@ namespace Signorini
                                       1,
                                       "the surfaces overlap at the start by more than a face",
                                       "refine the slave, or ramp it: Interference = t"));
-        findings.push_back(finding_of("angle from opposite",
-                                      pair.name,
-                                      surface.largest_angle,
-                                      60,
-                                      "normals of surfaces that may touch are far from opposite",
-                                      "refine there, or divide the boundary"));
+        findings.push_back(
+          finding_of("angle from opposite",
+                     pair.name,
+                     std::acos(std::min(1., zone.smallest_facing)) * 180 / numbers::PI,
+                     60,
+                     "normals of surfaces that touch are far from opposite",
+                     "refine there, or divide the boundary"));
         findings.push_back(smooth(now, i));
+        if (pair.separates)
+          findings.push_back(tight(now, i, zone, extremes));
+        if (!scene.contact.chosen().has_multipliers())
+          findings.push_back(exact(now, i));
         if (obstacle)
           continue;
         findings.push_back(stands(pair.name, surface.sides));
@@ -238,7 +310,7 @@ namespace Signorini
 
 
   template std::vector<Finding>
-  check_pairs(const Scene<2> &, const Snapshot<2> &);
+  check_pairs(const Scene<2> &, const Snapshot<2> &, const std::vector<Extremes> &);
   template std::vector<Finding>
-  check_pairs(const Scene<3> &, const Snapshot<3> &);
+  check_pairs(const Scene<3> &, const Snapshot<3> &, const std::vector<Extremes> &);
 } // namespace Signorini

@@ -21,6 +21,7 @@ namespace Signorini
     dealii::Point<dim>     position;
     dealii::Tensor<1, dim> normal;    ///< unit, out of the master
     double                 weight;    ///< area that the point stands for
+    double                 facing;    ///< minus the product of both surfaces' unit normals
     double                 gap;       ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
     double                 stiffness; ///< E/h of slave and master in series [force/length^3]
     double                 depth;     ///< of the slave's cell behind the face: h

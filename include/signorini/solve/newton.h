@@ -137,6 +137,10 @@ namespace Signorini
                       LA::Vector       &p,
                       unsigned int      n,
                       NewtonStep       &step);
+    /// What touches at the start holds all that contact could hold: so does a stack of blocks, a
+    /// ball on a plane does not.
+    bool
+    touches_where_it_can(const LA::Vector &gap);
     /// p^ of the law
     const LA::Vector &
     predicted(const LA::Vector &p, const LA::Vector &stress) const;
