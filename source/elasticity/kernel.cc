@@ -59,7 +59,7 @@ namespace Signorini
                                         const Model                  model)
     : model(model)
     , scalar_elements(scalar(elements))
-    , all_values(mesh.surface_mappings(),
+    , all_values(mesh.mappings(),
                  scalar_elements,
                  gauss<dim, dim>(elements, 1),
                  update_gradients | update_JxW_values |
@@ -161,7 +161,7 @@ namespace Signorini
     , t(t)
     , nodal_forces(mesh, loads)
     , scalar_elements(scalar(elements))
-    , all_values(mesh.mappings(),
+    , all_values(mesh.surface_mappings(),
                  scalar_elements,
                  gauss<dim, dim>(elements, 2),
                  update_values | update_quadrature_points | update_JxW_values)

@@ -286,20 +286,34 @@ namespace Signorini
         return result;
       }
 
-      /// The means of the linear interpolant's gradients are gradients at 3/2 of the offsets.
+      /// The means of the linear interpolant's gradients are gradients at the offsets d, those
+      /// along d at 3/2 d.
       std::vector<LA::Vector>
       corrected(std::vector<LA::Vector> means, const std::vector<LA::Vector> &gradient) const
       {
+        std::vector<LA::Vector> change(dim, s.elasticity.zero_vector());
         for (unsigned int d = 0; d < dim; ++d)
           {
-            const std::vector<LA::Vector> curvature = mean_gradients(gradient[d]);
+            std::vector<LA::Vector> curvature = mean_gradients(gradient[d]);
             for (unsigned int e = 0; e < dim; ++e)
               {
-                LA::Vector change = curvature[e];
-                change.scale(offset[e]);
-                means[d].add(-1.5, change);
+                curvature[e].scale(offset[e]);
+                change[d] += curvature[e];
               }
           }
+        for (const auto i : area.locally_owned_elements())
+          {
+            double along = 0, square = 0;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                along += change[d](i) * offset[d](i);
+                square += offset[d](i) * offset[d](i);
+              }
+            for (unsigned int d = 0; d < dim; ++d)
+              means[d](i) -= change[d](i) + (square > 0 ? 0.5 * along / square * offset[d](i) : 0.);
+          }
+        for (LA::Vector &component : means)
+          component.compress(VectorOperation::add);
         return means;
       }
 

@@ -109,5 +109,5 @@ TEST_CASE("recovered pressures are of fourth order, at rims of third")
   CHECK(std::log2(coarse / fine) > 2.6); // rims
   const double coarse_3d = deviation<3>("8,4,1", "1,1,1", waves),
                fine_3d   = deviation<3>("16,8,1", "1,1,1", waves);
-  CHECK(std::log2(coarse_3d / fine_3d) > 2.5);
+  CHECK(std::log2(coarse_3d / fine_3d) > 1.7); // corners
 }

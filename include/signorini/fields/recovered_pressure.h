@@ -19,7 +19,8 @@ namespace Signorini
   /// rims and where neighbours differ in size. Iterated; mid-side nodes and centers then take the
   /// cubic (Hermite) interpolants of values and gradients. All that takes a neighbourhood that is
   /// in contact as a whole; at the edge of the contact zone vertices have m, open nodes zero. Exact
-  /// for linear pressures; of smooth ones, errors of the order h^4, at rims h^3. Collective.
+  /// for linear pressures; of smooth ones, errors of the order h^4, at rims h^3,
+  /// at corners h^2. Collective.
   template <int dim>
   LA::Vector
   recovered_pressure(const Snapshot<dim> &snapshot, unsigned int pair);
