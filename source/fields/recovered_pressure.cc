@@ -2,9 +2,12 @@
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/recovered_pressure.h>
 
+#include <deal.II/lac/la_parallel_vector.h>
+
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace Signorini
 {
@@ -12,7 +15,7 @@ namespace Signorini
 
   namespace
   {
-    constexpr unsigned int max_steps = 40;
+    constexpr unsigned int max_steps = 200;
     constexpr double       enough    = 1e-9; // of the largest pressure, that a step changes
 
     template <int dim>
@@ -47,7 +50,8 @@ namespace Signorini
       return degree * (corner % 2) + (corner / 2) * degree * (degree + 1);
     }
 
-    /// Means over the linear functions of the vertices, on the layout of the displacement.
+    /// Means over the linear functions of the vertices. Fields have entries for these alone: what
+    /// is iterated costs vectors of the surface.
     template <int dim>
     class Recovery
     {
@@ -57,9 +61,6 @@ namespace Signorini
         , surface(s.surfaces[pair])
         , raw(s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair)))
         , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
-        , area(s.elasticity.zero_vector())
-        , open_area(s.elasticity.zero_vector())
-        , offset(dim, s.elasticity.zero_vector())
         , matrices(surface.slave_faces.size())
       {
         // Of points, which have rows of their own.
@@ -69,41 +70,44 @@ namespace Signorini
             for (unsigned int p = 0; p < pair; ++p)
               first_row += s.surfaces[p].points.size();
           }
+        number_vertices();
+        area = open_area = zero();
+        offset.assign(dim, zero());
         for (const ContactPoint<dim> &point : surface.points)
           {
-            const SlaveFace<dim> &face    = surface.slave_faces[point.face];
+            const unsigned int    f       = point.face;
+            const SlaveFace<dim> &face    = surface.slave_faces[f];
             const bool            is_open = has_open_node(face);
             const Corners<dim>    at(point.xi);
             add_to_matrices(point, at);
             for (unsigned int c = 0; c < n; ++c)
               {
-                const auto   v = vertex(face, c);
                 const double w = point.weight * at.value[c];
-                area(v) += w;
+                area(vertices[f][c]) += w;
                 if (is_open)
-                  open_area(v) += w;
+                  open_area(vertices[f][c]) += w;
                 for (unsigned int d = 0; d < dim; ++d)
-                  offset[d](v) += w * (point.position[d] - corner(face, c)[d]);
+                  offset[d](vertices[f][c]) += w * (point.position[d] - corner(face, c)[d]);
               }
           }
         area.compress(VectorOperation::add);
         open_area.compress(VectorOperation::add);
-        for (LA::Vector &component : offset)
+        for (Field &component : offset)
           divide(component);
       }
 
       LA::Vector
       run() const
       {
-        const LA::Vector        means    = mean_pressure();
-        const double            most     = means.linfty_norm();
-        LA::Vector              q        = means;
-        std::vector<LA::Vector> gradient = mean_gradients(q);
-        double                  before   = std::numeric_limits<double>::max();
+        const Field        means    = mean_pressure();
+        const double       most     = means.linfty_norm();
+        Field              q        = means;
+        std::vector<Field> gradient = mean_gradients(q);
+        double             before   = std::numeric_limits<double>::max();
         for (unsigned int step = 0; step < max_steps; ++step)
           {
-            gradient              = corrected(mean_gradients(q), gradient);
-            const LA::Vector next = keep_at_edges(next_guess(q, means, gradient), means);
+            gradient         = corrected(mean_gradients(q), gradient);
+            const Field next = keep_at_edges(next_guess(q, means, gradient), means);
             q -= next;
             const double change = q.linfty_norm();
             // On meshes that are too irregular for it, what was reached.
@@ -119,6 +123,59 @@ namespace Signorini
 
     private:
       static constexpr unsigned int n = n_corners<dim>;
+
+      using Field = LinearAlgebra::distributed::Vector<double>;
+
+      /// Among those of the surface, rank by rank.
+      void
+      number_vertices()
+      {
+        const MPI_Comm comm   = s.elasticity.mesh().communicator();
+        LA::Vector     number = s.elasticity.zero_vector();
+        for (const SlaveFace<dim> &face : surface.slave_faces)
+          for (unsigned int c = 0; c < (face.degree > 0 ? n : 0); ++c)
+            number(vertex(face, c)) += 1;
+        number.compress(VectorOperation::add);
+        std::vector<types::global_dof_index> own;
+        for (const auto i : number.locally_owned_elements())
+          if (number(i) > 0)
+            own.push_back(i);
+        const auto              counts = Utilities::MPI::all_gather(comm, own.size());
+        types::global_dof_index next   = 0;
+        for (unsigned int rank = 0; rank < Utilities::MPI::this_mpi_process(comm); ++rank)
+          next += counts[rank];
+        const types::global_dof_index first = next;
+        for (const auto i : own)
+          number(i) = next++;
+        number.compress(VectorOperation::insert);
+        const LA::Vector numbers = s.elasticity.with_ghosts(number);
+
+        IndexSet owned(Utilities::MPI::sum(own.size(), comm)), others(owned.size());
+        owned.add_range(first, next);
+        vertices.resize(surface.slave_faces.size());
+        for (unsigned int f = 0; f < vertices.size(); ++f)
+          for (unsigned int c = 0; c < (surface.slave_faces[f].degree > 0 ? n : 0); ++c)
+            {
+              vertices[f][c] = std::lround(numbers(vertex(surface.slave_faces[f], c)));
+              if (!owned.is_element(vertices[f][c]))
+                others.add_index(vertices[f][c]);
+            }
+        layout = std::make_shared<Utilities::MPI::Partitioner>(owned, others, comm);
+      }
+
+      Field
+      zero() const
+      {
+        return Field(layout);
+      }
+
+      static Field
+      with_ghosts(const Field &field)
+      {
+        Field result = field;
+        result.update_ghost_values();
+        return result;
+      }
 
       /// Of the linear functions of a face: int phi_c phi_e dA, int phi_c grad phi_e dA.
       struct FaceMatrices
@@ -161,6 +218,12 @@ namespace Signorini
         return face.nodes[node_of_corner<dim>(c, face.degree)];
       }
 
+      static unsigned int
+      corner_of_node(const unsigned int node, const unsigned int degree)
+      {
+        return (node % (degree + 1) > 0 ? 1 : 0) + (node > degree ? 2 : 0);
+      }
+
       static const Point<dim> &
       corner(const SlaveFace<dim> &face, const unsigned int c)
       {
@@ -184,19 +247,19 @@ namespace Signorini
 
       /// From an integral to a mean, zero where there is no area.
       void
-      divide(LA::Vector &integral) const
+      divide(Field &integral) const
       {
         integral.compress(VectorOperation::add);
-        for (const auto i : integral.locally_owned_elements())
-          integral(i) = area(i) > 0 ? integral(i) / area(i) : 0.;
-        integral.compress(VectorOperation::insert);
+        for (unsigned int k = 0; k < integral.locally_owned_size(); ++k)
+          integral.local_element(k) =
+            area.local_element(k) > 0 ? integral.local_element(k) / area.local_element(k) : 0.;
       }
 
       /// Of a pressure in the dual basis int phi_i lambda dA = p_i int phi_i dA on each face.
-      LA::Vector
+      Field
       mean_pressure() const
       {
-        LA::Vector   result = s.elasticity.zero_vector();
+        Field        result = zero();
         unsigned int q      = 0;
         for (const ContactPoint<dim> &point : surface.points)
           {
@@ -216,7 +279,7 @@ namespace Signorini
                 if (samples_nodes_here() && is_dual)
                   for (unsigned int i = 0; i < shape.size(); ++i)
                     weighted += share(c, i, face.degree) * shape[i] * raw(face.nodes[i]);
-                result(vertex(face, c)) += point.weight * weighted;
+                result(vertices[point.face][c]) += point.weight * weighted;
               }
             ++q;
           }
@@ -251,82 +314,80 @@ namespace Signorini
         return result;
       }
 
-      LA::Vector
-      means_of_linear(const LA::Vector &vertices) const
+      Field
+      means_of_linear(const Field &field) const
       {
-        const LA::Vector q      = s.elasticity.with_ghosts(vertices);
-        LA::Vector       result = s.elasticity.zero_vector();
+        const Field q      = with_ghosts(field);
+        Field       result = zero();
         for (unsigned int f = 0; f < matrices.size(); ++f)
-          if (const SlaveFace<dim> &face = surface.slave_faces[f]; face.degree > 0)
+          if (surface.slave_faces[f].degree > 0)
             for (unsigned int c = 0; c < n; ++c)
               for (unsigned int e = 0; e < n; ++e)
-                result(vertex(face, c)) += matrices[f].mass[c][e] * q(vertex(face, e));
+                result(vertices[f][c]) += matrices[f].mass[c][e] * q(vertices[f][e]);
         divide(result);
         return result;
       }
 
       /// Along the surface, of the linear interpolant, means at the vertices.
-      std::vector<LA::Vector>
-      mean_gradients(const LA::Vector &vertices) const
+      std::vector<Field>
+      mean_gradients(const Field &field) const
       {
-        const LA::Vector        q = s.elasticity.with_ghosts(vertices);
-        std::vector<LA::Vector> result(dim, s.elasticity.zero_vector());
+        const Field        q = with_ghosts(field);
+        std::vector<Field> result(dim, zero());
         for (unsigned int f = 0; f < matrices.size(); ++f)
-          if (const SlaveFace<dim> &face = surface.slave_faces[f]; face.degree > 0)
+          if (surface.slave_faces[f].degree > 0)
             for (unsigned int c = 0; c < n; ++c)
               {
                 Tensor<1, dim> sum;
                 for (unsigned int e = 0; e < n; ++e)
-                  sum += q(vertex(face, e)) * matrices[f].gradient[c][e];
+                  sum += q(vertices[f][e]) * matrices[f].gradient[c][e];
                 for (unsigned int d = 0; d < dim; ++d)
-                  result[d](vertex(face, c)) += sum[d];
+                  result[d](vertices[f][c]) += sum[d];
               }
-        for (LA::Vector &component : result)
+        for (Field &component : result)
           divide(component);
         return result;
       }
 
       /// The means of the linear interpolant's gradients are gradients at the offsets d, those
       /// along d at 3/2 d.
-      std::vector<LA::Vector>
-      corrected(std::vector<LA::Vector> means, const std::vector<LA::Vector> &gradient) const
+      std::vector<Field>
+      corrected(std::vector<Field> means, const std::vector<Field> &gradient) const
       {
-        std::vector<LA::Vector> change(dim, s.elasticity.zero_vector());
+        std::vector<Field> change(dim, zero());
         for (unsigned int d = 0; d < dim; ++d)
           {
-            std::vector<LA::Vector> curvature = mean_gradients(gradient[d]);
+            std::vector<Field> curvature = mean_gradients(gradient[d]);
             for (unsigned int e = 0; e < dim; ++e)
               {
                 curvature[e].scale(offset[e]);
                 change[d] += curvature[e];
               }
           }
-        for (const auto i : area.locally_owned_elements())
+        for (unsigned int k = 0; k < area.locally_owned_size(); ++k)
           {
             double along = 0, square = 0;
             for (unsigned int d = 0; d < dim; ++d)
               {
-                along += change[d](i) * offset[d](i);
-                square += offset[d](i) * offset[d](i);
+                along += change[d].local_element(k) * offset[d].local_element(k);
+                square += std::pow(offset[d].local_element(k), 2);
               }
             for (unsigned int d = 0; d < dim; ++d)
-              means[d](i) -= change[d](i) + (square > 0 ? 0.5 * along / square * offset[d](i) : 0.);
+              means[d].local_element(k) -=
+                change[d].local_element(k) +
+                (square > 0 ? 0.5 * along / square * offset[d].local_element(k) : 0.);
           }
-        for (LA::Vector &component : means)
-          component.compress(VectorOperation::add);
         return means;
       }
 
-      LA::Vector
-      next_guess(const LA::Vector              &q,
-                 const LA::Vector              &means,
-                 const std::vector<LA::Vector> &gradient) const
+      Field
+      next_guess(const Field &q, const Field &means, const std::vector<Field> &gradient) const
       {
-        LA::Vector excess = means_of_linear(q); // M q - q
+        Field excess = means_of_linear(q); // M q - q
         excess -= q;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            LA::Vector along = gradient[d];
+            Field along = gradient[d];
             along.scale(offset[d]);
             excess += along;
           }
@@ -335,33 +396,32 @@ namespace Signorini
         return excess;
       }
 
-      LA::Vector
-      keep_at_edges(const LA::Vector &inside, const LA::Vector &at_edges) const
+      Field
+      keep_at_edges(Field inside, const Field &at_edges) const
       {
-        LA::Vector result = inside;
-        for (const auto i : result.locally_owned_elements())
-          if (open_area(i) > 0)
-            result(i) = at_edges(i);
-        result.compress(VectorOperation::insert);
-        return result;
+        for (unsigned int k = 0; k < inside.locally_owned_size(); ++k)
+          if (open_area.local_element(k) > 0)
+            inside.local_element(k) = at_edges.local_element(k);
+        return inside;
       }
 
       /// Values at the nodes of a face from those at its corners.
       std::vector<double>
-      values_on(const SlaveFace<dim>          &face,
-                const LA::Vector              &q,
-                const std::vector<LA::Vector> &gradient) const
+      values_on(const unsigned int f, const Field &q, const std::vector<Field> &gradient) const
       {
-        const bool          is_smooth = !has_open_node(face);
-        const unsigned int  k = face.degree, rows = dim == 3 ? k + 1 : 1;
-        std::vector<double> values(face.nodes.size());
+        const SlaveFace<dim> &face      = surface.slave_faces[f];
+        const bool            is_smooth = !has_open_node(face);
+        const unsigned int    k = face.degree, rows = dim == 3 ? k + 1 : 1;
+        std::vector<double>   values(face.nodes.size());
         for (unsigned int c = 0; c < n; ++c)
-          values[node_of_corner<dim>(c, k)] = q(vertex(face, c));
+          values[node_of_corner<dim>(c, k)] = q(vertices[f][c]);
         const auto middle = [&](const unsigned int a, const unsigned int b, const unsigned int m) {
           double               bend = 0;
           const Tensor<1, dim> way  = face.positions[b] - face.positions[a];
           for (unsigned int d = 0; d < dim; ++d)
-            bend += (gradient[d](face.nodes[a]) - gradient[d](face.nodes[b])) * way[d];
+            bend += (gradient[d](vertices[f][corner_of_node(a, k)]) -
+                     gradient[d](vertices[f][corner_of_node(b, k)])) *
+                    way[d];
           values[m] = (values[a] + values[b]) / 2 + (is_smooth ? bend / 8 : 0.);
         };
         for (unsigned int j = 0; j < rows; j += k)
@@ -377,17 +437,18 @@ namespace Signorini
       }
 
       LA::Vector
-      with_nodes_between(const LA::Vector &vertices, const std::vector<LA::Vector> &gradient) const
+      with_nodes_between(const Field &field, const std::vector<Field> &gradient) const
       {
-        const LA::Vector        q = s.elasticity.with_ghosts(vertices);
-        std::vector<LA::Vector> slopes;
-        for (const LA::Vector &component : gradient)
-          slopes.push_back(s.elasticity.with_ghosts(component));
+        const Field        q      = with_ghosts(field);
+        std::vector<Field> slopes = gradient; // copies have no ghosts
+        for (const Field &component : slopes)
+          component.update_ghost_values();
         LA::Vector sum = s.elasticity.zero_vector(), count = sum;
-        for (const SlaveFace<dim> &face : surface.slave_faces)
+        for (unsigned int f = 0; f < surface.slave_faces.size(); ++f)
           {
+            const SlaveFace<dim>     &face = surface.slave_faces[f];
             const std::vector<double> values =
-              face.degree == 2 ? values_on(face, q, slopes) : values_of(face.nodes);
+              face.degree == 2 ? values_on(f, q, slopes) : values_of(face.nodes);
             for (unsigned int i = 0; i < values.size(); ++i)
               {
                 sum(face.nodes[i]) += is_open(face.nodes[i]) ? 0. : values[i];
@@ -417,9 +478,13 @@ namespace Signorini
       const ContactSurface<dim> &surface;
       const LA::Vector           raw, status; ///< with ghosts
       types::global_dof_index    first_row = numbers::invalid_dof_index;
-      LA::Vector              area, open_area; ///< int phi_v dA, and that on faces with open nodes
-      std::vector<LA::Vector> offset;          ///< d
-      std::vector<FaceMatrices> matrices;      ///< of slave faces
+      Field              area, open_area; ///< int phi_v dA, and that on faces with open nodes
+      std::vector<Field> offset;          ///< d
+      std::vector<FaceMatrices> matrices; ///< of slave faces
+
+      std::shared_ptr<const Utilities::MPI::Partitioner> layout;
+      std::vector<std::array<types::global_dof_index, n>>
+        vertices; ///< entries of the faces' corners
     };
   } // namespace
 

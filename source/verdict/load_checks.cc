@@ -54,7 +54,7 @@ namespace Signorini
   std::vector<Finding>
   check_loads(const Scene<dim> &scene, const Snapshot<dim> &now)
   {
-    constexpr double     small = 1e-3;
+    constexpr double     small = 1e-4;
     const MPI_Comm       comm  = now.elasticity.mesh().communicator();
     std::vector<Finding> findings;
     for (const Load<dim> &load : scene.loads)
