@@ -1,4 +1,5 @@
 #include <signorini/contact/boundary_faces.h>
+#include <signorini/contact/face_patches.h>
 
 namespace Signorini
 {
@@ -9,13 +10,14 @@ namespace Signorini
   {
     const Mesh<dim>   &mesh = elasticity.mesh();
     const BoundaryIds &ids  = mesh.boundary_ids(boundary);
+    FacePatches<dim>   patch_of(mesh);
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
             {
               faces.emplace_back(cell, f);
-              patches.emplace_back(mesh.surface_mapping(), mesh.surface_degree(), cell, f);
+              patches.push_back(patch_of(cell, f));
             }
   }
 

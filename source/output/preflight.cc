@@ -1,4 +1,5 @@
 #include <signorini/contact/boundary_faces.h>
+#include <signorini/contact/face_patches.h>
 #include <signorini/output/preflight.h>
 #include <signorini/parameters/raw.h>
 
@@ -45,6 +46,7 @@ namespace Signorini
         moment.assign(dim * names.size(), 0.);
         low.assign(dim * names.size(), most);
         high.assign(dim * names.size(), -most);
+        FacePatches<dim>                                        patch_of(mesh);
         std::map<types::boundary_id, std::vector<unsigned int>> names_of;
         for (unsigned int i = 0; i < names.size(); ++i)
           for (const types::boundary_id id : mesh.boundary_ids(names[i]))
@@ -54,7 +56,7 @@ namespace Signorini
             for (const unsigned int f : cell->face_indices())
               if (cell->face(f)->at_boundary())
                 for (const unsigned int i : names_of[cell->face(f)->boundary_id()])
-                  add(i, FacePatch<dim>(mesh.surface_mapping(), mesh.surface_degree(), cell, f));
+                  add(i, patch_of(cell, f));
         for (auto *numbers : {&faces, &size, &moment})
           Utilities::MPI::sum(*numbers, mesh.communicator(), *numbers);
         Utilities::MPI::min(low, mesh.communicator(), low);
