@@ -200,7 +200,8 @@ namespace Signorini
   {
     std::map<types::global_dof_index, unsigned int> pair_of_node;
     unsigned int                                    both[2] = {0, 0}; // one more than numbers
-    auto                                            row = active.locally_owned_elements().begin();
+    const IndexSet                                  rows    = active.locally_owned_elements();
+    auto                                            row     = rows.begin();
     for (unsigned int k = 0; k < contact->node.size(); ++k, ++row)
       if (active(*row) > 0)
         if (const auto [at, is_new] = pair_of_node.insert({contact->node[k], contact->pair[k]});

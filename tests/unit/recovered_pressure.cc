@@ -57,8 +57,9 @@ namespace
         }
     for (LA::Vector *v : {&value, &area})
       v->compress(VectorOperation::add);
-    LA::Vector pressure = contact.zero(), active = contact.zero();
-    auto       row = active.locally_owned_elements().begin();
+    LA::Vector     pressure = contact.zero(), active = contact.zero();
+    const IndexSet rows = active.locally_owned_elements();
+    auto           row  = rows.begin();
     for (const auto node : contact.node)
       {
         pressure(*row) = value(node) / area(node);
