@@ -10,7 +10,10 @@ namespace Signorini
   {
     std::vector<std::pair<std::string, BodyMesh<dim>>> bodies;
     for (const Body<dim> &body : scene.bodies)
-      bodies.emplace_back(body.name, body.mesh);
+      {
+        bodies.emplace_back(body.name, body.mesh);
+        bodies.back().second.degree = scene.degrees()[bodies.size() - 1];
+      }
     std::vector<std::pair<std::string, std::string>> contact_surfaces;
     for (const ContactPair<dim> &pair : scene.known_pairs())
       contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);

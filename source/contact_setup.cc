@@ -4,6 +4,7 @@
 #include <signorini/contact/reach.h>
 #include <signorini/contact_setup.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 #include <signorini/scene/expected_motion.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  ContactSetup<dim>::ContactSetup(const Scene<dim>      &scene,
+  ContactSetup<dim>::ContactSetup(Scene<dim>            &scene,
                                   const Elasticity<dim> &elasticity,
                                   TimerOutput           &timer,
                                   ConditionalOStream    &out)
@@ -31,6 +32,69 @@ namespace Signorini
 
 
   template <int dim>
+  ContactSurface<dim>
+  ContactSetup<dim>::surface_of(const ContactPair<dim> &pair, const unsigned int i) const
+  {
+    return make_contact_surface(elasticity,
+                                pair,
+                                scene.obstacle_of(pair),
+                                scene.contact.chosen(),
+                                scene.integration_of(pair),
+                                reach[i]);
+  }
+
+
+
+  namespace
+  {
+    /// Of what has a partner.
+    template <int dim>
+    double
+    area_of(const ContactSurface<dim> &surface, const MPI_Comm comm)
+    {
+      double area = 0;
+      for (const ContactPoint<dim> &point : surface.points)
+        area += point.weight;
+      return Utilities::MPI::sum(area, comm);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::exchange_sides(const unsigned int i)
+  {
+    const MPI_Comm    comm  = elasticity.mesh().communicator();
+    ContactPair<dim> &pair  = scene.pairs[i];
+    const Sides       sides = my_surfaces[i].sides;
+    if (pair.sides == "as named" || scene.contact.chosen().unbiased() ||
+        !sides.better_exchanged() || kept.count(pair.name) > 0)
+      return;
+    ContactPair<dim> other = pair;
+    other.exchange();
+    try
+      {
+        scene.contact.chosen().check(scene.integration_of(other), scene.degree_of(other.slave));
+        ContactSurface<dim> surface = surface_of(other, i);
+        if (area_of(surface, comm) < 0.9 * area_of(my_surfaces[i], comm))
+          throw SceneError("the other side sees less");
+        my_surfaces[i] = std::move(surface);
+      }
+    catch (const SceneError &)
+      {
+        kept.insert(pair.name); // the other side cannot carry a pressure
+        return;
+      }
+    out << "  pair " << pair.name << ": slave and master are exchanged, since '" << pair.slave
+        << "' is " << short_text(sides.modulus, 2) << " times as stiff, with faces "
+        << short_text(sides.size, 2) << " times as large" << std::endl;
+    pair = other;
+  }
+
+
+
+  template <int dim>
   void
   ContactSetup<dim>::build()
   {
@@ -39,12 +103,10 @@ namespace Signorini
       TimerOutput::Scope scope(timer, "search");
       my_surfaces.clear();
       for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-        my_surfaces.push_back(make_contact_surface(elasticity,
-                                                   scene.pairs[i],
-                                                   scene.obstacle_of(scene.pairs[i]),
-                                                   method,
-                                                   scene.integration_of(scene.pairs[i]),
-                                                   reach[i]));
+        {
+          my_surfaces.push_back(surface_of(scene.pairs[i], i));
+          exchange_sides(i);
+        }
     }
     TimerOutput::Scope scope(timer, "contact");
     contact           = make_gap_operator(elasticity, my_surfaces, method);
@@ -80,11 +142,6 @@ namespace Signorini
         const ContactPair<dim> &pair = scene.pairs[i];
         const double            approach =
           largest_approach(elasticity, pair, scene.obstacle_of(pair), u, displacements);
-        if (approach > 0.1 * elasticity.mesh().size() && warned.insert(pair.name).second)
-          out << "  WARNING: pair " << pair.name << ": its surfaces have moved by up to "
-              << approach
-              << ", but displacements are small in this theory and contact is that of the initial "
-              << "positions: what slides or turns that far is wrong" << std::endl;
         if (approach <= my_surfaces[i].reach || !pair.separates)
           continue;
         out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
@@ -133,6 +190,35 @@ namespace Signorini
     contact->set_interference(shares);
     if (contact->S_thermal.m() > 0)
       contact->set_rises(elasticity.thermal().coefficients());
+  }
+
+
+
+  template <int dim>
+  std::string
+  ContactSetup<dim>::pressed_twice(const LA::Vector &active) const
+  {
+    std::map<types::global_dof_index, unsigned int> pair_of_node;
+    unsigned int                                    both[2] = {0, 0}; // one more than numbers
+    const IndexSet                                  rows    = active.locally_owned_elements();
+    auto                                            row     = rows.begin();
+    for (unsigned int k = 0; k < contact->node.size(); ++k, ++row)
+      if (active(*row) > 0)
+        if (const auto [at, is_new] = pair_of_node.insert({contact->node[k], contact->pair[k]});
+            !is_new)
+          {
+            both[0] = at->second + 1;
+            both[1] = contact->pair[k] + 1;
+          }
+    const unsigned int code = both[0] * scene.pairs.size() + both[1],
+                       most = Utilities::MPI::max(code, elasticity.mesh().communicator());
+    if (most == 0)
+      return "";
+    const unsigned int second = (most - 1) % scene.pairs.size(),
+                       first  = (most - 1) / scene.pairs.size() - 1;
+    return "; pairs '" + scene.pairs[first].name + "' and '" + scene.pairs[second].name +
+           "' press the same nodes: where they do so in the same direction, remove one, or take a "
+           "penalty method";
   }
 
 

@@ -25,7 +25,7 @@ namespace
   signorini --print-reference                          all keys, as doc/reference.md
   signorini --help | --version
 
-In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal error,
+In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal error or full disk,
 2 bad scene or command line, 3 not converged, or no answer by the verdict, 4 an expected result of the scene is missed.
 )";
 

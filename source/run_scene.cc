@@ -1,4 +1,5 @@
 #include <signorini/mesh/generators/file.h>
+#include <signorini/output/directory.h>
 #include <signorini/parameters/section.h>
 #include <signorini/run_scene.h>
 #include <signorini/simulation.h>
@@ -88,6 +89,15 @@ namespace Signorini
         if (speaks)
           err << "error: " << error.what() << std::endl;
         return bad_scene;
+      }
+    catch (const OutputError &error)
+      {
+        if (speaks || !error.of_all)
+          err << "error: " << error.what() << std::endl;
+        if (!error.of_all && Utilities::MPI::job_supports_mpi() &&
+            Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          MPI_Abort(MPI_COMM_WORLD, internal_error);
+        return internal_error;
       }
     catch (const std::exception &error)
       {

@@ -1,4 +1,5 @@
 #include <signorini/body_setup.h>
+#include <signorini/output/directory.h>
 #include <signorini/output/preflight.h>
 #include <signorini/simulation.h>
 #include <signorini/solve/linear_reference.h>
@@ -53,6 +54,10 @@ namespace Signorini
     try
       {
         return solve_scene();
+      }
+    catch (const OutputError &)
+      {
+        throw; // the disk will not take that word either
       }
     catch (const std::exception &error)
       {
@@ -302,6 +307,7 @@ namespace Signorini
                                           elasticity->constraints(),
                                           contact->gap_operator(),
                                           elasticity->rigid_body_modes(),
+                                          elasticity->bodies_of_dofs(),
                                           dim,
                                           timer,
                                           std::move(free_motions));
@@ -436,6 +442,8 @@ namespace Signorini
       {
         report        = NewtonReport();
         report.reason = failure.what();
+        if (newton)
+          report.reason += contact->pressed_twice(newton->active());
       }
     displacement         = u;
     const bool same_size = p.size() == pressure.size();

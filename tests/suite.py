@@ -118,7 +118,8 @@ def run(cases, arguments):
 
     failed, n_checks = [], 0
     for (name, label, ranks), members in tests_of(cases).items():
-        directory = Path(arguments.directory) / f"{name}-{label}-{ranks}"
+        # Cases that are sanitized are in a test of their own too, which may run at the same time.
+        directory = Path(arguments.directory) / (arguments.label or "all") / f"{name}-{label}-{ranks}"
         shutil.rmtree(directory, ignore_errors=True)
         test = Test(worker, directory)
         test.program, test.mpiexec = str(arguments.program), arguments.mpiexec

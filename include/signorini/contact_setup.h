@@ -20,13 +20,15 @@ namespace Signorini
   class ContactSetup
   {
   public:
-    ContactSetup(const Scene<dim>           &scene,
+    /// @param scene whose pairs may be exchanged by build()
+    ContactSetup(Scene<dim>                 &scene,
                  const Elasticity<dim>      &elasticity,
                  dealii::TimerOutput        &timer,
                  dealii::ConditionalOStream &out);
 
     /// Search, and assemble the gap operator, which ends all references to the former one and to
-    /// the surfaces. Throws SceneError where a pair that has to see its partner does not.
+    /// the surfaces. Slave and master of pairs are exchanged where their stiffness and their meshes
+    /// ask for it. Throws SceneError where a pair that has to see its partner does not.
     void
     build();
 
@@ -65,12 +67,23 @@ namespace Signorini
     void
     set_time(double t);
 
+    /// Two pairs that press the same nodes, as a cause of singular systems, in words; may be empty.
+    /// Collective.
+    std::string
+    pressed_twice(const LA::Vector &active) const;
+
     /// What was left out, for the results.
     std::vector<std::string>
     left_out() const;
 
   private:
-    const Scene<dim>           &scene;
+    ContactSurface<dim>
+    surface_of(const ContactPair<dim> &pair, unsigned int i) const;
+    /// If the mesh asks for it, and if the other side can be slave.
+    void
+    exchange_sides(unsigned int i);
+
+    Scene<dim>                 &scene;
     const Elasticity<dim>      &elasticity;
     dealii::TimerOutput        &timer;
     dealii::ConditionalOStream &out;
@@ -78,7 +91,7 @@ namespace Signorini
     std::vector<double>              reach; ///< of each pair: gaps of candidates
     std::vector<ContactSurface<dim>> my_surfaces;
     std::unique_ptr<GapOperator>     contact;
-    std::set<std::string>            warned; ///< pairs that have moved too far
+    std::set<std::string>            kept; ///< pairs whose master cannot be the slave
   };
 
   /// How far surfaces of a scene may come closer: sound guesses save a second solution.

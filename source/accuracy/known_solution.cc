@@ -1,7 +1,7 @@
 #include <signorini/accuracy/known_solution.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/stress.h>
-#include <signorini/output/point_values.h>
+#include <signorini/fields/point_values.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/quadrature_lib.h>

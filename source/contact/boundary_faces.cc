@@ -1,4 +1,5 @@
 #include <signorini/contact/boundary_faces.h>
+#include <signorini/contact/face_patches.h>
 
 namespace Signorini
 {
@@ -9,13 +10,14 @@ namespace Signorini
   {
     const Mesh<dim>   &mesh = elasticity.mesh();
     const BoundaryIds &ids  = mesh.boundary_ids(boundary);
+    FacePatches<dim>   patch_of(mesh);
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
             {
               faces.emplace_back(cell, f);
-              patches.emplace_back(mesh.mapping(), mesh.geometry_degree(), cell, f);
+              patches.push_back(patch_of(cell, f));
             }
   }
 
@@ -33,9 +35,18 @@ namespace Signorini
 
   template <int dim>
   double
+  BoundaryFaces<dim>::modulus(const Elasticity<dim> &elasticity, const unsigned int i) const
+  {
+    return elasticity.material(faces[i].first->material_id()).youngs_modulus;
+  }
+
+
+
+  template <int dim>
+  double
   BoundaryFaces<dim>::stiffness(const Elasticity<dim> &elasticity, const unsigned int i) const
   {
-    return elasticity.material(faces[i].first->material_id()).youngs_modulus / depth(i);
+    return modulus(elasticity, i) / depth(i);
   }
 
 

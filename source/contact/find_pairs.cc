@@ -1,4 +1,5 @@
 #include <signorini/contact/face_patch.h>
+#include <signorini/contact/face_patches.h>
 #include <signorini/contact/find_pairs.h>
 #include <signorini/contact/search.h>
 #include <signorini/parameters/raw.h>
@@ -51,12 +52,13 @@ namespace Signorini
         for (const types::boundary_id id : mesh.boundary_ids(mesh.boundaries()[i]))
           number_of.insert({id, i});
       std::vector<Face<dim>> own, all;
+      FacePatches<dim>       patch_of(mesh);
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary())
               {
-                const FacePatch<dim> patch(mesh.mapping(), mesh.geometry_degree(), cell, f);
+                const FacePatch<dim> patch = patch_of(cell, f);
                 Point<dim - 1>       middle;
                 for (unsigned int d = 0; d < dim - 1; ++d)
                   middle[d] = 0.5;

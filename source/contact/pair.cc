@@ -1,16 +1,25 @@
 #include <signorini/contact/pair.h>
 #include <signorini/parameters/section.h>
 
+#include <utility>
+
 namespace Signorini
 {
   template <int dim>
   void
   ContactPair<dim>::declare(Section &section)
   {
-    section.add("Slave",
-                slave,
-                "BODY.BOUNDARY; contact is integrated over it: take the finer or softer side");
+    section.add(
+      "Slave",
+      slave,
+      "BODY.BOUNDARY; contact is integrated over it: the softer side, or the coarser one of equal stiffness");
     section.add("Master", master, "BODY.BOUNDARY, or the name of an obstacle");
+    section.add_choice(
+      "Sides",
+      sides,
+      {"automatic", "as named"},
+      "automatic: slave and master are exchanged where the slave is so much stiffer or finer that its pressure would "
+      "oscillate; results keep the signs of the names");
     section.add("Initial gap",
                 initial_gap,
                 "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z [length]");
@@ -48,6 +57,19 @@ namespace Signorini
                        std::string(error.what()) + "; or write 'from geometry' or 'closed'");
         }
   }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::exchange()
+  {
+    std::swap(slave, master);
+    std::swap(slave_place, master_place);
+    exchanged = !exchanged;
+  }
+
+
 
   template struct ContactPair<2>;
   template struct ContactPair<3>;

@@ -68,11 +68,17 @@ namespace Signorini
     {
       MasterFaces<dim> master;
       master.patches = boundary.patches;
-      std::vector<double> stiffnesses;
+      std::vector<double> stiffnesses, moduli, sizes;
       for (unsigned int i = 0; i < boundary.faces.size(); ++i)
-        stiffnesses.push_back(boundary.stiffness(elasticity, i));
+        {
+          stiffnesses.push_back(boundary.stiffness(elasticity, i));
+          moduli.push_back(boundary.modulus(elasticity, i));
+          sizes.push_back(boundary.patches[i].diameter());
+        }
       master.complete = [faces = boundary.faces,
                          stiffnesses,
+                         moduli,
+                         sizes,
                          with_stress,
                          trace  = Trace<dim>(elasticity),
                          stress = std::make_shared<NormalStress<dim>>(elasticity),
@@ -85,6 +91,8 @@ namespace Signorini
         trace.reinit(cell, face);
         partner.row       = trace.normal_displacement(place, n);
         partner.stiffness = stiffnesses[i];
+        partner.modulus   = moduli[i];
+        partner.size      = sizes[i];
         if (!with_stress)
           return;
         stress->reinit(cell);
@@ -153,6 +161,7 @@ namespace Signorini
       point.position  = patch.position(paired.xi);
       point.normal    = partner.normal;
       point.weight    = paired.weight;
+      point.facing    = -(patch.normal(paired.xi) * partner.normal);
       point.gap       = initial_gap(point.position, distance(point.position, partner));
       point.stiffness = 1 / (1 / stiffness + 1 / partner.stiffness);
       point.row       = trace.normal_displacement(unit_point, partner.normal);
@@ -160,6 +169,7 @@ namespace Signorini
         point.row.emplace_back(index, -value);
       unite(point.row);
       point.face = paired.face;
+      point.xi   = paired.xi;
       return point;
     }
 
@@ -292,6 +302,37 @@ namespace Signorini
     }
 
     template <int dim>
+    std::vector<SlaveFace<dim>>
+    slave_faces(const Elasticity<dim>                &elasticity,
+                const BoundaryFaces<dim>             &slave,
+                const std::vector<ContactPoint<dim>> &points)
+    {
+      std::vector<SlaveFace<dim>> result(slave.faces.size());
+      Trace<dim>                  trace(elasticity);
+      for (const ContactPoint<dim> &point : points)
+        if (SlaveFace<dim> &face = result[point.face]; face.degree == 0)
+          {
+            const auto &[cell, f] = slave.faces[point.face];
+            trace.reinit(cell, f);
+            const unsigned int k = face.degree = cell->get_fe().degree;
+            for (unsigned int j = 0; j <= (dim == 3 ? k : 0); ++j)
+              for (unsigned int i = 0; i <= k; ++i)
+                {
+                  Point<dim - 1> xi;
+                  xi[dim - 2]           = double(j) / k;
+                  xi[0]                 = double(i) / k;
+                  const SparseRow shape = trace.unresolved_shape(unit_point<dim>(f, xi));
+                  face.nodes.push_back(
+                    std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
+                      return a.second < b.second;
+                    })->first);
+                  face.positions.push_back(slave.patches[point.face].position(xi));
+                }
+          }
+      return result;
+    }
+
+    template <int dim>
     std::vector<std::pair<SparseRow, double>>
     whole_faces(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave)
     {
@@ -322,6 +363,48 @@ namespace Signorini
         smallest =
           std::min(smallest, -(slave.patches[point.face].normal(point.xi) * point.partner.normal));
       return std::acos(Utilities::MPI::min(smallest, comm)) * 180 / numbers::PI;
+    }
+
+    /// At a node of the master, one function is one and all others are zero.
+    template <int dim>
+    bool
+    is_at_node(const Partner<dim> &partner)
+    {
+      double squares = 0; // of n_d phi_j
+      for (const auto &entry : partner.row)
+        squares += entry.second * entry.second;
+      return squares > 0.95;
+    }
+
+    /// What the faces with points have of each other.
+    template <int dim>
+    void
+    compare(const Elasticity<dim>               &elasticity,
+            const BoundaryFaces<dim>            &slave,
+            const std::vector<PairedPoint<dim>> &paired,
+            const bool                           is_obstacle,
+            const MPI_Comm                       comm,
+            ContactSurface<dim>                 &surface)
+    {
+      std::vector<double> sums(5, 0.); // area, size, area off nodes, logarithms of the ratios
+      for (const PairedPoint<dim> &point : paired)
+        {
+          const double size = slave.patches[point.face].diameter();
+          sums[0] += point.weight;
+          sums[1] += point.weight * size;
+          if (is_obstacle)
+            continue;
+          sums[2] += is_at_node(point.partner) ? 0. : point.weight;
+          sums[3] +=
+            point.weight * std::log(slave.modulus(elasticity, point.face) / point.partner.modulus);
+          sums[4] += point.weight * std::log(size / point.partner.size);
+        }
+      Utilities::MPI::sum(sums, comm, sums);
+      if (sums[0] == 0)
+        return;
+      surface.face_size = sums[1] / sums[0];
+      surface.off_nodes = sums[2] / sums[0];
+      surface.sides     = {std::exp(sums[3] / sums[0]), std::exp(sums[4] / sums[0])};
     }
 
     template <int dim>
@@ -439,8 +522,9 @@ namespace Signorini
         keep_touching(pair, slave, paired, surface.points);
       else if (surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
-      surface.largest_angle   = largest_angle(slave, paired, comm);
-      surface.sees_nothing    = n_paired == 0;
+      surface.largest_angle = largest_angle(slave, paired, comm);
+      surface.sees_nothing  = n_paired == 0;
+      compare(elasticity, slave, paired, obstacle != nullptr, comm, surface);
       surface.is_apart        = Utilities::MPI::sum(surface.points.size(), comm) == 0;
       const auto n_prescribed = set_pressure_functions(
         elasticity, method, integration.basis, slave, paired, surface.points);
@@ -451,7 +535,8 @@ namespace Signorini
           pair.slave_place + ": the displacement of faces of '" + pair.slave +
           "' is prescribed along the normal at all their nodes, so that they cannot carry an "
           "unknown pressure; exchange Slave and Master, or take Contact method/Method = penalty");
-      surface.whole = whole_faces(elasticity, slave);
+      surface.whole       = whole_faces(elasticity, slave);
+      surface.slave_faces = slave_faces(elasticity, slave, surface.points);
       return surface;
     }
 
@@ -471,6 +556,10 @@ namespace Signorini
         point.weight /= 2;
       for (auto &entry : surface.whole)
         entry.second /= 2;
+      surface.slave_faces.resize(surface.faces);
+      surface.slave_faces.insert(surface.slave_faces.end(),
+                                 other.slave_faces.begin(),
+                                 other.slave_faces.end());
       surface.faces += other.faces;
       surface.is_apart = surface.is_apart && other.is_apart;
     }

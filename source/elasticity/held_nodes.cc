@@ -93,7 +93,7 @@ namespace Signorini
           {
             faces.emplace_back();
             for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
-              faces.back().emplace_back(mesh.mapping(), fe.base_element(0), f);
+              faces.back().emplace_back(mesh.surface_mapping(), fe.base_element(0), f);
           }
       }
 

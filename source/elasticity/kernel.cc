@@ -161,11 +161,11 @@ namespace Signorini
     , t(t)
     , nodal_forces(mesh, loads)
     , scalar_elements(scalar(elements))
-    , all_values(mesh.mappings(),
+    , all_values(mesh.surface_mappings(),
                  scalar_elements,
                  gauss<dim, dim>(elements, 2),
                  update_values | update_quadrature_points | update_JxW_values)
-    , all_face_values(mesh.mappings(),
+    , all_face_values(mesh.surface_mappings(),
                       scalar_elements,
                       gauss<dim, dim - 1>(elements, 2),
                       update_values | update_quadrature_points | update_normal_vectors |

@@ -59,6 +59,26 @@ namespace Signorini
 
 
   template <int dim>
+  std::vector<unsigned int>
+  Elasticity<dim>::bodies_of_dofs() const
+  {
+    const IndexSet                       own = owned();
+    std::vector<unsigned int>            result(own.n_elements(), my_mesh.n_bodies());
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          read_indices<dim>(cell, indices);
+          for (const auto i : indices)
+            if (own.is_element(i))
+              result[own.index_within_set(i)] = cell->material_id();
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
   std::vector<std::vector<double>>
   Elasticity<dim>::rigid_body_modes() const
   {
@@ -273,8 +293,12 @@ namespace Signorini
 
 
 
+  template std::vector<unsigned int>
+  Elasticity<2>::bodies_of_dofs() const;
   template std::vector<std::vector<double>>
   Elasticity<2>::rigid_body_modes() const;
+  template std::vector<unsigned int>
+  Elasticity<3>::bodies_of_dofs() const;
   template std::vector<std::vector<double>>
   Elasticity<3>::rigid_body_modes() const;
   template void

@@ -1,4 +1,5 @@
 #include <signorini/compatibility.h>
+#include <signorini/mesh/cell_mapping.h>
 #include <signorini/mesh/extent.h>
 #include <signorini/mesh/memory.h>
 #include <signorini/mesh/mesh.h>
@@ -52,10 +53,11 @@ namespace Signorini
       slave_face_weight,
       "work of contact on a slave face, in units of the work on a cell: ranks get equal sums",
       Range{0, 1000});
-    section.add("Geometry degree",
-                geometry_degree,
-                "polynomial degree of the cells' shape; 0: 1 if all is straight, else 2",
-                Range{0, 4});
+    section.add(
+      "Geometry degree",
+      geometry_degree,
+      "polynomial degree of the cells' shape, and of curved surfaces where gaps are measured; 0: of cells that of the displacement, of surfaces 4",
+      Range{0, 4});
     section.add_named("Zones", zones, "Parts of space that are refined, after that.");
   }
 
@@ -189,6 +191,19 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    template <int dim>
+    double
+    diagonal_of(const std::vector<Point<dim>> &points)
+    {
+      const BoundingBox<dim> box(points);
+      return box.get_boundary_points().first.distance(box.get_boundary_points().second);
+    }
+  } // namespace
+
+
+
   template <int dim>
   Mesh<dim>::Mesh(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
                   const MeshSettings<dim>                                  &settings,
@@ -197,8 +212,12 @@ namespace Signorini
   {
     const CoarseMesh<dim> coarse = merge(bodies);
     if (settings.geometry_degree > 0)
-      degree = settings.geometry_degree;
-    my_mappings.push_back(MappingQ<dim>(degree));
+      {
+        degree = degree_of_surfaces = settings.geometry_degree;
+        degree_of_body.assign(bodies.size(), degree);
+      }
+    my_mappings.push_back(CellMapping<dim>(degree, degree_of_body));
+    my_surface_mappings.push_back(MappingQ<dim>(degree_of_surfaces));
     find_pieces(coarse);
     check_slaves_and_masters(contact_surfaces);
     BoundaryIds slaves;
@@ -247,10 +266,14 @@ namespace Signorini
       {
         CoarseMesh<dim> one       = body.generator->generate();
         bool            is_curved = body.generator->curved();
+        const double    size      = diagonal_of(one.vertices);
         if (!body.transformation.empty())
           is_curved = transform(one, is_curved, body.transformation);
+        const double growth = diagonal_of(one.vertices) / size;
+        degree_of_body.push_back(is_curved ? body.degree : 1);
+        degree = std::max(degree, degree_of_body.back());
         if (is_curved)
-          degree = 2;
+          degree_of_surfaces = 4;
 
         my_temperature.append(one.cells, body.generator->temperature());
         const types::manifold_id first_manifold =
@@ -277,6 +300,7 @@ namespace Signorini
         for (unsigned int i = 0; i < one.boundaries.size(); ++i)
           {
             boundary_names.push_back(name + "." + one.boundaries[i]);
+            sagittas.push_back(one.sagittas.empty() ? 0. : growth * one.sagittas[i]);
             ids_of_names.emplace_back();
             for (const types::boundary_id id : one.ids_of(i))
               ids_of_names.back().insert(first_id + id);
@@ -345,6 +369,16 @@ namespace Signorini
       throw SceneError("there is no boundary '" + name + "'; the boundaries are " +
                        join(boundary_names));
     return ids_of_names[found - boundary_names.begin()];
+  }
+
+
+
+  template <int dim>
+  double
+  Mesh<dim>::sagitta(const std::string &boundary) const
+  {
+    const auto found = std::find(boundary_names.begin(), boundary_names.end(), boundary);
+    return found == boundary_names.end() ? 0. : sagittas[found - boundary_names.begin()];
   }
 
 

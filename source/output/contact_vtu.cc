@@ -1,5 +1,6 @@
+#include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/recovered_pressure.h>
 #include <signorini/output/contact_vtu.h>
-#include <signorini/output/nodal_fields.h>
 #include <signorini/output/pieces.h>
 
 #include <deal.II/base/quadrature.h>
@@ -50,16 +51,17 @@ namespace Signorini
         const auto nodal = [&](const LA::Vector &values) {
           return snapshot.elasticity.with_ghosts(nodal_field(snapshot, values, pair));
         };
-        displacement = snapshot.elasticity.with_ghosts(snapshot.displacement);
-        pressure     = nodal(snapshot.pressure);
-        gap          = nodal(snapshot.gap);
-        status       = nodal(snapshot.active);
-        coverage     = snapshot.elasticity.with_ghosts(nodal_coverage(snapshot, pair));
+        displacement               = snapshot.elasticity.with_ghosts(snapshot.displacement);
+        const LA::Vector recovered = recovered_pressure(snapshot, pair);
+        pressure                   = snapshot.elasticity.with_ghosts(recovered);
+        gap                        = nodal(snapshot.gap);
+        status                     = nodal(snapshot.active);
+        coverage = snapshot.elasticity.with_ghosts(nodal_coverage(snapshot, pair));
         for (const LA::Vector &normal : snapshot.contact.normal)
           {
-            LA::Vector component = snapshot.pressure;
-            component.scale(normal);
-            traction.push_back(nodal(component));
+            LA::Vector component = nodal_field(snapshot, normal, pair);
+            component.scale(recovered);
+            traction.push_back(snapshot.elasticity.with_ghosts(component));
           }
       }
     };

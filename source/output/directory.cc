@@ -297,6 +297,6 @@ namespace Signorini
     if (out)
       fs::rename(part, path, error);
     if (!out || error)
-      throw std::runtime_error("cannot write " + path + "; is the disk full?");
+      throw OutputError(path, false);
   }
 } // namespace Signorini

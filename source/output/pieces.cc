@@ -71,11 +71,18 @@ namespace Signorini
     if (!patches.empty())
       {
         std::ofstream out(settings.directory + "/" + file(me), std::ios::binary);
-        DataOutBase::write_vtu_header(out, vtk_flags());
-        out << field_data(settings);
-        DataOutBase::write_vtu_main(patches, data_names, ranges, vtk_flags(), out);
-        DataOutBase::write_vtu_footer(out);
-        out.close();
+        try
+          {
+            DataOutBase::write_vtu_header(out, vtk_flags());
+            out << field_data(settings);
+            DataOutBase::write_vtu_main(patches, data_names, ranges, vtk_flags(), out);
+            DataOutBase::write_vtu_footer(out);
+            out.close();
+          }
+        catch (const ExcIO &)
+          {
+            out.setstate(std::ios::failbit);
+          }
         state = out ? written : failed;
       }
     const auto states = Utilities::MPI::all_gather(comm, static_cast<unsigned int>(state));
@@ -83,8 +90,7 @@ namespace Signorini
     std::vector<std::string> files;
     for (unsigned int rank = 0; rank < states.size(); ++rank)
       if (states[rank] == failed)
-        throw std::runtime_error("cannot write " + settings.directory + "/" + file(rank) +
-                                 "; is the disk full?");
+        throw OutputError(settings.directory + "/" + file(rank), true);
       else if (states[rank] == written)
         files.push_back(file(rank));
     if (me == 0)

@@ -1,4 +1,5 @@
 #include <signorini/contact/boundary_faces.h>
+#include <signorini/contact/face_patches.h>
 #include <signorini/output/preflight.h>
 #include <signorini/parameters/raw.h>
 
@@ -45,6 +46,7 @@ namespace Signorini
         moment.assign(dim * names.size(), 0.);
         low.assign(dim * names.size(), most);
         high.assign(dim * names.size(), -most);
+        FacePatches<dim>                                        patch_of(mesh);
         std::map<types::boundary_id, std::vector<unsigned int>> names_of;
         for (unsigned int i = 0; i < names.size(); ++i)
           for (const types::boundary_id id : mesh.boundary_ids(names[i]))
@@ -54,7 +56,7 @@ namespace Signorini
             for (const unsigned int f : cell->face_indices())
               if (cell->face(f)->at_boundary())
                 for (const unsigned int i : names_of[cell->face(f)->boundary_id()])
-                  add(i, FacePatch<dim>(mesh.mapping(), mesh.geometry_degree(), cell, f));
+                  add(i, patch_of(cell, f));
         for (auto *numbers : {&faces, &size, &moment})
           Utilities::MPI::sum(*numbers, mesh.communicator(), *numbers);
         Utilities::MPI::min(low, mesh.communicator(), low);
@@ -296,10 +298,10 @@ namespace Signorini
               one["master_faces"]     = master.n;
               one["master_face_size"] = master.size;
               one["matching"]         = match(slave, master, comm);
-              if (slave.size > 1.5 * master.size)
+              if (slave.size > 8 * master.size)
                 warnings.push_back(where +
-                                   "the slave is coarser than the master, whose nodes may go "
-                                   "through it unseen; exchange Slave and Master, or refine " +
+                                   "the slave is more than 8 times coarser than the master, whose "
+                                   "resolution is lost on it; refine " +
                                    pair.slave);
               else if (master.size > 8 * slave.size)
                 warnings.push_back(where +

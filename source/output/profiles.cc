@@ -1,3 +1,4 @@
+#include <signorini/fields/recovered_pressure.h>
 #include <signorini/output/directory.h>
 #include <signorini/output/profiles.h>
 
@@ -31,8 +32,9 @@ namespace Signorini
     {
       const GapOperator  &contact = snapshot.contact;
       std::vector<double> numbers;
-      const IndexSet      rows = snapshot.pressure.locally_owned_elements();
-      auto                row  = rows.begin();
+      const IndexSet      rows  = snapshot.pressure.locally_owned_elements();
+      auto                row   = rows.begin();
+      const LA::Vector    nodal = recovered_pressure(snapshot, pair);
       for (unsigned int k = 0; k < contact.pair.size(); ++k, ++row)
         if (contact.pair[k] == pair)
           {
@@ -43,8 +45,9 @@ namespace Signorini
               normal /= normal.norm();
             for (unsigned int d = 0; d < 3; ++d)
               numbers.push_back(d < dim ? contact.position[d](*row) : 0.);
-            for (const LA::Vector *v :
-                 {&snapshot.pressure, &snapshot.gap, &snapshot.active, &contact.rest_gap})
+            numbers.push_back(contact.node.empty() ? snapshot.pressure(*row) :
+                                                     nodal(contact.node[k]));
+            for (const LA::Vector *v : {&snapshot.gap, &snapshot.active, &contact.rest_gap})
               numbers.push_back((*v)(*row));
             for (unsigned int d = 0; d < 3; ++d)
               numbers.push_back(d < dim ? normal[d] : 0.);

@@ -45,7 +45,7 @@ namespace Signorini
     for (const ContactPair<dim> &pair : now.pairs)
       rigid.push_back(scene.obstacle_of(pair) != nullptr);
     Json one = {{"pairs", pair_results(now)}};
-    one.update(force_results(now, rigid));
+    one.update(force_results(now, rigid, scene.newton.tolerance));
     one["probes"]                  = probe_results(now, probes);
     const SolutionErrors deviation = errors(now, scene.known);
     if (!scene.known.displacement.empty())

@@ -1,5 +1,6 @@
-#include <signorini/output/nodal_fields.h>
-#include <signorini/output/point_values.h>
+#include <signorini/fields/contact_patch.h>
+#include <signorini/fields/point_values.h>
+#include <signorini/fields/recovered_pressure.h>
 #include <signorini/output/results.h>
 
 #include <deal.II/base/utilities.h>
@@ -43,7 +44,8 @@ namespace Signorini
       {}
 
       std::vector<double> force, moment;
-      double normal_force = 0, sum_of_sizes = 0, area = 0, active_points = 0, points = 0;
+      double              normal_force = 0, sum_of_sizes = 0, active_points = 0, points = 0;
+      ContactPatch        patch;
       // Of each, the maximum.
       double pressure = 0, penetration = 0, minus_gap = -std::numeric_limits<double>::max(),
              tension = 0, complementarity = 0;
@@ -54,7 +56,7 @@ namespace Signorini
         for (auto *numbers : {&force, &moment})
           for (double &x : *numbers)
             x = Utilities::MPI::sum(x, comm);
-        for (double *x : {&normal_force, &sum_of_sizes, &area, &active_points, &points})
+        for (double *x : {&normal_force, &sum_of_sizes, &active_points, &points})
           *x = Utilities::MPI::sum(*x, comm);
         for (double *x : {&pressure, &penetration, &minus_gap, &tension, &complementarity})
           *x = Utilities::MPI::max(*x, comm);
@@ -79,35 +81,29 @@ namespace Signorini
         if (*which++ == pair)
           {
             const double p = s.pressure(i), g = s.gap(i), force = p * s.contact.weight(i);
+            // On what the scene calls the slave.
+            const double on_slave = s.pairs[pair].exchanged ? -force : force;
             // Radial forces are in balance around the axis, and so are moments.
             const bool on_circles = s.elasticity.model() == Model::axisymmetric;
             for (unsigned int d = on_circles; d < sums.force.size(); ++d)
-              sums.force[d] += force * s.contact.normal[d](i);
+              sums.force[d] += on_slave * s.contact.normal[d](i);
             for (unsigned int d = on_circles; d < sums.moment.size(); ++d)
-              sums.moment[d] += force * s.contact.moment[d](i);
+              sums.moment[d] += on_slave * s.contact.moment[d](i);
             sums.normal_force += force;
             sums.sum_of_sizes += std::abs(force);
             sums.points += 1;
-            sums.area += s.active(i) * s.contact.weight(i);
             sums.active_points += s.active(i);
-            sums.pressure        = std::max(sums.pressure, p);
             sums.penetration     = std::max(sums.penetration, violation(s.pairs[pair], g));
             sums.minus_gap       = std::max(sums.minus_gap, -g);
-            sums.tension         = std::max(sums.tension, -p);
             sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
           }
-      // Within a face, a pressure at points varies by more than the solution does; its means with
-      // the nodes' shape functions are what other methods call the pressure.
-      if (!samples_nodes(s.contact))
+      const LA::Vector nodal = recovered_pressure(s, pair);
+      for (const auto i : nodal.locally_owned_elements())
         {
-          sums.pressure = sums.tension = 0;
-          const LA::Vector nodal       = nodal_field(s, s.pressure, pair);
-          for (const auto i : nodal.locally_owned_elements())
-            {
-              sums.pressure = std::max(sums.pressure, nodal(i));
-              sums.tension  = std::max(sums.tension, -nodal(i));
-            }
+          sums.pressure = std::max(sums.pressure, nodal(i));
+          sums.tension  = std::max(sums.tension, -nodal(i));
         }
+      sums.patch = contact_patch(s, pair, nodal);
       sums.over_ranks(s.elasticity.mesh().communicator());
       return sums;
     }
@@ -145,10 +141,12 @@ namespace Signorini
       {
         const PairSums sums               = sums_of(snapshot, pair);
         result[snapshot.pairs[pair].name] = {
+          {"slave", snapshot.pairs[pair].named_slave()},
           {"force", list(sums.force)},
           {"moment", list(sums.moment)},
           {"normal_force", sums.normal_force},
-          {"area", sums.area},
+          {"area", sums.patch.area},
+          {"semi_axes", list(sums.patch.semi_axes)},
           {"points", sums.points},
           {"active_points", sums.active_points},
           {"separates", snapshot.pairs[pair].separates},
@@ -206,17 +204,18 @@ namespace Signorini
 
   namespace
   {
-    /// Of the forces of bodies that are moved without strain.
+    /// The forces that Newton's method may leave of bodies that are moved without strain.
     template <int dim>
     double
-    rounding_of_forces(const Snapshot<dim> &s)
+    rounding_of_forces(const Snapshot<dim> &s, const double tolerance)
     {
       const Mesh<dim> &mesh     = s.elasticity.mesh();
       double           stiffest = 0;
       for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
         stiffest = std::max(stiffest, s.elasticity.material(body).youngs_modulus);
       const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
-      return 1e-12 * stiffest * s.displacement.linfty_norm() * (is_plane ? 1. : mesh.size());
+      return 10 * tolerance * stiffest * s.displacement.linfty_norm() *
+             (is_plane ? 1. : mesh.size());
     }
   } // namespace
 
@@ -224,7 +223,9 @@ namespace Signorini
 
   template <int dim>
   Json
-  force_results(const Snapshot<dim> &s, const std::vector<bool> &master_is_rigid)
+  force_results(const Snapshot<dim>     &s,
+                const std::vector<bool> &master_is_rigid,
+                const double             tolerance)
   {
     const auto reactions =
       s.elasticity.reactions(s.displacement,
@@ -255,7 +256,7 @@ namespace Signorini
       }
     const double lever = s.elasticity.mesh().size();
     // What rounding alone would leave is in balance, whatever its directions are.
-    if (largest <= rounding_of_forces(s))
+    if (largest <= rounding_of_forces(s, tolerance))
       {
         sum     = Resultant<dim>();
         largest = 0;
@@ -359,11 +360,11 @@ namespace Signorini
   template Json
   probe_results(const Snapshot<3> &, const std::vector<Probe<3>> &);
   template Json
-  force_results(const Snapshot<2> &, const std::vector<bool> &);
+  force_results(const Snapshot<2> &, const std::vector<bool> &, double);
   template Json
   shares_of_ranks(const Elasticity<2> &, const std::vector<ContactSurface<2>> &);
   template Json
   shares_of_ranks(const Elasticity<3> &, const std::vector<ContactSurface<3>> &);
   template Json
-  force_results(const Snapshot<3> &, const std::vector<bool> &);
+  force_results(const Snapshot<3> &, const std::vector<bool> &, double);
 } // namespace Signorini

@@ -41,10 +41,10 @@ namespace Signorini
     const Json &step = results["load_steps"].back();
     out << std::setprecision(6);
     for (const auto &[name, pair] : step["pairs"].items())
-      out << "\n  pair " << name << ":  force on the slave " << numbers(pair["force"])
-          << ", pressure times area " << pair["normal_force"].get<double>() << ", area "
-          << pair["area"].get<double>() << "\n    largest pressure "
-          << pair["max_pressure"].get<double>()
+      out << "\n  pair " << name << ":  force on " << pair["slave"].get<std::string>() << " "
+          << numbers(pair["force"]) << ", pressure times area "
+          << pair["normal_force"].get<double>() << ", area " << pair["area"].get<double>()
+          << "\n    largest pressure " << pair["max_pressure"].get<double>()
           << (pair["separates"].get<bool>() ? "\n    largest violations: penetration, tension, " :
                                               "\n    never separates: largest distance, tension, ")
           << "|pressure x gap|\n      as the method samples them " << violations(pair)

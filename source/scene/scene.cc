@@ -292,6 +292,19 @@ namespace Signorini
         }
     }
 
+    /// Twice the same conditions would not say how pressure is shared.
+    template <int dim>
+    void
+    check_same_pairs(const std::vector<ContactPair<dim>> &pairs)
+    {
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          if ((pairs[i].slave == pairs[j].slave && pairs[i].master == pairs[j].master) ||
+              (pairs[i].slave == pairs[j].master && pairs[i].master == pairs[j].slave))
+            throw SceneError(pairs[i].slave_place + ": pairs '" + pairs[j].name + "' and '" +
+                             pairs[i].name + "' are of the same surfaces; remove one");
+    }
+
     void
     require(const std::string              &what,
             const std::vector<std::string> &wanted,
@@ -360,6 +373,7 @@ namespace Signorini
           throw SceneError(pair.master_place +
                            ": is the name of a boundary and of an obstacle; rename the obstacle");
       }
+    check_same_pairs(known_pairs());
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
     check_pieces(*this);

@@ -155,6 +155,19 @@ namespace Signorini
 
 
 
+  unsigned int
+  ActiveSet::add_touching(const LA::Vector &gap)
+  {
+    const double rounding = coordinate_rounding();
+    for (const auto i : gap.locally_owned_elements())
+      if (gap(i) <= rounding)
+        now(i) = 1;
+    now.compress(VectorOperation::insert);
+    return count(now);
+  }
+
+
+
   void
   ActiveSet::keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p)
   {

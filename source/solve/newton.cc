@@ -80,6 +80,7 @@ namespace Signorini
                  const AffineConstraints<double>        &constraints,
                  const GapOperator                      &contact,
                  const std::vector<std::vector<double>> &modes,
+                 const std::vector<unsigned int>        &bodies,
                  const unsigned int                      dim,
                  TimerOutput                            &timer,
                  FreeMotions                             free_motions)
@@ -90,9 +91,13 @@ namespace Signorini
     , contact(contact)
     , system(stiffness, contact, method, std::move(free_motions))
     , linear_solver(linear_settings, system, modes, dim, timer)
+    , bodies(bodies)
     , active_set(contact)
     , augmented(contact.zero())
   {
+    const auto last = std::max_element(bodies.begin(), bodies.end());
+    n_bodies =
+      Utilities::MPI::max(last == bodies.end() ? 0u : *last + 1, stiffness.get_mpi_communicator());
     stiffness_diagonal = system.zero().block(0);
     for (const auto i : stiffness_diagonal.locally_owned_elements())
       stiffness_diagonal(i) = K.diag_element(i);
@@ -112,11 +117,13 @@ namespace Signorini
     system.internal_force(r, u);
     r.sadd(-1, 1, f);
     double scale = f.l2_norm();
+    at_work.assign(n_bodies, scale);
     if (!contact.empty())
       {
         const LA::Vector force = contact.force(p, stress);
         r += force;
-        scale = std::max(scale, force.l2_norm());
+        scale   = std::max(scale, force.l2_norm());
+        at_work = forces_at_work(force, scale);
       }
     constraints.set_zero(r);
     force_scale = scale;
@@ -126,6 +133,47 @@ namespace Signorini
     // What that leaves is an answer only if it is little.
     force_rounding = std::max(1e-15 * largest_force, std::min(rounding(u), 1e-4 * scale));
     return r;
+  }
+
+
+
+  std::vector<double>
+  Newton::norms_of_bodies(const LA::Vector &force) const
+  {
+    std::vector<double> squares(n_bodies, 0.);
+    auto                body = bodies.begin();
+    for (const double x : force)
+      squares[*body++] += x * x;
+    Utilities::MPI::sum(squares, force.get_mpi_communicator(), squares);
+    for (double &x : squares)
+      x = std::sqrt(x);
+    return squares;
+  }
+
+
+
+  std::vector<double>
+  Newton::forces_at_work(const LA::Vector &contact_force, const double scale) const
+  {
+    // Below the last, rounding of the largest forces would be all that is asked for.
+    constexpr double    most = 1e3, least = 1e-4;
+    std::vector<double> forces = norms_of_bodies(contact_force);
+    for (double &force : forces)
+      force = force > 0 ? std::clamp(most * force, least * scale, scale) : scale;
+    return forces;
+  }
+
+
+
+  double
+  Newton::residual_of_bodies(const LA::Vector &r) const
+  {
+    const std::vector<double> norms   = norms_of_bodies(r);
+    double                    largest = 0;
+    for (unsigned int body = 0; body < n_bodies; ++body)
+      if (at_work[body] > 0)
+        largest = std::max(largest, norms[body] / at_work[body]);
+    return largest;
   }
 
 
@@ -185,13 +233,16 @@ namespace Signorini
           system.find_loose_motions(active_set.values());
         if (settings.undetermined == "hold")
           report.holding_force = system.free_motions().hold(r, p, stress);
-        rhs.block(0)       = r;
-        const double scale = force_scale > 0 ? force_scale : 1.;
-        step.residual      = r.l2_norm() / scale;
+        rhs.block(0)            = r;
+        const double scale      = force_scale > 0 ? force_scale : 1.;
+        step.residual           = r.l2_norm() / scale;
+        step.residual_of_bodies = residual_of_bodies(r);
+        const double least =
+          force_scale > 0 ? *std::min_element(at_work.begin(), at_work.end()) : 1.;
         if (system.is_saddle_point() || augments())
           {
             const LA::Vector defect = gap_defect(gap, p);
-            step.gap_residual       = defect.l2_norm() / scale;
+            step.gap_residual       = defect.l2_norm() / least;
             if (system.is_saddle_point())
               rhs.block(1) = defect;
           }
@@ -199,7 +250,7 @@ namespace Signorini
 
         if (is_balanced(step, before, scale))
           {
-            report.converged = is_closed(step, scale);
+            report.converged = is_closed(step, least);
             if (!report.converged && augments() && n < settings.maximum_steps)
               {
                 augment(p);
@@ -211,8 +262,8 @@ namespace Signorini
         if (!std::isfinite(step.residual + step.gap_residual))
           report.reason = "the residual is not a number: loads, supports or the mesh are invalid";
         else if (!report.converged && n == settings.maximum_steps)
-          report.reason = "Newton's method did not converge in " + std::to_string(n) + " steps" +
-                          active_set.chattering_points();
+          report.reason = "Newton's method did not converge in " + std::to_string(n) +
+                          " steps (Newton/Maximum steps)" + active_set.chattering_points();
         if (report.converged || !report.reason.empty())
           {
             record(step);
@@ -234,7 +285,7 @@ namespace Signorini
         const bool is_settled = contact.empty() || (n > 0 && step.changes == 0 && !step.withholds &&
                                                     softness == last_softness);
         step.krylov_iterations =
-          solve_linear(x, rhs, is_settled ? 0. : reduction, 0.5 * settings.tolerance * scale);
+          solve_linear(x, rhs, is_settled ? 0. : reduction, 0.5 * settings.tolerance * least);
         damping = cautious && has_energy() ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
@@ -296,9 +347,13 @@ namespace Signorini
     constexpr double largest_undecided = 1e-8;
     const bool       at_bottom = step.changes == 0 && before > 0 && step.residual > before / 2 &&
                            step.residual <= force_rounding / scale;
-    const bool is_small = step.residual <= settings.tolerance &&
-                          (step.changes == 0 || step.residual <= largest_undecided);
-    return (is_small || at_bottom) && !step.follows && !step.withholds &&
+    const double of_all = std::max(step.residual, step.residual_of_bodies);
+    // Nothing is left of forces that were there before but their rounding.
+    const bool is_over =
+      scale <= 10 * force_rounding && step.residual * scale <= 10 * force_rounding;
+    const bool is_small =
+      of_all <= settings.tolerance && (step.changes == 0 || step.residual <= largest_undecided);
+    return (is_small || at_bottom || is_over) && !step.follows && !step.withholds &&
            (softness == 1 || step.active == 0);
   }
 
@@ -379,11 +434,13 @@ namespace Signorini
     active_set.update(gap, start);
     if (is_cold && n <= 1)
       {
-        const unsigned int all      = active_set.size();
-        const bool         may_fall = n == 0 && !system.free_motions().empty();
-        const unsigned int kept =
-          may_fall ? active_set.drop_touching(gap) : active_set.keep_deepest(gap);
-        step.withholds = kept < all;
+        const unsigned int all    = active_set.size();
+        const bool         falls  = n == 0 && !system.free_motions().empty();
+        const bool         stands = falls && touches_where_it_can(gap);
+        const unsigned int kept   = stands ? active_set.add_touching(gap) :
+                                    falls  ? active_set.drop_touching(gap) :
+                                             active_set.keep_deepest(gap);
+        step.withholds            = kept < all;
       }
     if (!cautious && active_set.seen_before())
       {
@@ -410,6 +467,17 @@ namespace Signorini
       factorised = false;
     set_pressure(method, contact, gap, start, active_set.values(), p);
     p *= softness;
+  }
+
+
+
+  bool
+  Newton::touches_where_it_can(const LA::Vector &gap)
+  {
+    ActiveSet touching(contact);
+    touching.add_touching(gap);
+    system.find_loose_motions(touching.values());
+    return system.free_motions().loose().size() <= system.free_motions().never_held().size();
   }
 
 

@@ -66,7 +66,6 @@ namespace Signorini
         if (const double value = largest[body].*member / scale; value > finding.value || body == 0)
           {
             finding.value = value;
-            finding.where = "";
             finding.what  = s.elasticity.mesh().body_name(body);
           }
       return finding;

@@ -1,7 +1,12 @@
-#include <signorini/output/point_values.h>
+#include <signorini/contact/reach.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/fields/point_values.h>
+#include <signorini/parameters/text.h>
 #include <signorini/verdict/checks.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace Signorini
@@ -15,7 +20,9 @@ namespace Signorini
     {
       double active = 0, candidates = 0;       ///< of all faces that were looked at
       double touched_faces = 0, n_touched = 0; ///< faces that carry pressure
-      double smallest_gap = std::numeric_limits<double>::max();
+      double smallest_rest_gap = std::numeric_limits<double>::max();
+      double smallest_facing   = 1; ///< where there is pressure
+      double penetration       = 0; ///< there, the mean
     };
 
     template <int dim>
@@ -28,8 +35,9 @@ namespace Signorini
         if (*which++ == pair)
           {
             zone.active += s.active(i) * s.contact.weight(i);
+            zone.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
             zone.candidates += s.contact.weight(i);
-            zone.smallest_gap = std::min(zone.smallest_gap, s.gap(i));
+            zone.smallest_rest_gap = std::min(zone.smallest_rest_gap, s.contact.rest_gap(i));
           }
       const PointValues values = point_values(s, pair);
       struct Face
@@ -43,6 +51,9 @@ namespace Signorini
           Face &face = faces[s.surfaces[pair].points[q].face];
           face.area += s.surfaces[pair].points[q].weight;
           face.touched |= values.pressure[q] > 0;
+          if (values.pressure[q] > 0)
+            zone.smallest_facing =
+              std::min(zone.smallest_facing, s.surfaces[pair].points[q].facing);
         }
       for (const auto &[number, face] : faces)
         if (face.touched)
@@ -51,26 +62,168 @@ namespace Signorini
             zone.n_touched += 1;
           }
       const MPI_Comm comm = s.elasticity.mesh().communicator();
-      for (double *sum : {&zone.active, &zone.candidates, &zone.touched_faces, &zone.n_touched})
+      for (double *sum : {&zone.active,
+                          &zone.candidates,
+                          &zone.penetration,
+                          &zone.touched_faces,
+                          &zone.n_touched})
         *sum = Utilities::MPI::sum(*sum, comm);
-      zone.smallest_gap = Utilities::MPI::min(zone.smallest_gap, comm);
+      if (zone.active > 0)
+        zone.penetration /= zone.active;
+      for (double *least : {&zone.smallest_rest_gap, &zone.smallest_facing})
+        *least = Utilities::MPI::min(*least, comm);
       return zone;
+    }
+
+    Finding
+    finding_of(const std::string &check,
+               const std::string &pair,
+               const double       value,
+               const double       limit,
+               const std::string &what,
+               const std::string &cure)
+    {
+      Finding finding;
+      finding.check   = check;
+      finding.where   = "pair " + pair;
+      finding.value   = value;
+      finding.limit   = limit;
+      finding.outcome = value <= limit ? Outcome::passed : Outcome::warned;
+      finding.what    = what;
+      finding.cure    = cure;
+      return finding;
     }
 
     Finding
     acts(const std::string &name, const Zone &zone)
     {
-      Finding finding;
-      finding.check   = "acts";
-      finding.where   = "pair " + name;
+      Finding finding =
+        finding_of("acts",
+                   name,
+                   zone.active > 0,
+                   1,
+                   "its surfaces never touch",
+                   "look at the gaps that --check prints, at signs of loads and supports, and at "
+                   "Slave and Master");
       finding.over    = Finding::Over::best;
-      finding.value   = zone.active > 0;
-      finding.limit   = 1;
       finding.outcome = zone.active > 0 ? Outcome::passed : Outcome::warned;
-      finding.what    = "its surfaces never touch";
-      finding.cure = "look at the gaps that --check prints, at signs of loads and supports, and at "
-                     "Slave and Master";
       return finding;
+    }
+
+    Finding
+    stands(const std::string &name, const Sides &sides)
+    {
+      return finding_of(
+        "sides",
+        name,
+        sides.risk(),
+        10,
+        "the slave is so much stiffer or finer than the master (" + short_text(sides.modulus, 2) +
+          " times as stiff, faces " + short_text(sides.size, 2) +
+          " times as large) that its pressure may oscillate by percents",
+        "refine the master, or name the softer side as slave (Sides = automatic does if it can)");
+    }
+
+    /// The initial positions are where contact is looked for.
+    template <int dim>
+    Finding
+    stays(const Snapshot<dim>       &s,
+          const ContactPair<dim>    &pair,
+          const Obstacle<dim>       *obstacle,
+          const std::vector<double> &displacements)
+    {
+      return finding_of(
+        "motion of the surfaces / size",
+        pair.name,
+        largest_approach(s.elasticity, pair, obstacle, s.displacement, displacements) /
+          s.elasticity.mesh().size(),
+        0.1,
+        "displacements are small in this theory and contact is that of the initial positions: what "
+        "slides or turns that far is wrong",
+        "begin with bodies that nearly touch, or take smaller loads");
+    }
+
+    /// A pressure that would push the slave by the height of a facet, beside the largest one.
+    template <int dim>
+    Finding
+    smooth(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      const double sagitta = std::max(s.elasticity.mesh().sagitta(s.pairs[pair].slave),
+                                      s.elasticity.mesh().sagitta(s.pairs[pair].master));
+      double pressure = 0, stiffness = 0, least = std::numeric_limits<double>::max(), most = -least;
+      auto   which = s.contact.pair.begin();
+      for (const auto i : s.active.locally_owned_elements())
+        if (*which++ == pair && s.active(i) > 0)
+          {
+            pressure  = std::max(pressure, s.pressure(i));
+            stiffness = std::max(stiffness, s.contact.stiffness(i));
+            least     = std::min(least, s.contact.rest_gap(i));
+            most      = std::max(most, s.contact.rest_gap(i));
+          }
+      const MPI_Comm comm = s.elasticity.mesh().communicator();
+      for (double *x : {&pressure, &stiffness, &most})
+        *x = Utilities::MPI::max(*x, comm);
+      // Facets that match have no gaps between them.
+      const double noise = std::min(sagitta, std::max(0., most - Utilities::MPI::min(least, comm)));
+      return finding_of("facets",
+                        s.pairs[pair].name,
+                        pressure > 0 ? noise * stiffness / pressure : 0.,
+                        0.1,
+                        "flat facets stand for a curved surface: their heights of up to " +
+                          short_text(sagitta, 2) + " disturb the pressure by about that share",
+                        "make the facets smaller, name the surface in Curved boundaries, or take "
+                        "elements of second order with curved sides");
+    }
+
+    /// Of methods whose pressure is the gap times a stiffness.
+    template <int dim>
+    Finding
+    exact(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      double pressure = 0, rounding = 0;
+      auto   which = s.contact.pair.begin();
+      for (const auto i : s.active.locally_owned_elements())
+        if (*which++ == pair && s.active(i) > 0)
+          {
+            pressure = std::max(pressure, s.pressure(i));
+            rounding = std::max(rounding, s.contact.epsilon(i));
+          }
+      const MPI_Comm comm = s.elasticity.mesh().communicator();
+      pressure            = Utilities::MPI::max(pressure, comm);
+      rounding            = Utilities::MPI::max(rounding, comm) * s.displacement.linfty_norm() *
+                 std::numeric_limits<double>::epsilon();
+      return finding_of("rounding / pressure",
+                        s.pairs[pair].name,
+                        pressure > 0 ? rounding / pressure : 0.,
+                        1e-6,
+                        "the factor of the method is so large that the rounding of displacements "
+                        "is seen in the pressure",
+                        "take a smaller Factor");
+    }
+
+    /// Of methods that let bodies go through each other: beside what the strain changes over the
+    /// width of the contact zone. Bodies that are strained by so much give way by as much.
+    template <int dim>
+    Finding
+    tight(const Snapshot<dim>         &s,
+          const unsigned int           pair,
+          const Zone                  &zone,
+          const std::vector<Extremes> &extremes)
+    {
+      double strain = 0;
+      for (const Extremes &body : extremes)
+        strain = std::max(strain, body.gradient);
+      const bool   is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      const double width    = is_plane ? zone.active : std::sqrt(zone.active);
+      return finding_of("penetration / deformation",
+                        s.pairs[pair].name,
+                        strain > 0           ? zone.penetration / (strain * width) :
+                        zone.penetration > 0 ? 1. :
+                                               0.,
+                        0.05,
+                        "the bodies go through each other by a depth that counts beside their "
+                        "deformation: pressures are off by about that share",
+                        "take a larger Factor, or a method with multipliers");
     }
 
     /// Unless all that may touch does: then its edges are those of the surfaces.
@@ -102,18 +255,54 @@ namespace Signorini
 
   template <int dim>
   std::vector<Finding>
-  check_pairs(const Scene<dim> &scene, const Snapshot<dim> &now)
+  check_pairs(const Scene<dim>            &scene,
+              const Snapshot<dim>         &now,
+              const std::vector<Extremes> &extremes)
   {
-    std::vector<Finding> findings;
+    std::vector<Finding>      findings;
+    const std::vector<double> displacements =
+      largest_displacements(now.elasticity, now.displacement);
     for (unsigned int i = 0; i < now.pairs.size(); ++i)
       {
-        const Zone zone = zone_of(now, i);
-        if (!now.pairs[i].found)
-          findings.push_back(acts(now.pairs[i].name, zone));
-        if (const Finding finding =
-              resolved<dim>(now.pairs[i].name, scene.degree_of(now.pairs[i].slave), zone);
-            zone.active > 0)
-          findings.push_back(finding);
+        const ContactPair<dim>    &pair     = now.pairs[i];
+        const ContactSurface<dim> &surface  = now.surfaces[i];
+        const Obstacle<dim>       *obstacle = scene.obstacle_of(pair);
+        const Zone                 zone     = zone_of(now, i);
+        if (!pair.found)
+          findings.push_back(acts(pair.name, zone));
+        if (zone.active == 0)
+          continue;
+        findings.push_back(stays(now, pair, obstacle, displacements));
+        findings.push_back(resolved<dim>(pair.name, scene.degree_of(pair.slave), zone));
+        findings.push_back(finding_of("overlap / face",
+                                      pair.name,
+                                      std::max(0., -zone.smallest_rest_gap) / surface.face_size,
+                                      1,
+                                      "the surfaces overlap at the start by more than a face",
+                                      "refine the slave, or ramp it: Interference = t"));
+        findings.push_back(
+          finding_of("angle from opposite",
+                     pair.name,
+                     std::acos(std::min(1., zone.smallest_facing)) * 180 / numbers::PI,
+                     60,
+                     "normals of surfaces that touch are far from opposite",
+                     "refine there, or divide the boundary"));
+        findings.push_back(smooth(now, i));
+        if (pair.separates)
+          findings.push_back(tight(now, i, zone, extremes));
+        if (!scene.contact.chosen().has_multipliers())
+          findings.push_back(exact(now, i));
+        if (obstacle)
+          continue;
+        findings.push_back(stands(pair.name, surface.sides));
+        if (scene.contact.method == "direct elimination")
+          findings.push_back(finding_of("partners off nodes",
+                                        pair.name,
+                                        surface.off_nodes,
+                                        0.01,
+                                        "direct elimination holds nodes: where these do not face "
+                                        "nodes, pressures are off by 10 % and more",
+                                        "match the meshes, or take another method"));
       }
     return findings;
   }
@@ -121,7 +310,7 @@ namespace Signorini
 
 
   template std::vector<Finding>
-  check_pairs(const Scene<2> &, const Snapshot<2> &);
+  check_pairs(const Scene<2> &, const Snapshot<2> &, const std::vector<Extremes> &);
   template std::vector<Finding>
-  check_pairs(const Scene<3> &, const Snapshot<3> &);
+  check_pairs(const Scene<3> &, const Snapshot<3> &, const std::vector<Extremes> &);
 } // namespace Signorini

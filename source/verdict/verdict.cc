@@ -99,20 +99,16 @@ namespace Signorini
   {
     if (entries.empty())
       return;
-    out << "\n  Verdict                                           value     limit\n";
+    const auto n_passed = std::count_if(entries.begin(), entries.end(), [](const Entry &entry) {
+      return entry.finding.outcome == Outcome::passed;
+    });
+    out << "\n  Verdict: " << n_passed << " of " << entries.size() << " checks passed\n";
     for (const auto &[finding, time] : entries)
-      {
-        const bool passed = finding.outcome == Outcome::passed;
-        out << "  " << std::left << std::setw(44) << title(finding) << std::right
-            << std::defaultfloat << std::setprecision(3) << std::setw(11) << finding.value
-            << std::setw(10) << finding.limit << "  "
-            << (passed                             ? "passed" :
-                finding.outcome == Outcome::warned ? "WARNED" :
-                                                     "FAILED")
-            << "\n";
-        if (!passed)
-          out << "    " << finding.what << " (t = " << time << ")\n    " << finding.cure << "\n";
-      }
+      if (finding.outcome != Outcome::passed)
+        out << "    " << (finding.outcome == Outcome::warned ? "WARNED  " : "FAILED  ")
+            << title(finding) << ": " << std::defaultfloat << std::setprecision(3) << finding.value
+            << ", limit " << finding.limit << ", t = " << time << "\n      " << finding.what
+            << "\n      " << finding.cure << "\n";
   }
 
 

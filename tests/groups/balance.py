@@ -37,6 +37,7 @@ def cases():
                    sets + ["Bodies/inner/Cells around=24", "Bodies/outer/Cells around=37"], 1e-9)
         if name != "standard":  # whose weights do not see contact at a single node
             yield case(f"ball/{name}", BALL, sets + ONE_MESH + NOTHING_HANGS, 1e-9)
-    # Regression: 1.1e-4 and 1.5e-5 when these bounds were set; second order or better from one to the next.
-    yield case("ball/hanging", BALL, ONE_MESH, 1.5e-4)
-    yield case("ball/hanging-refined", BALL, ONE_MESH + ["Mesh/Refinements=1"], 2e-5)
+    # Regression: 2.5e-4 and 2.8e-5 when these bounds were set: forces act on the sphere, cells end at chords; of third
+    # order from one to the next.
+    yield case("ball/hanging", BALL, ONE_MESH, 3e-4)
+    yield case("ball/hanging-refined", BALL, ONE_MESH + ["Mesh/Refinements=1"], 3.5e-5)

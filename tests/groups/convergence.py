@@ -83,8 +83,14 @@ def closed_forms():
                      "quick", stiff)
     yield from table("hertz-2d-indentation", "hertz-2d-force", 4, "obstacles/cylinder/displacement/1", -0.006324108, 1.8,
                      3e-4)
-    # Counted in nodes: of order one, in leaps.
-    yield from table("layer-length", "layer", 3, "pairs/contact/area", 10.07782, 0.9, 1e-2, since=0)
+    # Both bodies curved, meshes that do not match, an approach of several cells. The references are those of degree 2 with
+    # 320 cells, to four or five digits.
+    degree_1 = ["Mesh/Degree=1"]
+    yield from table("two-curved-force", "two-curved", 4, "pairs/faces/force/1", 129700, 1.8, 1e-3, sets=degree_1)
+    yield from table("two-curved-pressure", "two-curved", 4, "pairs/faces/max_pressure", 19441, 1.8, 1.5e-3, sets=degree_1)
+    yield from table("two-curved-degree-2", "two-curved", 2, "pairs/faces/force/1", 129700, 2.5, 2e-4)
+    # Between nodes: a fifth of a face.
+    yield from table("layer-length", "layer", 3, "pairs/contact/area", 10.07782, -1, 2e-3, since=0)
     # A penalty stiff enough not to hide it behind its own penetration, which is of order one.
     yield from table("hertz-2d-between-nodes", "hertz-2d", 4, "pairs/contact/at_points/max_penetration", None, 1.9, 1e-6,
                      sets=stiff)

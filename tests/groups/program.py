@@ -1,18 +1,24 @@
 """The program itself as users start it: exit codes, options, several ranks, messages that come once."""
 
+import resource
+import signal
 import subprocess
 
 from case import PRM, SCENES, TESTS, Case
 
 
-def starts(words, code, ranks=1, out="", err=""):
-    """`out` and `err` are found exactly once."""
+def starts(words, code, ranks=1, out="", err="", largest_file=None):
+    """`out` and `err` are found exactly once. No file gets larger than that: as on a disk that is full."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file, largest_file))
+
     def body(test):
         command = [test.mpiexec, "-n", str(ranks)] if ranks > 1 else []
         folder = test.directory / test.case.replace("/", "-")
         words_here = [word.replace("FOLDER", str(folder)) for word in words]
         run = subprocess.run(command + [test.program, *words_here], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                             timeout=300)
+                             timeout=300, restore_signals=largest_file is None, preexec_fn=limit if largest_file else None)
         test.print(run.stdout + run.stderr)
         test.check(run.returncode == code, f"exit code {run.returncode} instead of {code}")
         for text, stream in ((out, run.stdout), (err, run.stderr)):
@@ -37,13 +43,28 @@ def cases():
     yield case("expectation-missed", [str(TESTS / "failures" / "missed-result.prm"), *output], 4, out="MISSED")
     roller = [str(SCENES / "roller.prm"), "--set", "Mesh/Contact refinements=0", "--set", "Expected results/Names=", *output]
     for ranks in (1, 2):
-        yield case("few-faces", roller, 0, ranks=ranks, out="faces across the contact zone, pair in                1         5  WARNED")
+        yield case("few-faces", roller, 0, ranks=ranks, out="WARNED  faces across the contact zone, pair in: 1, limit 5, t = 1")
         yield case("strict", ["--strict", *roller], 3, ranks=ranks, out="No answer: faces across the contact zone, pair in")
     yield case("strict-passed", ["--strict", *plane], 0, out="results in")
     apart = [plane[0], "--set", "Supports/press/Displacement=0; 0.001*t", *output]
     yield case("never-acts", apart, 0, out="its surfaces never touch")
     far = [plane[0], "--set", "Supports/press/Displacement=0; 10*t", *output]
     yield case("far-away", far, 3, out="No answer: motion / size of the scene: 'block' moves farther than the scene is large")
+    wavy = [str(SCENES / "contrast.prm"), "--set", "Expected results/Names=", *output]
+    named = ["--set", "Contact pairs/joint/Sides=as named"]
+    yield case("sides", wavy, 0, out="slave and master are exchanged, since 'up.bottom' is 1e+06 times as stiff")
+    yield case("sides-as-named", wavy + named, 0, out="WARNED  sides, pair joint: ")
+    yield case("off-nodes", wavy + ["--set", "Contact method/Method=direct elimination"], 0,
+               out="WARNED  partners off nodes, pair joint: ")
+    yield case("soft-penalty", plane + ["--set", "Contact method/Method=penalty", "--set", "Contact method/penalty/Factor=0.1"], 0,
+               out="WARNED  penetration / deformation, pair ")
+    yield case("stiff-penalty", plane + ["--set", "Contact method/Method=penalty", "--set", "Contact method/penalty/Factor=1e11"], 0,
+               out="WARNED  rounding / pressure, pair ")
+    jump = [str(PRM / "receding-layer.prm"), "--set", "Loads/strip/Pressure=if(x < 5.1, 10, 0)", "--set", "Expected results/Names=",
+            *output]
+    yield case("load-that-jumps", jump, 0, out="WARNED  load by two rules, load strip: ")
+    for size in (2000, 20000):  # the scene, the solution
+        yield case(f"full-disk-{size}", plane[:1] + output[2:], 1, err="; is the disk full?", largest_file=size)
     for ranks in (1, 2, 4):
         yield case("solved", plane, 0, ranks=ranks, out="results in")
         yield case("misspelt-key", [str(TESTS / "failures" / "misspelt-key.prm")], 2, ranks=ranks, err="did you mean")

@@ -77,9 +77,17 @@ namespace
     std::ostringstream log;
     ConditionalOStream out(log, true);
     TimerOutput        timer(out, TimerOutput::never, TimerOutput::wall_times);
-    Newton             newton(
-      {}, solver, *method, circle.stiffness, circle.constraints, circle.contact, {}, 1, timer);
-    LA::Vector u = circle.load, p = circle.contact.zero();
+    Newton             newton({},
+                  solver,
+                  *method,
+                  circle.stiffness,
+                  circle.constraints,
+                  circle.contact,
+                  {},
+                  {0, 0, 0},
+                  1,
+                  timer);
+    LA::Vector         u = circle.load, p = circle.contact.zero();
     u                         = 0.;
     p                         = 1e-3; // not a cold start, which would choose a better first set
     const NewtonReport report = newton.solve(circle.load, u, p, out);

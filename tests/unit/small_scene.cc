@@ -90,6 +90,7 @@ namespace TestScene
                   elasticity->constraints(),
                   gap_operator(),
                   elasticity->rigid_body_modes(),
+                  elasticity->bodies_of_dofs(),
                   dim,
                   timer,
                   free_motions());

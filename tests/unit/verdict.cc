@@ -62,8 +62,10 @@ TEST_CASE("of several load steps the worst, the last or the best counts")
   CHECK(verdict.outcome() == Outcome::failed);
   std::ostringstream table;
   verdict.print(table);
-  CHECK(table.str().find("other, pair a") != std::string::npos);
-  CHECK(table.str().find("FAILED\n    what of other (t = 5)\n    cure\n") != std::string::npos);
+  CHECK(table.str().find("Verdict: 2 of 4 checks passed") != std::string::npos);
+  CHECK(table.str().find(
+          "FAILED  other, pair a: 2, limit 1, t = 5\n      what of other\n      cure\n") !=
+        std::string::npos);
 }
 
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/output/snapshot.h>
+#include <signorini/fields/snapshot.h>
 #include <signorini/parameters/expression.h>
 
 #include <string>

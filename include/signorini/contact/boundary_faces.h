@@ -25,6 +25,10 @@ namespace Signorini
     double
     depth(unsigned int i) const;
 
+    /// E of that cell.
+    double
+    modulus(const Elasticity<dim> &elasticity, unsigned int i) const;
+
     /// E/h of that cell.
     double
     stiffness(const Elasticity<dim> &elasticity, unsigned int i) const;

@@ -19,9 +19,22 @@ namespace Signorini
     bool            separates   = true;  ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
+    std::string     sides           = "automatic"; ///< or "as named"
+    bool            exchanged       = false;       ///< the scene names the master as slave
     bool            found = false; ///< by the program: the scene does not say that it will act
 
     void
     declare(Section &section);
+
+    /// Slave and master.
+    void
+    exchange();
+
+    /// As the scene names it.
+    const std::string &
+    named_slave() const
+    {
+      return exchanged ? master : slave;
+    }
   };
 } // namespace Signorini

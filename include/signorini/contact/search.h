@@ -23,7 +23,9 @@ namespace Signorini
     dealii::Point<dim>
            face_center; ///< identity of the face: breaks ties alike on any number of ranks
     double stiffness;   ///< E/h of the master cell (force / length^3)
-    double bound = 0;   ///< of the master cell's normal stress, see NormalStress::bound()
+    double modulus = 0; ///< E of the master cell; 0: rigid
+    double size    = 0; ///< of the master's face
+    double bound   = 0; ///< of the master cell's normal stress, see NormalStress::bound()
   };
 
   /// The place on a master surface that belongs to a slave point, and how it moves.

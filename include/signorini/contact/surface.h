@@ -4,6 +4,7 @@
 #include <signorini/contact/pair.h>
 #include <signorini/contact/pairing.h>
 #include <signorini/contact/pressure_basis.h>
+#include <signorini/contact/sides.h>
 #include <signorini/elasticity/elasticity.h>
 
 #include <utility>
@@ -20,20 +21,31 @@ namespace Signorini
     dealii::Point<dim>     position;
     dealii::Tensor<1, dim> normal;    ///< unit, out of the master
     double                 weight;    ///< area that the point stands for
+    double                 facing;    ///< minus the product of both surfaces' unit normals
     double                 gap;       ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
     double                 stiffness; ///< E/h of slave and master in series [force/length^3]
     double                 depth;     ///< of the slave's cell behind the face: h
     SparseRow              row;       ///< (u^S - u^M).n = sum row . d, hanging nodes resolved
     /// The functions of the pressure at the point: (first degree of freedom of the node, value),
     /// hanging nodes resolved. For point-wise methods the trace shape functions.
-    SparseRow    shape;
-    SparseRow    interpolation; ///< of a pressure in the dual basis; empty: `shape`
-    unsigned int face;          ///< number of the slave face on this rank
+    SparseRow              shape;
+    SparseRow              interpolation; ///< of a pressure in the dual basis; empty: `shape`
+    unsigned int           face;          ///< number of the slave face on this rank
+    dealii::Point<dim - 1> xi;            ///< the parameter there
 
     // For methods that predict the pressure by the stress of the bodies:
     SparseRow stress;         ///< normal stress, positive in compression, a mean of both bodies
     SparseRow thermal_stress; ///< likewise that of rises, of ThermalStrain::coefficients()
     double    bound = 0;      ///< of its square by the energy of the cells [force/length^3]
+  };
+
+  /// The nodes of a slave face, lexicographic in its parameter; hanging ones as they are.
+  template <int dim>
+  struct SlaveFace
+  {
+    unsigned int                                 degree = 0; ///< 0: the face has no points
+    std::vector<dealii::types::global_dof_index> nodes;      ///< first degrees of freedom
+    std::vector<dealii::Point<dim>>              positions;
   };
 
   /// The contact points of one pair on this rank (of locally owned slave faces) that have a
@@ -45,6 +57,7 @@ namespace Signorini
     /// (shape, weight) at points of whole slave faces, with or without partners: what the nodes
     /// would have if the master were everywhere.
     std::vector<std::pair<SparseRow, double>> whole;
+    std::vector<SlaveFace<dim>>               slave_faces; ///< by their numbers
     SearchStatistics                          statistics;
     unsigned int                              faces     = 0;
     bool                                      separates = true; ///< as its pair says
@@ -52,6 +65,9 @@ namespace Signorini
     bool   is_apart      = false; ///< none is one
     double largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]
     bool   sees_nothing  = false; ///< no point has a partner within the search distance
+    double face_size     = 0;     ///< of slave faces with points, the mean over their areas
+    double off_nodes     = 0;     ///< share of the area whose partners are not at master nodes
+    Sides  sides;                 ///< alike if the master is an obstacle
   };
 
   /// Share of the slave's area that has a partner. Collective.

@@ -117,6 +117,10 @@ namespace Signorini
     std::vector<std::vector<double>>
     rigid_body_modes() const;
 
+    /// The body of each locally owned degree of freedom; Mesh::n_bodies() for those of rigid ones.
+    std::vector<unsigned int>
+    bodies_of_dofs() const;
+
     /// Motions without deformation that no support holds: of elastic bodies, and of rigid ones
     /// along free components. They vanish at all constrained degrees of freedom.
     std::vector<FreeMotion>

@@ -13,6 +13,7 @@ namespace Signorini
     std::shared_ptr<MeshGenerator<dim>> generator;
     VectorExpression<dim>               transformation; ///< empty: none
     unsigned int                        refinements = 0;
+    unsigned int                        degree      = 2; ///< of curved cells, see Mesh::mapping()
 
     void
     declare(Section &section);

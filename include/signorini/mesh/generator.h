@@ -42,6 +42,10 @@ namespace Signorini
     /// The names of each boundary id, as indices into `boundaries`. Empty: id i has the name i.
     std::vector<std::vector<unsigned int>> names_of_ids;
 
+    /// Of facets that may stand for a curved surface, by names: how far they are from it, about, at
+    /// most. Empty: none are.
+    std::vector<double> sagittas;
+
     /// Number of boundary ids, which count from 0.
     unsigned int
     n_boundary_ids() const

@@ -32,7 +32,7 @@ namespace Signorini
     std::string                      distribution        = "auto";
     unsigned int                     refinements         = 0;
     unsigned int                     contact_refinements = 0;
-    unsigned int                     geometry_degree     = 0; ///< 0: 1 if all is straight, else 2
+    unsigned int                     geometry_degree     = 0; ///< 0: chosen
     double                           slave_face_weight   = 2;
     std::vector<RefinementZone<dim>> zones;
 
@@ -86,10 +86,33 @@ namespace Signorini
       return *tria;
     }
 
+    /// The shape of the cells: no richer than the displacement of their body, so that rigid motions
+    /// are free of strain.
     const dealii::Mapping<dim> &
     mapping() const
     {
       return my_mappings[0];
+    }
+
+    /// The true shape of the boundaries, up to a polynomial of degree surface_degree(): gaps,
+    /// normals and loads are those of the surfaces that generators and files describe, not of the
+    /// cells.
+    const dealii::Mapping<dim> &
+    surface_mapping() const
+    {
+      return my_surface_mappings[0];
+    }
+
+    const dealii::hp::MappingCollection<dim> &
+    surface_mappings() const
+    {
+      return my_surface_mappings;
+    }
+
+    unsigned int
+    surface_degree() const
+    {
+      return degree_of_surfaces;
     }
 
     /// The same as a collection, for elements of different degree.
@@ -134,6 +157,10 @@ namespace Signorini
     /// Boundary ids of "body.boundary". Throws SceneError naming the boundaries there are.
     const BoundaryIds &
     boundary_ids(const std::string &name) const;
+
+    /// How far facets of "body.boundary" may be from the curved surface that they stand for, about.
+    double
+    sagitta(const std::string &boundary) const;
 
     const std::vector<std::string> &
     boundaries() const
@@ -201,6 +228,7 @@ namespace Signorini
 
     std::vector<std::string>                               names, boundary_names;
     std::vector<BoundaryIds>                               ids_of_names;
+    std::vector<double>                                    sagittas; ///< of names
     unsigned int                                           n_ids = 0;
     std::vector<BodyPiece<dim>>                            my_pieces;
     std::vector<dealii::types::coarse_cell_id>             coarse_ids;           ///< of all bodies
@@ -208,12 +236,13 @@ namespace Signorini
     std::vector<unsigned int>                              first_cells; ///< of the bodies, coarse
     std::vector<std::shared_ptr<const MeshGenerator<dim>>> generators;
     CoarseField<dim>                                       my_temperature;
-    unsigned int                                           degree = 1;
-    std::vector<dealii::BoundingBox<dim>>                  extents; ///< of the bodies
+    unsigned int                                           degree = 1, degree_of_surfaces = 1;
+    std::vector<unsigned int>                              degree_of_body; ///< of its cells
+    std::vector<dealii::BoundingBox<dim>>                  extents;        ///< of the bodies
     dealii::BoundingBox<dim>                               whole_extent;
 
     std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;
-    dealii::hp::MappingCollection<dim>                                   my_mappings;
+    dealii::hp::MappingCollection<dim> my_mappings, my_surface_mappings;
   };
 
   /// Partition a serial triangulation by METIS into `n_parts`, so that cells that face each other

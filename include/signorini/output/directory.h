@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <stdexcept>
 #include <string>
 
 namespace Signorini
@@ -45,8 +46,21 @@ namespace Signorini
   std::string
   mark_of_scene_file();
 
+  /// A file that the disk does not take.
+  class OutputError : public std::runtime_error
+  {
+  public:
+    /// @param of_all all ranks throw it, else one
+    OutputError(const std::string &path, const bool of_all)
+      : std::runtime_error("cannot write " + path + "; is the disk full?")
+      , of_all(of_all)
+    {}
+
+    const bool of_all;
+  };
+
   /// Write the text beside the file, and put it in its place as a whole: readers never see half of
-  /// it. Throws std::runtime_error if the disk does not take it.
+  /// it. Throws OutputError.
   void
   replace_file(const std::string &path, const std::string &text);
 } // namespace Signorini

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <signorini/fields/snapshot.h>
 #include <signorini/output/probes.h>
-#include <signorini/output/snapshot.h>
 
 #include <nlohmann/json.hpp>
 
@@ -22,7 +22,9 @@ namespace Signorini
   /// bodies (of pairs: the sum of their sizes), and the balance: their sum divided by that.
   template <int dim>
   Json
-  force_results(const Snapshot<dim> &snapshot, const std::vector<bool> &master_is_rigid);
+  force_results(const Snapshot<dim>     &snapshot,
+                const std::vector<bool> &master_is_rigid,
+                double                   tolerance);
 
   /// Displacement, stress in space by names ("xx", ...), principal stresses (the largest first) and
   /// von Mises stress at each probe.

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <signorini/fields/snapshot.h>
 #include <signorini/output/pvd.h>
 #include <signorini/output/settings.h>
-#include <signorini/output/snapshot.h>
 
 #include <string>
 

@@ -47,6 +47,10 @@ namespace Signorini
     unsigned int
     keep_deepest(const LA::Vector &gap);
 
+    /// Bodies that stand on each other do not fall. Returns the number of active points.
+    unsigned int
+    add_touching(const LA::Vector &gap);
+
     /// A body that nothing but contact holds, or an obstacle under a given force, rests on a point
     /// at first; better it is pushed in a little before that point counts. Returns the number of
     /// active points.

@@ -33,9 +33,10 @@ namespace Signorini
   {
     unsigned int active = 0, changes = 0, krylov_iterations = 0;
     double       residual = 0, gap_residual = 0, damping = 1;
-    bool         follows   = false; ///< takes over the active set of the last load step
-    bool         withholds = false; ///< overlapping points are not active yet, see keep_deepest()
-    bool         augments  = false; ///< a solution, from which the next augmentation starts
+    double residual_of_bodies = 0;     ///< the largest one of a body, see Newton::forces_at_work()
+    bool   follows            = false; ///< takes over the active set of the last load step
+    bool   withholds = false; ///< overlapping points are not active yet, see keep_deepest()
+    bool   augments  = false; ///< a solution, from which the next augmentation starts
   };
 
   struct NewtonReport
@@ -69,9 +70,12 @@ namespace Signorini
            const dealii::AffineConstraints<double> &constraints,
            const GapOperator                       &contact,
            const std::vector<std::vector<double>>  &modes,
+           const std::vector<unsigned int>         &bodies,
            unsigned int                             dim,
            dealii::TimerOutput                     &timer,
            FreeMotions                              free_motions = FreeMotions());
+
+    // bodies: Elasticity::bodies_of_dofs().
 
     /// @param f load vector with prescribed displacements eliminated
     /// @param u in: start, with the prescribed displacements of this step; out: solution
@@ -133,6 +137,10 @@ namespace Signorini
                       LA::Vector       &p,
                       unsigned int      n,
                       NewtonStep       &step);
+    /// What touches at the start holds all that contact could hold: so does a stack of blocks, a
+    /// ball on a plane does not.
+    bool
+    touches_where_it_can(const LA::Vector &gap);
     /// p^ of the law
     const LA::Vector &
     predicted(const LA::Vector &p, const LA::Vector &stress) const;
@@ -145,6 +153,17 @@ namespace Signorini
              const LA::Vector &u,
              const LA::Vector &p,
              const LA::Vector &stress);
+    /// Body by body, what residuals have to be small beside. That of all, which a support that
+    /// moves a stiff body makes large though the body is free of stress in the end, is not what
+    /// acts on a soft one; so it counts up to a thousand times the contact force.
+    std::vector<double>
+    forces_at_work(const LA::Vector &contact_force, double scale) const;
+    /// Of the parts of a vector.
+    std::vector<double>
+    norms_of_bodies(const LA::Vector &force) const;
+    /// Relative to the forces at work, the largest one.
+    double
+    residual_of_bodies(const LA::Vector &r) const;
     /// Of the bodies' forces, and of penalties, which multiply that of the gap; in the norm of the
     /// residual.
     double
@@ -164,14 +183,18 @@ namespace Signorini
     ContactSystem                            system;
     LinearSolver                             linear_solver;
 
-    ActiveSet  active_set;
-    LA::Vector stiffness_diagonal;
-    LA::Vector augmented;          ///< pressure of the last solution, for methods that augment
-    bool       is_cold     = true; ///< without a pressure to start from
-    bool       cautious    = false;
-    double     reduction   = 1e-2; ///< by linear solves while the active set changes
-    double     softness    = 1;
-    bool       factorised  = false; ///< the system is that of the active set
-    double     force_scale = 0, largest_force = 0, force_rounding = 0;
+    const std::vector<unsigned int> bodies;
+    unsigned int                    n_bodies = 0;
+
+    ActiveSet           active_set;
+    LA::Vector          stiffness_diagonal;
+    LA::Vector          augmented; ///< pressure of the last solution, for methods that augment
+    bool                is_cold     = true; ///< without a pressure to start from
+    bool                cautious    = false;
+    double              reduction   = 1e-2; ///< by linear solves while the active set changes
+    double              softness    = 1;
+    bool                factorised  = false; ///< the system is that of the active set
+    double              force_scale = 0, largest_force = 0, force_rounding = 0;
+    std::vector<double> at_work; ///< forces_at_work() now
   };
 } // namespace Signorini

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/output/snapshot.h>
+#include <signorini/fields/snapshot.h>
 #include <signorini/scene/scene.h>
 #include <signorini/verdict/verdict.h>
 
@@ -36,10 +36,19 @@ namespace Signorini
   std::vector<Finding>
   check_motions(const Snapshot<dim> &now, const std::vector<Extremes> &extremes);
 
-  /// Named pairs that never act, and contact zones of a few faces.
+  /// Pair by pair: those that never act, zones of a few faces, surfaces that move far or are far
+  /// from opposite, overlaps larger than faces, facets, sides, penetration of penalties.
   template <int dim>
   std::vector<Finding>
-  check_pairs(const Scene<dim> &scene, const Snapshot<dim> &now);
+  check_pairs(const Scene<dim>            &scene,
+              const Snapshot<dim>         &now,
+              const std::vector<Extremes> &extremes);
+
+  /// Pressures and tractions that change within faces, as those that jump: their integrals by two
+  /// rules.
+  template <int dim>
+  std::vector<Finding>
+  check_loads(const Scene<dim> &scene, const Snapshot<dim> &now);
 
   /// Forces and moments in balance.
   /// @param scale a force beside which they are to be small

@@ -51,7 +51,7 @@ namespace Signorini
     nlohmann::ordered_json
     json() const;
 
-    /// A table: a line each, and two more of what did not pass.
+    /// How many passed, and what did not: three lines each.
     void
     print(std::ostream &out) const;
 

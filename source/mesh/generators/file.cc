@@ -5,6 +5,7 @@
 #include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/curved_cells.h>
 #include <signorini/mesh/generators/file.h>
+#include <signorini/mesh/generators/round_off.h>
 #include <signorini/mesh/pieces.h>
 #include <signorini/parameters/section.h>
 
@@ -29,6 +30,8 @@ namespace Signorini
     {
       try
         {
+          if (text == "automatic" || text == "none")
+            return {};
           return curved_boundaries_from<dim>(text);
         }
       catch (const SceneError &error)
@@ -194,12 +197,15 @@ namespace Signorini
                 mid_side_nodes,
                 "yes: cells of second order are as curved as their nodes say; no: straight "
                 "between the corners");
-    section.add("Curved boundaries",
-                curved_text,
-                dim == 2 ?
-                  "boundaries on circles, separated by ;   NAME circle cx cy" :
-                  "boundaries on spheres (center) or cylinders (point and direction of the axis), "
-                  "separated by ;   NAME sphere cx cy cz   NAME cylinder px py pz ax ay az");
+    section.add(
+      "Curved boundaries",
+      curved_text,
+      dim == 2 ?
+        "automatic: facets with their corners on circles are taken for these; none: facets stay facets; or "
+        "boundaries on circles, separated by ;   NAME circle cx cy" :
+        "automatic: facets with their corners on spheres, cylinders, cones are taken for these; none: facets stay "
+        "facets; or boundaries on spheres (center) or cylinders (point and direction of the axis), "
+        "separated by ;   NAME sphere cx cy cz   NAME cylinder px py pz ax ay az");
     section.add("Temperature field",
                 temperature_field,
                 "name in the file of temperatures at the nodes, linear between those of corners; "
@@ -285,14 +291,19 @@ namespace Signorini
             surfaces[i].apply(triangulation, ids, i, part.made);
           }
 
-        check_not_folded(triangulation, part);
-
         key = "File";
         const unsigned int n_curved =
           mid_side_nodes ? curve_cells(triangulation, all, part.elements, surfaces.size()) : 0;
-        is_curved = n_curved + surfaces.size() > 0;
+        const Rounding rounding = n_curved == 0 && surfaces.empty() ?
+                                    round_off(triangulation, part, curved_text == "automatic") :
+                                    Rounding();
+        tell(section.path(), path, rounding.notes);
+        is_curved = n_curved + surfaces.size() + rounding.notes.size() > 0;
+        key       = "Curved boundaries";
+        check_not_folded(triangulation, part);
         mesh =
           CoarseMesh<dim>::from_triangulation(triangulation, part.boundaries, part.names_of_ids);
+        mesh.sagittas = rounding.sagittas;
       }
     catch (const SceneError &error)
       {

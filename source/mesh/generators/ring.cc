@@ -100,7 +100,9 @@ namespace Signorini
       return;
     if (inner_radius >= outer_radius)
       section.fail("Inner radius", "must be smaller than the outer one");
-    check_number_of_cells(section, "Cells around", {cells_around, cells_through});
+    check_number_of_cells(section,
+                          "Cells around",
+                          {cells_around, cells_through, dim == 3 ? layers : 1});
     if (cells_around < circle_part(part).quarters)
       section.fail("Cells around", "there must be at least one cell in 90 degrees");
   }

@@ -1,5 +1,6 @@
 #include <signorini/mesh/generators/octants.h>
 #include <signorini/mesh/generators/shell.h>
+#include <signorini/mesh/memory.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -92,8 +93,13 @@ namespace Signorini
                 "coarse cells along an eighth of a circle",
                 {1});
     section.add("Cells through", cells_through, "coarse cells through the thickness", {1});
-    if (section.reading() && inner_radius >= outer_radius)
+    if (!section.reading())
+      return;
+    if (inner_radius >= outer_radius)
       section.fail("Inner radius", "must be smaller than the outer one");
+    check_number_of_cells(section,
+                          "Cells along 45 degrees",
+                          {3, cells_around, cells_around, cells_through});
   }
 
 

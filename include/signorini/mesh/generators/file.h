@@ -76,7 +76,7 @@ namespace Signorini
     FileSelection
     divide(MeshFile &all, const std::string &body, const std::string &path) const;
 
-    std::string   file, curved_text, temperature_field;
+    std::string   file, curved_text = "automatic", temperature_field;
     FileSelection selection;
     bool          mid_side_nodes = true;
 

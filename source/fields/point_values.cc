@@ -1,5 +1,5 @@
-#include <signorini/output/nodal_fields.h>
-#include <signorini/output/point_values.h>
+#include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/point_values.h>
 
 #include <set>
 

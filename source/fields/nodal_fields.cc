@@ -1,4 +1,4 @@
-#include <signorini/output/nodal_fields.h>
+#include <signorini/fields/nodal_fields.h>
 
 #include <deal.II/base/mpi.h>
 

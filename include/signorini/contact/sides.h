@@ -1,0 +1,35 @@
+#pragma once
+
+namespace Signorini
+{
+  /// How the slave compares with the master where they face each other: geometric means over the
+  /// area, the same on all ranks.
+  struct Sides
+  {
+    double modulus = 1; ///< E of the slave / E of the master
+    double size    = 1; ///< of the slave's faces / of the master's
+
+    /// How much of the pressure the error of the master's mesh can become, up to a factor of some
+    /// percent.
+    ///
+    /// A pressure on the slave that changes from node to node moves the slave by h_S/E_S; the
+    /// master follows only what its own faces are fine enough for. What it does not follow, some
+    /// h_M^2 of its curved displacement p h_M/E_M over h_M^2, the slave alone makes up for, by a
+    /// pressure of E_S/h_S times that: relative to p it is E_S/E_M (h_M/h_S), and what is left of
+    /// the smooth part goes with (h_M/h_S)^2 more. Measured (doc/measurements.md): percents from 4
+    /// on, as much as the pressure from some hundreds on.
+    double
+    risk() const;
+
+    /// The same if the master were the slave.
+    Sides
+    exchanged() const
+    {
+      return {1 / modulus, 1 / size};
+    }
+
+    /// So clearly that the program does it.
+    bool
+    better_exchanged() const;
+  };
+} // namespace Signorini

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <signorini/fields/snapshot.h>
+
+namespace Signorini
+{
+  /// Where one pair is in contact: a part of the slave.
+  struct ContactPatch
+  {
+    double area = 0;
+    /// Of the ellipse (2D: the interval) with the same second moments, the largest first.
+    std::vector<double> semi_axes;
+  };
+
+  /// Nodes carry pressure or not; the edge of contact lies between. There the square of the
+  /// pressure goes to zero linearly, as it does where smooth surfaces lose contact (Hertz), so that
+  /// its linear continuation from the nodes in contact tells where. Of methods that sample at
+  /// points, the areas of those in contact. Collective.
+  /// @param pressure recovered_pressure()
+  template <int dim>
+  ContactPatch
+  contact_patch(const Snapshot<dim> &snapshot, unsigned int pair, const LA::Vector &pressure);
+} // namespace Signorini

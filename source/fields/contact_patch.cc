@@ -1,0 +1,322 @@
+#include <signorini/elasticity/model.h>
+#include <signorini/fields/contact_patch.h>
+#include <signorini/fields/nodal_fields.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Area, first and second moments of a part of a surface.
+    template <int dim>
+    struct Moments
+    {
+      std::vector<double> sums = std::vector<double>(1 + dim + dim * dim, 0.);
+
+      void
+      add(const double area, const Point<dim> &x)
+      {
+        sums[0] += area;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            sums[1 + d] += area * x[d];
+            for (unsigned int e = 0; e < dim; ++e)
+              sums[1 + dim + dim * d + e] += area * x[d] * x[e];
+          }
+      }
+
+      ContactPatch
+      patch(const Model model) const
+      {
+        ContactPatch result;
+        result.area = sums[0];
+        // Rings around the axis have no axes of their own.
+        if (result.area <= 0 || model == Model::axisymmetric)
+          return result;
+        Eigen::Matrix<double, dim, dim> spread;
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int e = 0; e < dim; ++e)
+            spread(d, e) =
+              sums[1 + dim + dim * d + e] / sums[0] - sums[1 + d] / sums[0] * sums[1 + e] / sums[0];
+        const auto values =
+          Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, dim, dim>>(spread).eigenvalues();
+        // An interval of half-width a: a^2/3; an ellipse: a^2/4.
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          result.semi_axes.push_back(
+            std::sqrt((dim == 2 ? 3 : 4) * std::max(0., values[dim - 1 - d])));
+        return result;
+      }
+    };
+
+    /// The parts of slave faces between neighbouring nodes.
+    template <int dim>
+    class Lattice
+    {
+    public:
+      static constexpr unsigned int n = dim == 2 ? 2 : 4;
+
+      Lattice(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
+        : s(s)
+        , surface(s.surfaces[pair])
+        , squares(s.elasticity.with_ghosts(squares_of(pressure)))
+        , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
+      {}
+
+      Moments<dim>
+      moments() const
+      {
+        const LA::Vector          level  = s.elasticity.with_ghosts(continued(slopes()));
+        const std::vector<double> shares = covered_shares();
+        Moments<dim>              result;
+        for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
+          std::array<double, n> values;
+          unsigned int          n_active = 0;
+          for (unsigned int c = 0; c < n; ++c)
+            {
+              const auto node = face.nodes[nodes[c]];
+              n_active += is_active(node);
+              values[c] = is_active(node) ? std::max(squares(node), tiny) : level(node);
+            }
+          if (n_active > 0)
+            add_part(nodes,
+                     face,
+                     values,
+                     n_active == n,
+                     shares[&face - surface.slave_faces.data()],
+                     result);
+        });
+        return result;
+      }
+
+    private:
+      static constexpr double tiny = std::numeric_limits<double>::min();
+
+      LA::Vector
+      squares_of(const LA::Vector &pressure) const
+      {
+        LA::Vector result = pressure;
+        for (const auto i : result.locally_owned_elements())
+          result(i) = pressure(i) * pressure(i);
+        result.compress(VectorOperation::insert);
+        return result;
+      }
+
+      bool
+      is_active(const types::global_dof_index node) const
+      {
+        return status(node) > 0.5;
+      }
+
+      template <typename Visit>
+      void
+      for_parts(const Visit &visit) const
+      {
+        for (const SlaveFace<dim> &face : surface.slave_faces)
+          for (unsigned int j = 0; j < (dim == 3 ? face.degree : std::min(face.degree, 1u)); ++j)
+            for (unsigned int i = 0; i < face.degree; ++i)
+              {
+                std::array<unsigned int, n> nodes;
+                for (unsigned int c = 0; c < n; ++c)
+                  nodes[c] = i + c % 2 + (j + c / 2) * (face.degree + 1);
+                visit(nodes, face);
+              }
+      }
+
+      /// Of the squares, at nodes of parts that are in contact as a whole: the mean over these, and
+      /// last their number.
+      std::vector<LA::Vector>
+      slopes() const
+      {
+        std::vector<LA::Vector> result(dim + 1, s.elasticity.zero_vector());
+        for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
+          for (const unsigned int i : nodes)
+            if (!is_active(face.nodes[i]))
+              return;
+          std::array<double, n> values;
+          for (unsigned int c = 0; c < n; ++c)
+            values[c] = squares(face.nodes[nodes[c]]);
+          const Tensor<1, dim> slope = slope_of(nodes, face, values);
+          for (const unsigned int i : nodes)
+            {
+              for (unsigned int d = 0; d < dim; ++d)
+                result[d](face.nodes[i]) += slope[d];
+              result[dim](face.nodes[i]) += 1;
+            }
+        });
+        for (LA::Vector &v : result)
+          v.compress(VectorOperation::add);
+        std::vector<LA::Vector> with_ghosts;
+        for (const LA::Vector &v : result)
+          with_ghosts.push_back(s.elasticity.with_ghosts(v));
+        return with_ghosts;
+      }
+
+      /// In the middle of a part.
+      static Tensor<1, dim>
+      slope_of(const std::array<unsigned int, n> &nodes,
+               const SlaveFace<dim>              &face,
+               const std::array<double, n>       &values)
+      {
+        Tensor<1, dim - 1>                  change;
+        std::array<Tensor<1, dim>, dim - 1> tangents;
+        for (unsigned int c = 0; c < n; ++c)
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            {
+              const double sign = ((c >> d) % 2 == 1 ? 1. : -1.) / (n / 2);
+              change[d] += sign * values[c];
+              tangents[d] += sign * Tensor<1, dim>(face.positions[nodes[c]]);
+            }
+        Tensor<2, dim - 1> metric;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          for (unsigned int e = 0; e < dim - 1; ++e)
+            metric[d][e] = tangents[d] * tangents[e];
+        const Tensor<1, dim - 1> raised = invert(metric) * change;
+        Tensor<1, dim>           result;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          result += raised[d] * tangents[d];
+        return result;
+      }
+
+      /// At open nodes beside nodes in contact; not above zero.
+      LA::Vector
+      continued(const std::vector<LA::Vector> &slopes) const
+      {
+        LA::Vector sum = s.elasticity.zero_vector(), count = sum;
+        for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
+          for (const unsigned int open : nodes)
+            if (!is_active(face.nodes[open]))
+              for (const unsigned int i : nodes)
+                if (const auto node = face.nodes[i]; is_active(node))
+                  {
+                    // Of zones of one node nothing is known, nor where pressures grow towards the
+                    // edge, as at corners: half of the way.
+                    double change = 0;
+                    for (unsigned int d = 0; d < dim; ++d)
+                      if (slopes[dim](node) > 0)
+                        change += slopes[d](node) / slopes[dim](node) *
+                                  (face.positions[open] - face.positions[i])[d];
+                    const double value = change < 0 ? squares(node) + change : -squares(node);
+                    sum(face.nodes[open]) += value;
+                    count(face.nodes[open]) += 1;
+                  }
+        });
+        for (LA::Vector *v : {&sum, &count})
+          v->compress(VectorOperation::add);
+        for (const auto i : sum.locally_owned_elements())
+          sum(i) = count(i) > 0 ? std::min(sum(i) / count(i), -tiny) : -1.;
+        sum.compress(VectorOperation::insert);
+        return sum;
+      }
+
+      /// Of each face, what has a partner, by the area of its parts: above one where these are
+      /// chords.
+      std::vector<double>
+      covered_shares() const
+      {
+        std::vector<Moments<dim>> whole(surface.slave_faces.size());
+        std::vector<double>       shares(whole.size(), 0.);
+        std::array<double, n>     ones;
+        ones.fill(1.);
+        for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
+          add_part(nodes, face, ones, true, 1., whole[&face - surface.slave_faces.data()]);
+        });
+        for (const ContactPoint<dim> &point : surface.points)
+          shares[point.face] += point.weight / whole[point.face].sums[0];
+        return shares;
+      }
+
+      /// What of a part has positive values, by samples.
+      void
+      add_part(const std::array<unsigned int, n> &nodes,
+               const SlaveFace<dim>              &face,
+               const std::array<double, n>       &values,
+               const bool                         is_whole,
+               const double                       covered,
+               Moments<dim>                      &moments) const
+      {
+        // By Gauss points, or as many as the edge needs.
+        const unsigned int m     = is_whole ? 2 : dim == 2 ? 200 : 16;
+        const auto         place = [&](const unsigned int a) {
+          return is_whole ? 0.5 + (a == 0 ? -1 : 1) * std::sqrt(1. / 12) : (a + 0.5) / m;
+        };
+        for (unsigned int b = 0; b < (dim == 3 ? m : 1); ++b)
+          for (unsigned int a = 0; a < m; ++a)
+            {
+              const std::array<double, 2>   at = {{place(a), place(b)}};
+              std::array<double, n>         shape;
+              double                        value = 0;
+              Point<dim>                    x;
+              std::array<Tensor<1, dim>, 2> tangents;
+              for (unsigned int c = 0; c < n; ++c)
+                {
+                  const double f = c % 2 == 1 ? at[0] : 1 - at[0], g = dim == 2   ? 1. :
+                                                                       c / 2 == 1 ? at[1] :
+                                                                                    1 - at[1];
+                  shape[c] = f * g;
+                  value += shape[c] * values[c];
+                  const Tensor<1, dim> position(face.positions[nodes[c]]);
+                  x += shape[c] * position;
+                  tangents[0] += (c % 2 == 1 ? g : -g) * position;
+                  tangents[1] += (c / 2 == 1 ? f : -f) * position;
+                }
+              if (value <= 0)
+                continue;
+              double area = 0;
+              if constexpr (dim == 2)
+                area = tangents[0].norm() / m;
+              else
+                area = cross_product_3d(tangents[0], tangents[1]).norm() / (m * m);
+              moments.add(covered * area * measure(s.elasticity.model(), x), x);
+            }
+      }
+
+      const Snapshot<dim>       &s;
+      const ContactSurface<dim> &surface;
+      const LA::Vector           squares, status; ///< with ghosts
+    };
+
+    template <int dim>
+    Moments<dim>
+    of_points(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      Moments<dim> result;
+      auto         which = s.contact.pair.begin();
+      for (const auto i : s.active.locally_owned_elements())
+        if (*which++ == pair && s.active(i) > 0)
+          {
+            Point<dim> x;
+            for (unsigned int d = 0; d < dim; ++d)
+              x[d] = s.contact.position[d](i);
+            result.add(s.contact.weight(i), x);
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactPatch
+  contact_patch(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
+  {
+    Moments<dim> moments =
+      samples_nodes(s.contact) ? Lattice<dim>(s, pair, pressure).moments() : of_points(s, pair);
+    Utilities::MPI::sum(moments.sums, s.elasticity.mesh().communicator(), moments.sums);
+    return moments.patch(s.elasticity.model());
+  }
+
+
+
+  template ContactPatch
+  contact_patch(const Snapshot<2> &, unsigned int, const LA::Vector &);
+  template ContactPatch
+  contact_patch(const Snapshot<3> &, unsigned int, const LA::Vector &);
+} // namespace Signorini

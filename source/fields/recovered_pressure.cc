@@ -1,0 +1,511 @@
+#include <signorini/contact/lagrange.h>
+#include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/recovered_pressure.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int max_steps = 200;
+    constexpr double       enough    = 1e-9; // of the largest pressure, that a step changes
+
+    template <int dim>
+    constexpr unsigned int n_corners = dim == 2 ? 2 : 4;
+
+    /// The linear functions of the corners of a face and their derivatives, at a parameter.
+    template <int dim>
+    struct Corners
+    {
+      std::array<double, n_corners<dim>>             value;
+      std::array<Tensor<1, dim - 1>, n_corners<dim>> slope;
+
+      explicit Corners(const Point<dim - 1> &xi)
+      {
+        const auto x = lagrange(1, xi[0]), y = lagrange(1, xi[dim - 2]);
+        for (unsigned int c = 0; c < n_corners<dim>; ++c)
+          {
+            const unsigned int i = c % 2, j = c / 2;
+            value[c]    = x[i][0] * (dim == 3 ? y[j][0] : 1.);
+            slope[c][0] = x[i][1] * (dim == 3 ? y[j][0] : 1.);
+            if (dim == 3)
+              slope[c][dim - 2] = x[i][0] * y[j][1];
+          }
+      }
+    };
+
+    /// The number of a corner among the nodes of a face.
+    template <int dim>
+    unsigned int
+    node_of_corner(const unsigned int corner, const unsigned int degree)
+    {
+      return degree * (corner % 2) + (corner / 2) * degree * (degree + 1);
+    }
+
+    /// Means over the linear functions of the vertices. Fields have entries for these alone: what
+    /// is iterated costs vectors of the surface.
+    template <int dim>
+    class Recovery
+    {
+    public:
+      Recovery(const Snapshot<dim> &s, const unsigned int pair)
+        : s(s)
+        , surface(s.surfaces[pair])
+        , raw(s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair)))
+        , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
+        , matrices(surface.slave_faces.size())
+      {
+        // Of points, which have rows of their own.
+        if (!samples_nodes(s.contact))
+          {
+            first_row = s.pressure.local_range().first;
+            for (unsigned int p = 0; p < pair; ++p)
+              first_row += s.surfaces[p].points.size();
+          }
+        number_vertices();
+        area = open_area = zero();
+        offset.assign(dim, zero());
+        for (const ContactPoint<dim> &point : surface.points)
+          {
+            const unsigned int    f       = point.face;
+            const SlaveFace<dim> &face    = surface.slave_faces[f];
+            const bool            is_open = has_open_node(face);
+            const Corners<dim>    at(point.xi);
+            add_to_matrices(point, at);
+            for (unsigned int c = 0; c < n; ++c)
+              {
+                const double w = point.weight * at.value[c];
+                area(vertices[f][c]) += w;
+                if (is_open)
+                  open_area(vertices[f][c]) += w;
+                for (unsigned int d = 0; d < dim; ++d)
+                  offset[d](vertices[f][c]) += w * (point.position[d] - corner(face, c)[d]);
+              }
+          }
+        area.compress(VectorOperation::add);
+        open_area.compress(VectorOperation::add);
+        for (Field &component : offset)
+          divide(component);
+      }
+
+      LA::Vector
+      run() const
+      {
+        const Field        means    = mean_pressure();
+        const double       most     = means.linfty_norm();
+        Field              q        = means;
+        std::vector<Field> gradient = mean_gradients(q);
+        double             before   = std::numeric_limits<double>::max();
+        for (unsigned int step = 0; step < max_steps; ++step)
+          {
+            gradient         = corrected(mean_gradients(q), gradient);
+            const Field next = keep_at_edges(next_guess(q, means, gradient), means);
+            q -= next;
+            const double change = q.linfty_norm();
+            // On meshes that are too irregular for it, what was reached.
+            if (step > 4 && change >= before)
+              return with_nodes_between(means, gradient);
+            q = next;
+            if (change <= enough * most)
+              break;
+            before = change;
+          }
+        return with_nodes_between(q, gradient);
+      }
+
+    private:
+      static constexpr unsigned int n = n_corners<dim>;
+
+      using Field = LinearAlgebra::distributed::Vector<double>;
+
+      /// Among those of the surface, rank by rank.
+      void
+      number_vertices()
+      {
+        const MPI_Comm comm   = s.elasticity.mesh().communicator();
+        LA::Vector     number = s.elasticity.zero_vector();
+        for (const SlaveFace<dim> &face : surface.slave_faces)
+          for (unsigned int c = 0; c < (face.degree > 0 ? n : 0); ++c)
+            number(vertex(face, c)) += 1;
+        number.compress(VectorOperation::add);
+        std::vector<types::global_dof_index> own;
+        for (const auto i : number.locally_owned_elements())
+          if (number(i) > 0)
+            own.push_back(i);
+        const auto              counts = Utilities::MPI::all_gather(comm, own.size());
+        types::global_dof_index next   = 0;
+        for (unsigned int rank = 0; rank < Utilities::MPI::this_mpi_process(comm); ++rank)
+          next += counts[rank];
+        const types::global_dof_index first = next;
+        for (const auto i : own)
+          number(i) = next++;
+        number.compress(VectorOperation::insert);
+        const LA::Vector numbers = s.elasticity.with_ghosts(number);
+
+        IndexSet owned(Utilities::MPI::sum(own.size(), comm)), others(owned.size());
+        owned.add_range(first, next);
+        vertices.resize(surface.slave_faces.size());
+        for (unsigned int f = 0; f < vertices.size(); ++f)
+          for (unsigned int c = 0; c < (surface.slave_faces[f].degree > 0 ? n : 0); ++c)
+            {
+              vertices[f][c] = std::lround(numbers(vertex(surface.slave_faces[f], c)));
+              if (!owned.is_element(vertices[f][c]))
+                others.add_index(vertices[f][c]);
+            }
+        layout = std::make_shared<Utilities::MPI::Partitioner>(owned, others, comm);
+      }
+
+      Field
+      zero() const
+      {
+        return Field(layout);
+      }
+
+      static Field
+      with_ghosts(const Field &field)
+      {
+        Field result = field;
+        result.update_ghost_values();
+        return result;
+      }
+
+      /// Of the linear functions of a face: int phi_c phi_e dA, int phi_c grad phi_e dA.
+      struct FaceMatrices
+      {
+        std::array<std::array<double, n>, n>         mass{};
+        std::array<std::array<Tensor<1, dim>, n>, n> gradient{};
+      };
+
+      void
+      add_to_matrices(const ContactPoint<dim> &point, const Corners<dim> &at)
+      {
+        const SlaveFace<dim>               &face = surface.slave_faces[point.face];
+        std::array<Tensor<1, dim>, dim - 1> tangents;
+        for (unsigned int c = 0; c < n; ++c)
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            tangents[d] += at.slope[c][d] * Tensor<1, dim>(corner(face, c));
+        Tensor<2, dim - 1> metric;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          for (unsigned int e = 0; e < dim - 1; ++e)
+            metric[d][e] = tangents[d] * tangents[e];
+        const Tensor<2, dim - 1> inverse = invert(metric);
+        FaceMatrices            &matrix  = matrices[point.face];
+        for (unsigned int e = 0; e < n; ++e)
+          {
+            const Tensor<1, dim - 1> raised = inverse * at.slope[e];
+            Tensor<1, dim>           gradient;
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              gradient += raised[d] * tangents[d];
+            for (unsigned int c = 0; c < n; ++c)
+              {
+                matrix.mass[c][e] += point.weight * at.value[c] * at.value[e];
+                matrix.gradient[c][e] += point.weight * at.value[c] * gradient;
+              }
+          }
+      }
+
+      static types::global_dof_index
+      vertex(const SlaveFace<dim> &face, const unsigned int c)
+      {
+        return face.nodes[node_of_corner<dim>(c, face.degree)];
+      }
+
+      static unsigned int
+      corner_of_node(const unsigned int node, const unsigned int degree)
+      {
+        return (node % (degree + 1) > 0 ? 1 : 0) + (node > degree ? 2 : 0);
+      }
+
+      static const Point<dim> &
+      corner(const SlaveFace<dim> &face, const unsigned int c)
+      {
+        return face.positions[node_of_corner<dim>(c, face.degree)];
+      }
+
+      bool
+      is_open(const types::global_dof_index node) const
+      {
+        return status(node) < 1 - 1e-6;
+      }
+
+      bool
+      has_open_node(const SlaveFace<dim> &face) const
+      {
+        for (const auto node : face.nodes)
+          if (is_open(node))
+            return true;
+        return false;
+      }
+
+      /// From an integral to a mean, zero where there is no area.
+      void
+      divide(Field &integral) const
+      {
+        integral.compress(VectorOperation::add);
+        for (unsigned int k = 0; k < integral.locally_owned_size(); ++k)
+          integral.local_element(k) =
+            area.local_element(k) > 0 ? integral.local_element(k) / area.local_element(k) : 0.;
+      }
+
+      /// Of a pressure in the dual basis int phi_i lambda dA = p_i int phi_i dA on each face.
+      Field
+      mean_pressure() const
+      {
+        Field        result = zero();
+        unsigned int q      = 0;
+        for (const ContactPoint<dim> &point : surface.points)
+          {
+            const SlaveFace<dim> &face    = surface.slave_faces[point.face];
+            const bool            is_dual = !point.interpolation.empty();
+            const Corners<dim>    at(point.xi);
+            const auto            shape = node_functions(face.degree, point.xi);
+            double                own   = 0;
+            if (!samples_nodes_here())
+              own = s.pressure(first_row + q);
+            else if (!is_dual)
+              for (unsigned int i = 0; i < shape.size(); ++i)
+                own += shape[i] * raw(face.nodes[i]);
+            for (unsigned int c = 0; c < n; ++c)
+              {
+                double weighted = at.value[c] * own;
+                if (samples_nodes_here() && is_dual)
+                  for (unsigned int i = 0; i < shape.size(); ++i)
+                    weighted += share(c, i, face.degree) * shape[i] * raw(face.nodes[i]);
+                result(vertices[point.face][c]) += point.weight * weighted;
+              }
+            ++q;
+          }
+        divide(result);
+        return result;
+      }
+
+      bool
+      samples_nodes_here() const
+      {
+        return first_row == numbers::invalid_dof_index;
+      }
+
+      /// Value of the linear function of corner c at node i.
+      static double
+      share(const unsigned int c, const unsigned int i, const unsigned int degree)
+      {
+        Point<dim - 1> xi;
+        xi[dim - 2] = double(i / (degree + 1)) / degree;
+        xi[0]       = double(i % (degree + 1)) / degree;
+        return Corners<dim>(xi).value[c];
+      }
+
+      static std::vector<double>
+      node_functions(const unsigned int degree, const Point<dim - 1> &xi)
+      {
+        const auto          x = lagrange(degree, xi[0]), y = lagrange(degree, xi[dim - 2]);
+        std::vector<double> result;
+        for (unsigned int j = 0; j <= (dim == 3 ? degree : 0); ++j)
+          for (unsigned int i = 0; i <= degree; ++i)
+            result.push_back(x[i][0] * (dim == 3 ? y[j][0] : 1.));
+        return result;
+      }
+
+      Field
+      means_of_linear(const Field &field) const
+      {
+        const Field q      = with_ghosts(field);
+        Field       result = zero();
+        for (unsigned int f = 0; f < matrices.size(); ++f)
+          if (surface.slave_faces[f].degree > 0)
+            for (unsigned int c = 0; c < n; ++c)
+              for (unsigned int e = 0; e < n; ++e)
+                result(vertices[f][c]) += matrices[f].mass[c][e] * q(vertices[f][e]);
+        divide(result);
+        return result;
+      }
+
+      /// Along the surface, of the linear interpolant, means at the vertices.
+      std::vector<Field>
+      mean_gradients(const Field &field) const
+      {
+        const Field        q = with_ghosts(field);
+        std::vector<Field> result(dim, zero());
+        for (unsigned int f = 0; f < matrices.size(); ++f)
+          if (surface.slave_faces[f].degree > 0)
+            for (unsigned int c = 0; c < n; ++c)
+              {
+                Tensor<1, dim> sum;
+                for (unsigned int e = 0; e < n; ++e)
+                  sum += q(vertices[f][e]) * matrices[f].gradient[c][e];
+                for (unsigned int d = 0; d < dim; ++d)
+                  result[d](vertices[f][c]) += sum[d];
+              }
+        for (Field &component : result)
+          divide(component);
+        return result;
+      }
+
+      /// The means of the linear interpolant's gradients are gradients at the offsets d, those
+      /// along d at 3/2 d.
+      std::vector<Field>
+      corrected(std::vector<Field> means, const std::vector<Field> &gradient) const
+      {
+        std::vector<Field> change(dim, zero());
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            std::vector<Field> curvature = mean_gradients(gradient[d]);
+            for (unsigned int e = 0; e < dim; ++e)
+              {
+                curvature[e].scale(offset[e]);
+                change[d] += curvature[e];
+              }
+          }
+        for (unsigned int k = 0; k < area.locally_owned_size(); ++k)
+          {
+            double along = 0, square = 0;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                along += change[d].local_element(k) * offset[d].local_element(k);
+                square += std::pow(offset[d].local_element(k), 2);
+              }
+            for (unsigned int d = 0; d < dim; ++d)
+              means[d].local_element(k) -=
+                change[d].local_element(k) +
+                (square > 0 ? 0.5 * along / square * offset[d].local_element(k) : 0.);
+          }
+        return means;
+      }
+
+      Field
+      next_guess(const Field &q, const Field &means, const std::vector<Field> &gradient) const
+      {
+        Field excess = means_of_linear(q); // M q - q
+        excess -= q;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            Field along = gradient[d];
+            along.scale(offset[d]);
+            excess += along;
+          }
+        excess *= -0.5;
+        excess += means;
+        return excess;
+      }
+
+      Field
+      keep_at_edges(Field inside, const Field &at_edges) const
+      {
+        for (unsigned int k = 0; k < inside.locally_owned_size(); ++k)
+          if (open_area.local_element(k) > 0)
+            inside.local_element(k) = at_edges.local_element(k);
+        return inside;
+      }
+
+      /// Values at the nodes of a face from those at its corners.
+      std::vector<double>
+      values_on(const unsigned int f, const Field &q, const std::vector<Field> &gradient) const
+      {
+        const SlaveFace<dim> &face      = surface.slave_faces[f];
+        const bool            is_smooth = !has_open_node(face);
+        const unsigned int    k = face.degree, rows = dim == 3 ? k + 1 : 1;
+        std::vector<double>   values(face.nodes.size());
+        for (unsigned int c = 0; c < n; ++c)
+          values[node_of_corner<dim>(c, k)] = q(vertices[f][c]);
+        const auto middle = [&](const unsigned int a, const unsigned int b, const unsigned int m) {
+          double               bend = 0;
+          const Tensor<1, dim> way  = face.positions[b] - face.positions[a];
+          for (unsigned int d = 0; d < dim; ++d)
+            bend += (gradient[d](vertices[f][corner_of_node(a, k)]) -
+                     gradient[d](vertices[f][corner_of_node(b, k)])) *
+                    way[d];
+          values[m] = (values[a] + values[b]) / 2 + (is_smooth ? bend / 8 : 0.);
+        };
+        for (unsigned int j = 0; j < rows; j += k)
+          middle(j * (k + 1), j * (k + 1) + k, j * (k + 1) + 1);
+        if (dim == 3)
+          {
+            for (unsigned int i = 0; i <= k; i += k)
+              middle(i, k * (k + 1) + i, k + 1 + i);
+            values[4] = (values[1] + values[3] + values[5] + values[7]) / 2 -
+                        (values[0] + values[2] + values[6] + values[8]) / 4;
+          }
+        return values;
+      }
+
+      LA::Vector
+      with_nodes_between(const Field &field, const std::vector<Field> &gradient) const
+      {
+        const Field        q      = with_ghosts(field);
+        std::vector<Field> slopes = gradient; // copies have no ghosts
+        for (const Field &component : slopes)
+          component.update_ghost_values();
+        LA::Vector sum = s.elasticity.zero_vector(), count = sum;
+        for (unsigned int f = 0; f < surface.slave_faces.size(); ++f)
+          {
+            const SlaveFace<dim>     &face = surface.slave_faces[f];
+            const std::vector<double> values =
+              face.degree == 2 ? values_on(f, q, slopes) : values_of(face.nodes);
+            for (unsigned int i = 0; i < values.size(); ++i)
+              {
+                sum(face.nodes[i]) += is_open(face.nodes[i]) ? 0. : values[i];
+                count(face.nodes[i]) += 1;
+              }
+          }
+        for (LA::Vector *v : {&sum, &count})
+          v->compress(VectorOperation::add);
+        for (const auto i : sum.locally_owned_elements())
+          if (count(i) > 0)
+            sum(i) /= count(i);
+        sum.compress(VectorOperation::insert);
+        s.elasticity.hanging_nodes().distribute(sum);
+        return sum;
+      }
+
+      std::vector<double>
+      values_of(const std::vector<types::global_dof_index> &nodes) const
+      {
+        std::vector<double> result;
+        for (const auto node : nodes)
+          result.push_back(raw(node));
+        return result;
+      }
+
+      const Snapshot<dim>       &s;
+      const ContactSurface<dim> &surface;
+      const LA::Vector           raw, status; ///< with ghosts
+      types::global_dof_index    first_row = numbers::invalid_dof_index;
+      Field              area, open_area; ///< int phi_v dA, and that on faces with open nodes
+      std::vector<Field> offset;          ///< d
+      std::vector<FaceMatrices> matrices; ///< of slave faces
+
+      std::shared_ptr<const Utilities::MPI::Partitioner> layout;
+      std::vector<std::array<types::global_dof_index, n>>
+        vertices; ///< entries of the faces' corners
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  LA::Vector
+  recovered_pressure(const Snapshot<dim> &s, const unsigned int pair)
+  {
+    unsigned int degree = 0;
+    for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+      degree = std::max(degree, face.degree);
+    if (Utilities::MPI::max(degree, s.elasticity.mesh().communicator()) < 2)
+      return nodal_field(s, s.pressure, pair);
+    return Recovery<dim>(s, pair).run();
+  }
+
+
+
+  template LA::Vector
+  recovered_pressure(const Snapshot<2> &, unsigned int);
+  template LA::Vector
+  recovered_pressure(const Snapshot<3> &, unsigned int);
+} // namespace Signorini

@@ -1,0 +1,102 @@
+#include <signorini/contact/boundary_faces.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/verdict/checks.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <array>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Resultant, and sum of the sizes of its parts.
+    template <int dim>
+    struct Sum
+    {
+      Tensor<1, dim> force;
+      double         size = 0;
+
+      void
+      add(const Load<dim>           &load,
+          const FacePatch<dim>      &face,
+          const Quadrature<dim - 1> &rule,
+          const Model                model,
+          const double               t)
+      {
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          {
+            const Point<dim - 1> xi = rule.point(q);
+            const Point<dim>     x  = face.position(xi);
+            const Tensor<1, dim> traction =
+              load.traction.value(x, t) - load.pressure.value(x, t) * face.normal(xi);
+            const double area = rule.weight(q) * face.jacobian(xi) * measure(model, x);
+            force += area * traction;
+            size += area * traction.norm();
+          }
+      }
+
+      void
+      over_ranks(const MPI_Comm comm)
+      {
+        force = Utilities::MPI::sum(force, comm);
+        size  = Utilities::MPI::sum(size, comm);
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Finding>
+  check_loads(const Scene<dim> &scene, const Snapshot<dim> &now)
+  {
+    constexpr double     small = 1e-4;
+    const MPI_Comm       comm  = now.elasticity.mesh().communicator();
+    std::vector<Finding> findings;
+    for (const Load<dim> &load : scene.loads)
+      {
+        if (!load.traction.depends_on_place() && !load.pressure.depends_on_place())
+          continue;
+        std::array<Sum<dim>, 2> sums; // as it was integrated, and with more points
+        for (const std::string &boundary : load.boundaries)
+          {
+            const BoundaryFaces<dim> faces(now.elasticity, boundary);
+            for (unsigned int i = 0; i < faces.faces.size(); ++i)
+              {
+                const unsigned int usual = faces.faces[i].first->get_fe().degree + 2;
+                for (unsigned int k = 0; k < 2; ++k)
+                  sums[k].add(load,
+                              faces.patches[i],
+                              QGauss<dim - 1>(usual + 3 * k),
+                              now.elasticity.model(),
+                              now.time);
+              }
+          }
+        for (Sum<dim> &sum : sums)
+          sum.over_ranks(comm);
+        Finding finding;
+        finding.check = "load by two rules";
+        finding.where = "load " + load.name;
+        finding.value =
+          sums[1].size > 0 ? (sums[0].force - sums[1].force).norm() / sums[1].size : 0.;
+        finding.limit   = small;
+        finding.outcome = finding.value <= small ? Outcome::passed : Outcome::warned;
+        finding.what = "its formula varies within faces by so much that the total is off by about "
+                       "that share; does it jump there?";
+        finding.cure = "let faces end where it jumps, refine there, or give a Total force";
+        findings.push_back(finding);
+      }
+    return findings;
+  }
+
+
+
+  template std::vector<Finding>
+  check_loads(const Scene<2> &, const Snapshot<2> &);
+  template std::vector<Finding>
+  check_loads(const Scene<3> &, const Snapshot<3> &);
+} // namespace Signorini
