@@ -127,6 +127,37 @@ namespace Signorini
 
 
 
+  void
+  ActiveSet::open_pulling_regions(const LA::Vector &gap, const LA::Vector &predicted)
+  {
+    if (contact.regions.empty())
+      return;
+    LA::Vector either = now, force = contact.zero();
+    for (const auto i : now.locally_owned_elements())
+      {
+        either(i) = std::max(now(i), last(i));
+        force(i)  = last(i) * contact.weight(i) * (predicted(i) - contact.epsilon(i) * gap(i));
+      }
+    either.compress(VectorOperation::insert);
+    force.compress(VectorOperation::insert);
+    const LA::Vector sums    = contact.regions.sums(either, force);
+    const auto       is_left = [&](const auto i) {
+      return now(i) > 0 && (sums(i) >= 0 || contact.permanent(i) > 0);
+    };
+    std::vector<unsigned int> left(contact.n_pairs(), 0);
+    auto                      pair = contact.pair.begin();
+    for (const auto i : now.locally_owned_elements())
+      left[*pair++] += is_left(i);
+    Utilities::MPI::sum(left, now.get_mpi_communicator(), left);
+    pair = contact.pair.begin();
+    for (const auto i : now.locally_owned_elements())
+      if (left[*pair++] > 0 && !is_left(i))
+        now(i) = 0;
+    now.compress(VectorOperation::insert);
+  }
+
+
+
   // Surfaces that touch overlap by that, of which nothing follows.
   double
   ActiveSet::coordinate_rounding() const

@@ -442,6 +442,8 @@ namespace Signorini
                                              active_set.keep_deepest(gap);
         step.withholds            = kept < all;
       }
+    if (!cautious && n > 0)
+      active_set.open_pulling_regions(gap, start);
     if (!cautious && active_set.seen_before())
       {
         // The linear solves may have been too rough to tell where there is pressure.

@@ -47,6 +47,12 @@ namespace Signorini
     unsigned int
     keep_deepest(const LA::Vector &gap);
 
+    /// A region of points that pulls as a whole does not stay, nor do the points beside it that
+    /// overlap because it was turned about: left to themselves, they would wander along a lever
+    /// that lifts off, a point a step. Of each pair something must be left.
+    void
+    open_pulling_regions(const LA::Vector &gap, const LA::Vector &predicted);
+
     /// Bodies that stand on each other do not fall. Returns the number of active points.
     unsigned int
     add_touching(const LA::Vector &gap);
