@@ -52,6 +52,7 @@ namespace Signorini
   namespace
   {
     constexpr double fine_reduction = 1e-6; // by linear solves, once an active set comes up again
+    constexpr unsigned int steps_of_growth = 5; // of a cold start, see ActiveSet::keep_deepest()
 
     void
     print_head(ConditionalOStream &out)
@@ -430,16 +431,19 @@ namespace Signorini
   {
     if (contact.empty())
       return;
-    const LA::Vector &start = predicted(p, stress);
+    const LA::Vector  &start  = predicted(p, stress);
+    const unsigned int before = active_set.size();
     active_set.update(gap, start);
-    if (is_cold && n <= 1)
+    const unsigned int all = active_set.size();
+    // From a zone that is too small bodies overlap far around it.
+    const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before;
+    if (is_cold && (n <= 1 || grows))
       {
-        const unsigned int all    = active_set.size();
         const bool         falls  = n == 0 && !system.free_motions().empty();
         const bool         stands = falls && touches_where_it_can(gap);
         const unsigned int kept   = stands ? active_set.add_touching(gap) :
                                     falls  ? active_set.drop_touching(gap) :
-                                             active_set.keep_deepest(gap);
+                                             active_set.keep_deepest(gap, grows);
         step.withholds            = kept < all;
       }
     if (!cautious && n > 0)
@@ -477,7 +481,9 @@ namespace Signorini
   Newton::touches_where_it_can(const LA::Vector &gap)
   {
     ActiveSet touching(contact);
-    touching.add_touching(gap);
+    // On a tip nothing stands.
+    if (touching.add_touching(gap) <= 1)
+      return false;
     system.find_loose_motions(touching.values());
     return system.free_motions().loose().size() <= system.free_motions().never_held().size();
   }
