@@ -286,7 +286,7 @@ namespace Signorini
         const bool is_settled = contact.empty() || (n > 0 && step.changes == 0 && !step.withholds &&
                                                     softness == last_softness);
         step.krylov_iterations =
-          solve_linear(x, rhs, is_settled ? 0. : reduction, 0.5 * settings.tolerance * least);
+          solve_linear(x, rhs, is_settled ? 0. : reduction, 0.5 * settings.tolerance * least, out);
         damping = cautious && has_energy() ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
@@ -374,7 +374,8 @@ namespace Signorini
   Newton::solve_linear(LA::BlockVector       &x,
                        const LA::BlockVector &rhs,
                        const double           reduction,
-                       const double           tolerance)
+                       const double           tolerance,
+                       ConditionalOStream    &out)
   {
     if (!factorised)
       {
@@ -382,7 +383,11 @@ namespace Signorini
         linear_solver.update();
         factorised = true;
       }
+    const bool         iterates   = !linear_solver.has_given_up();
     const unsigned int iterations = linear_solver.solve(x, rhs, reduction, tolerance);
+    if (iterates && linear_solver.has_given_up())
+      out << "    the iterative solver does not converge: the system is factorised from here on"
+          << std::endl;
     // Constrained ones are unknowns of their own to the linear solver, zero up to its tolerance.
     constraints.set_zero(x.block(0));
     if (system.is_saddle_point())
