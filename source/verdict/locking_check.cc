@@ -119,7 +119,7 @@ namespace Signorini
       return {};
     Finding finding;
     finding.check       = "locking";
-    finding.limit       = 0.02;
+    finding.limit       = 0.01;
     const auto energies = energies_of_bodies(now, least_ratio);
     for (unsigned int body = 0; body < energies.size(); ++body)
       {
@@ -134,8 +134,9 @@ namespace Signorini
     finding.outcome = finding.value > finding.limit ? Outcome::warned : Outcome::passed;
     finding.what =
       "'" + finding.what +
-      "' is nearly incompressible and too stiff on this mesh: that share of its energy "
-      "goes into changes of volume inside of cells that should not be";
+      "' is nearly incompressible and too stiff on this mesh, as that share of its energy "
+      "goes into changes of volume inside of cells: forces may be too large by about "
+      "that, pressures by three times it";
     finding.cure = "set Degree = 2, or a finer mesh";
     return {finding};
   }
