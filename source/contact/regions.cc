@@ -72,9 +72,9 @@ namespace Signorini
                                  const std::vector<ContactSurface<dim>> &surfaces,
                                  const ContactRows                      &rows,
                                  const Sampling                          sampling)
+    : at_nodes(sampling == Sampling::nodes)
   {
     // Of nodes the rows themselves are the numbers.
-    const bool        at_nodes = sampling == Sampling::nodes;
     const ContactRows nodes =
       at_nodes ? rows : make_contact_rows(elasticity, surfaces, Sampling::nodes);
     IndexSet others = nodes.writable;
@@ -185,6 +185,52 @@ namespace Signorini
           result(i) = sum->second;
         ++point;
       }
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  LA::Vector
+  ContactRegions::means_of_neighbours(const LA::Vector &in,
+                                      const LA::Vector &values,
+                                      LA::Vector       &complete) const
+  {
+    using Field = LinearAlgebra::distributed::Vector<double>;
+    Field        inside(layout), value(layout), sum(layout), count(layout), missing(layout);
+    unsigned int own = 0;
+    for (const auto i : in.locally_owned_elements())
+      {
+        inside.local_element(own)  = in(i);
+        value.local_element(own++) = values(i);
+      }
+    inside.update_ghost_values();
+    value.update_ghost_values();
+    const Field &is_in = inside, &at = value;
+    for (const Numbers &face : faces)
+      for (const unsigned int node : face)
+        for (const unsigned int other : face)
+          if (other != node && is_in.local_element(other) > 0)
+            {
+              sum.local_element(node) += at.local_element(other);
+              count.local_element(node) += 1;
+            }
+          else if (other != node)
+            missing.local_element(node) += 1;
+    for (Field *field : {&sum, &count, &missing})
+      field->compress(VectorOperation::add);
+
+    LA::Vector result;
+    result.reinit(in);
+    own = 0;
+    for (const auto i : in.locally_owned_elements())
+      {
+        const double n = count.local_element(own);
+        complete(i)    = in(i) > 0 && n > 0 && missing.local_element(own) == 0 ? 1. : 0.;
+        result(i)      = in(i) > 0 && n > 0 ? sum.local_element(own) / n : 0.;
+        ++own;
+      }
+    complete.compress(VectorOperation::insert);
     result.compress(VectorOperation::insert);
     return result;
   }

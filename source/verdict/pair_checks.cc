@@ -176,6 +176,45 @@ namespace Signorini
                         "elements of second order with curved sides");
     }
 
+    /// The part of the pressure at nodes that changes its sign from node to node, beside the
+    /// largest one. What a node has more than its neighbours, z, is of the opposite sign at these:
+    /// of an amplitude a on a regular mesh z = l a, and they have -r l a in the mean, with l = 2, r
+    /// = 1 along a line and l = 4/3, r = 1/3 on a surface; so a^2 = -mean(z z_neighbours)/(l^2 r).
+    /// What is smooth has the same sign there, and what irregular meshes do has any.
+    template <int dim>
+    Finding
+    even(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
+    {
+      constexpr double   scale   = dim == 2 ? 4. : 16. / 27;
+      constexpr double   few     = 5;
+      const GapOperator &contact = s.contact;
+      LA::Vector         active = s.active, inner = contact.zero(), innermost = contact.zero();
+      auto               which = contact.pair.begin();
+      for (const auto i : active.locally_owned_elements())
+        if (*which++ != pair)
+          active(i) = 0;
+      active.compress(VectorOperation::insert);
+      LA::Vector more = contact.regions.means_of_neighbours(active, s.pressure, inner);
+      more.sadd(-1, 1, s.pressure);
+      const LA::Vector around = contact.regions.means_of_neighbours(inner, more, innermost);
+      double           sums[] = {0, 0};
+      for (const auto i : more.locally_owned_elements())
+        {
+          sums[0] -= innermost(i) * more(i) * around(i);
+          sums[1] += innermost(i);
+        }
+      Utilities::MPI::sum(sums, s.elasticity.mesh().communicator(), sums);
+      const double amplitude =
+        sums[1] >= few ? std::sqrt(std::max(0., sums[0] / sums[1]) / scale) : 0.;
+      return finding_of("alternating pressure",
+                        s.pairs[pair].name,
+                        zone.pressure > 0 ? amplitude / zone.pressure : 0.,
+                        0.01,
+                        "the pressure alternates from node to node by that share of the largest "
+                        "one: the surfaces' functions do not go together",
+                        "exchange Slave and Master, refine the master, or take another method");
+    }
+
     /// Of methods whose pressure is the gap times a stiffness.
     template <int dim>
     Finding
@@ -279,6 +318,9 @@ namespace Signorini
                      "normals of surfaces that touch are far from opposite",
                      "refine there, or divide the boundary"));
         findings.push_back(smooth(now, i, zone));
+        // Of quadratic functions it is the recovered pressure that is reported.
+        if (now.contact.regions.has_nodes() && scene.degree_of(pair.slave) == 1)
+          findings.push_back(even(now, i, zone));
         if (pair.separates)
           findings.push_back(tight(now, i, zone, extremes));
         if (!scene.contact.chosen().has_multipliers())

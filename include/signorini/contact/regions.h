@@ -35,6 +35,19 @@ namespace Signorini
     LA::Vector
     sums(const LA::Vector &in, const LA::Vector &values) const;
 
+    /// Of points that are nodes, where in > 0: the mean of the values at the neighbours, the other
+    /// nodes of the faces around, as often as they share a face. `complete` becomes 1 where all
+    /// neighbours have in > 0, else 0. Collective.
+    LA::Vector
+    means_of_neighbours(const LA::Vector &in, const LA::Vector &values, LA::Vector &complete) const;
+
+    /// Points are nodes.
+    bool
+    has_nodes() const
+    {
+      return at_nodes;
+    }
+
   private:
     using Index   = dealii::types::global_dof_index;
     using Numbers = std::vector<unsigned int>; ///< of nodes on this rank, ghosts last
@@ -47,6 +60,7 @@ namespace Signorini
     void
     add_other_ranks(std::vector<std::pair<Index, double>> &own) const;
 
+    bool                                                       at_nodes = false;
     std::vector<Numbers>                                       faces;  ///< nodes of slave faces
     std::vector<Numbers>                                       points; ///< of locally owned points
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> layout; ///< of the nodes
