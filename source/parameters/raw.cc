@@ -116,6 +116,16 @@ namespace Signorini
       return {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
     }
 
+    /// No scene has so many; what calls itself for each would run out of stack.
+    void
+    refuse_depth(const std::size_t depth, const std::string &where)
+    {
+      constexpr std::size_t deepest = 100;
+      if (depth > deepest)
+        throw SceneError(where + ": subsections stand within each other more than " +
+                         std::to_string(deepest) + " deep; is an end missing?");
+    }
+
     class Reader
     {
     public:
@@ -129,12 +139,16 @@ namespace Signorini
       void
       read(RawSection &section, const bool top)
       {
+        refuse_depth(++depth, where());
         std::string line;
         while (next_line(in, line, number))
           if (line.empty())
             continue;
           else if (line == "end" && !top)
-            return;
+            {
+              --depth;
+              return;
+            }
           else
             statement(section, line);
         if (!top)
@@ -172,6 +186,7 @@ namespace Signorini
       const std::string file_name;
       std::istream     &in;
       unsigned int      number = 0;
+      std::size_t       depth  = 0; ///< of sections within each other
     };
   } // namespace
 
@@ -295,7 +310,8 @@ namespace Signorini
   RawSection
   read_raw(const std::string &file_name)
   {
-    if (std::filesystem::is_directory(file_name))
+    std::error_code is_no_name;
+    if (std::filesystem::is_directory(file_name, is_no_name))
       throw SceneError("'" + file_name + "' is a directory, not a scene file; name a file in it");
     std::ifstream in(file_name);
     if (!in)
@@ -313,6 +329,7 @@ namespace Signorini
     std::vector<std::string> parts = split(path, '/');
     if (parts.empty() || parts.back().empty())
       throw SceneError(where + ": expected SECTION/KEY=VALUE");
+    refuse_depth(parts.size(), where);
     RawSection *section = &root;
     for (unsigned int i = 0; i + 1 < parts.size(); ++i)
       section = &section->get_section(parts[i], where);
