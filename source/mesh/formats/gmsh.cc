@@ -197,10 +197,10 @@ namespace Signorini
       }
 
       void
-      skip_numbers(const unsigned int n)
+      skip_numbers(const std::size_t n)
       {
         double ignored;
-        for (unsigned int i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < n && in; ++i)
           in >> ignored;
       }
 
@@ -286,7 +286,7 @@ namespace Signorini
             unsigned int type = 0, n_tags = 0;
             int          group = 0, ignored;
             in >> tag >> type >> n_tags;
-            for (unsigned int j = 0; j < n_tags; ++j)
+            for (unsigned int j = 0; j < n_tags && in; ++j)
               in >> (j == 0 ? group : ignored);
             read_element(tag, type, {std::abs(group)});
           }
@@ -327,7 +327,7 @@ namespace Signorini
         std::vector<std::size_t> tags; // of the step, number of components, number of nodes
         for (std::size_t tag; tags.size() < n && in >> tag;)
           tags.push_back(tag);
-        if (tags.size() < 3)
+        if (tags.size() < 3 || tags[1] == 0)
           fail("has a $NodeData without its three whole numbers");
         std::vector<double> values(file.nodes.size(), std::numeric_limits<double>::quiet_NaN());
         std::size_t         node = 0;
