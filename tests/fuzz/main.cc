@@ -131,10 +131,12 @@ fuzz TARGET --file FILE       read that file
     read_file(const Target &target)
     {
       Record             record;
+      const double       begin = processor_seconds();
       std::ifstream      in(options.file, std::ios::binary);
       std::ostringstream text;
       text << in.rdbuf();
       read(target, text.str(), target.name + " --file " + options.file, record);
+      record.seconds = processor_seconds() - begin;
       return record;
     }
 
@@ -317,8 +319,9 @@ fuzz TARGET --file FILE       read that file
     double shares = 0;
     for (const Target &target : targets)
       shares += target.share;
-    Run    run(options);
-    Record sum;
+    Run         run(options);
+    Record      sum;
+    std::size_t n_seeds = 0;
     if (!with_sanitizers)
       limit_addresses(4 * (options.memory << 20));
     // What the program says of files goes nowhere.
@@ -334,8 +337,9 @@ fuzz TARGET --file FILE       read that file
                                 run.read_file(target);
         print_line(target.name, target.stock.seeds.size(), record);
         add(sum, record);
+        n_seeds += target.stock.seeds.size();
       }
-    print_line("all", 0, sum);
+    print_line("all", n_seeds, sum);
     std::cout.rdbuf(spoken);
     return sum.defects > 0;
   }

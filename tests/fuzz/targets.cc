@@ -292,7 +292,7 @@ namespace Fuzz
        ".prm",
        stock(seeds_of(sources, {"prm", "tests/scenes"}, ".prm", slow), syntax),
        check_scene,
-       0.5},
+       1},
       mesh("gmsh",
            ".msh",
            {"$Nodes",
