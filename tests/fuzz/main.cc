@@ -154,6 +154,7 @@ fuzz TARGET --file FILE       read that file
       watch.end();
       for (const std::string &stranger : scratch.strangers(file))
         defect = "writes the file " + stranger;
+      fs::remove(file);
       ++record.mutants;
       if (!defect.empty())
         {
