@@ -1,6 +1,5 @@
 #include "limits.h"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <malloc.h>
 #include <sys/resource.h>
@@ -98,20 +97,6 @@ operator delete(void *const place, std::size_t, std::align_val_t) noexcept
 extern "C" void
 __sanitizer_set_death_callback(void (*callback)());
 #endif
-
-
-
-/// The program refuses meshes that the memory of the machine cannot hold: here one of 16 MiB, so
-/// that what it does not refuse is quick.
-extern "C" long
-sysconf(const int name) noexcept
-{
-  using Function           = long(int);
-  static Function *const f = reinterpret_cast<Function *>(dlsym(RTLD_NEXT, "sysconf"));
-  if (name == _SC_PHYS_PAGES && most > 0)
-    return 4096;
-  return f ? f(name) : -1;
-}
 
 
 
