@@ -2,6 +2,7 @@
 #include <signorini/parameters/text.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -10,6 +11,30 @@
 
 namespace Signorini
 {
+  namespace
+  {
+    std::string
+    readable(std::string message)
+    {
+      constexpr std::size_t longest = 4000, beginning = 1000;
+      if (message.size() > longest)
+        message =
+          message.substr(0, beginning) + "... (" + std::to_string(message.size()) + " characters)";
+      for (char &c : message)
+        if (std::iscntrl(static_cast<unsigned char>(c)) && c != '\n' && c != '\t')
+          c = '?';
+      return message;
+    }
+  } // namespace
+
+
+
+  SceneError::SceneError(const std::string &message)
+    : std::runtime_error(readable(message))
+  {}
+
+
+
   std::string
   trim(const std::string &text)
   {
