@@ -36,6 +36,11 @@ TEST_CASE("Gmsh: counts of what is not there")
   const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", many = "99999999999999";
   const std::string mesh = head + "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
                                   "$Elements\n1\n1 3 2 1 1 1 2 3 4\n$EndElements\n";
+  // The tag has no positive counterpart.
+  CHECK(refusal(head + "$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n"
+                       "1 15 1 -2147483648 1\n$EndElements\n",
+                ".msh")
+          .empty());
   says(refusal(head + "$Elements\n1\n1 3 4294967295\n$EndElements\n", ".msh"),
        "without its 4 nodes");
   says(refusal(mesh + "$NodeData\n1\n\"T\"\n" + many + "\n0\n", ".msh"),

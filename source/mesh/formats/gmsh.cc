@@ -188,7 +188,7 @@ namespace Signorini
         skip_numbers(dimension == 0 ? 3 : 6); // a point, or a bounding box
         in >> n;
         for (std::size_t i = 0; i < n && in >> group; ++i)
-          entities[dimension][tag].push_back(std::abs(group)); // the sign is a direction
+          entities[dimension][tag].push_back(without_sign(group));
         if (dimension == 0)
           return;
         in >> n;
@@ -202,6 +202,13 @@ namespace Signorini
         double ignored;
         for (std::size_t i = 0; i < n && in; ++i)
           in >> ignored;
+      }
+
+      /// The sign of a group is a direction. The smallest integer has no other one.
+      static int
+      without_sign(const int group)
+      {
+        return std::abs(std::max(group, -std::numeric_limits<int>::max()));
       }
 
       void
@@ -288,7 +295,7 @@ namespace Signorini
             in >> tag >> type >> n_tags;
             for (unsigned int j = 0; j < n_tags && in; ++j)
               in >> (j == 0 ? group : ignored);
-            read_element(tag, type, {std::abs(group)});
+            read_element(tag, type, {without_sign(group)});
           }
       }
 
