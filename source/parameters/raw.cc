@@ -312,6 +312,15 @@ namespace Signorini
 
 
 
+  bool
+  is_directory(const std::string &name)
+  {
+    std::error_code is_no_name;
+    return std::filesystem::is_directory(name, is_no_name);
+  }
+
+
+
   void
   skip_byte_order_mark(std::istream &in)
   {
@@ -335,8 +344,7 @@ namespace Signorini
   RawSection
   read_raw(const std::string &file_name)
   {
-    std::error_code is_no_name;
-    if (std::filesystem::is_directory(file_name, is_no_name))
+    if (is_directory(file_name))
       throw SceneError("'" + file_name + "' is a directory, not a scene file; name a file in it");
     std::ifstream in(file_name);
     if (!in)

@@ -1,3 +1,4 @@
+#include <signorini/contact/obstacles/stl_file.h>
 #include <signorini/mesh/mesh_file.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/parameters/values.h>
@@ -106,6 +107,17 @@ TEST_CASE("Abaqus: a few words that ask for more than there is")
   CHECK(nodes("all") == MeshFile::Nodes{0, 1, 2, 3, 4, 5, 6, 7});
   CHECK(nodes("odd") == MeshFile::Nodes{0, 2, 4, 6});
   CHECK(nodes("some") == MeshFile::Nodes{1, 3, 5});
+}
+
+TEST_CASE("directories in place of files")
+{
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  says(message_of([&] { read_stl(folder); }), "is a directory");
+  says(refusal("*INCLUDE, INPUT=.\n", ".inp"), "is a directory");
+  const TemporaryFile file("", ".vtu"); // gives a name
+  std::filesystem::remove(file.path);
+  std::filesystem::create_directory(file.path);
+  says(message_of([&] { read_mesh_file(file.path); }), "is a directory");
 }
 
 TEST_CASE("settings in sections without end, numbers that are hardly any")
