@@ -109,6 +109,12 @@ TEST_CASE("Abaqus: a few words that ask for more than there is")
   CHECK(nodes("some") == MeshFile::Nodes{1, 3, 5});
 }
 
+TEST_CASE("Abaqus: elements made of those of an instance")
+{
+  const std::string part = "*PART, NAME=P\n" + cube + "*END PART\n*INSTANCE, NAME=I, PART=P\n";
+  says(refusal(part + "*ELGEN\n1, 2, 1, 1\n", ".inp"), "nodes of an instance");
+}
+
 TEST_CASE("directories in place of files")
 {
   const std::string folder = std::filesystem::temp_directory_path().string();

@@ -65,7 +65,12 @@ namespace Signorini
   std::size_t
   AbaqusReader::node_number(const unsigned int index) const
   {
-    return scope->number_of.at(index);
+    const auto found = scope->number_of.find(index);
+    if (found == scope->number_of.end())
+      in.fail(
+        "*" + in.keyword() +
+        " of nodes of an instance is not read here; make them in the part, or write them out");
+    return found->second;
   }
 
 
