@@ -13,6 +13,7 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -92,6 +93,23 @@ fuzz TARGET --file FILE       read that file
     for (std::string word; in >> word && line.size() < 600;)
       line += (line.empty() ? "" : " ") + word;
     return line.substr(0, 600);
+  }
+
+
+
+  /// What is wrong with a message that people should read, or nothing.
+  std::string
+  fault_of(const std::string &message)
+  {
+    constexpr std::size_t longest = 5000;
+    if (message.empty())
+      return "is refused without a word";
+    if (message.size() > longest)
+      return "is refused in " + std::to_string(message.size()) + " characters";
+    const bool is_odd = std::any_of(message.begin(), message.end(), [](const unsigned char c) {
+      return std::iscntrl(c) && c != '\n' && c != '\t';
+    });
+    return is_odd ? "is refused with control characters" : "";
   }
 
 
@@ -194,7 +212,7 @@ fuzz TARGET --file FILE       read that file
       catch (const Signorini::SceneError &error)
         {
           ++record.refused;
-          return std::string(error.what()).empty() ? "is refused without a word" : "";
+          return fault_of(error.what());
         }
       catch (const std::exception &error)
         {
