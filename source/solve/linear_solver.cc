@@ -222,9 +222,7 @@ namespace Signorini
     hierarchy.reset();
     make_preconditioner();
     preconditioner->update();
-    x = 0;
-    preconditioner->vmult(x, rhs);
-    return 1;
+    return solve(x, rhs, reduction, absolute_tolerance);
   }
 
 
@@ -253,12 +251,14 @@ namespace Signorini
       }
     catch (const SolverControl::NoConvergence &stop)
       {
-        failure = krylov + " with the preconditioner '" + settings.preconditioner +
-                  "' stopped after " + std::to_string(stop.last_step) +
-                  " iterations with residual " + short_text(stop.last_residual / rhs.l2_norm()) +
-                  " of the start; choose another Solver/Preconditioner (" +
-                  (settings.preconditioner == "contact filter" ? "" : "'contact filter', ") +
-                  "'direct'), or a smaller Factor if the method has one";
+        failure =
+          krylov + " with the preconditioner '" + settings.preconditioner + "' stopped after " +
+          std::to_string(stop.last_step) + " iterations with residual " +
+          short_text(stop.last_residual / rhs.l2_norm()) + " of the start; " +
+          (settings.preconditioner == "direct" ?
+             "the system is as good as singular: look at supports, and for nodes in two pairs" :
+             "choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller "
+             "Factor if the method has one");
         return {};
       }
   }
