@@ -77,6 +77,8 @@ namespace Signorini
     // Of nodes the rows themselves are the numbers.
     const ContactRows nodes =
       at_nodes ? rows : make_contact_rows(elasticity, surfaces, Sampling::nodes);
+    if (nodes.owned.size() == 0)
+      return;
     IndexSet others = nodes.writable;
     others.subtract_set(nodes.owned);
     layout = std::make_shared<Utilities::MPI::Partitioner>(nodes.owned,
