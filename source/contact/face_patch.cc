@@ -62,15 +62,8 @@ namespace Signorini
                const unsigned int                                       face)
     {
       std::vector<Point<dim>> nodes;
-      nodes.reserve(dim == 3 ? (k + 1) * (k + 1) : k + 1);
-      for (unsigned int j = 0; j < (dim == 3 ? k + 1 : 1); ++j)
-        for (unsigned int i = 0; i <= k; ++i)
-          {
-            Point<dim - 1> xi;
-            xi[dim - 2] = double(j) / k;
-            xi[0]       = double(i) / k;
-            nodes.push_back(mapping.transform_unit_to_real_cell(cell, unit_point<dim>(face, xi)));
-          }
+      for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+        nodes.push_back(mapping.transform_unit_to_real_cell(cell, unit_point<dim>(face, xi)));
       return nodes;
     }
 

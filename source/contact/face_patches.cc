@@ -1,5 +1,4 @@
 #include <signorini/contact/face_patches.h>
-#include <signorini/contact/lagrange.h>
 
 #include <deal.II/fe/fe_nothing.h>
 
@@ -15,14 +14,8 @@ namespace Signorini
     places_on(const unsigned int face, const unsigned int k)
     {
       std::vector<Point<dim>> points;
-      for (unsigned int j = 0; j < (dim == 3 ? k + 1 : 1); ++j)
-        for (unsigned int i = 0; i <= k; ++i)
-          {
-            Point<dim - 1> xi;
-            xi[dim - 2] = double(j) / k;
-            xi[0]       = double(i) / k;
-            points.push_back(unit_point<dim>(face, xi));
-          }
+      for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+        points.push_back(unit_point<dim>(face, xi));
       Point<dim - 1> middle;
       for (unsigned int d = 0; d < dim - 1; ++d)
         middle[d] = 0.5;
@@ -56,15 +49,10 @@ namespace Signorini
         {
           const FacePatch<dim> lower(k / 2, halved(nodes, k), 1);
           const double         most = small * lower.diameter();
-          for (unsigned int j = 0; j < (dim == 3 ? k + 1 : 1); ++j)
-            for (unsigned int i = 0; i <= k; ++i)
-              {
-                Point<dim - 1> xi;
-                xi[dim - 2] = double(j) / k;
-                xi[0]       = double(i) / k;
-                if (lower.position(xi).distance(nodes[j * (k + 1) + i]) > most)
-                  return k;
-              }
+          auto                 node = nodes.begin();
+          for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+            if (lower.position(xi).distance(*node++) > most)
+              return k;
           nodes = halved(nodes, k);
         }
       return k;

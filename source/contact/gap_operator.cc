@@ -260,6 +260,7 @@ namespace Signorini
     contact.dofs              = elasticity.owned();
     contact.pair              = rows.pair;
     contact.node              = rows.node;
+    contact.regions           = ContactRegions(elasticity, surfaces, rows, method.sampling());
     assemble_matrices(contact, rows, surfaces, method, comm);
     assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), comm);
     normalise(contact);

@@ -12,7 +12,7 @@ namespace Signorini
     section.add(
       "Slave",
       slave,
-      "BODY.BOUNDARY; contact is integrated over it: the softer side, or the coarser one of equal stiffness");
+      "BODY.BOUNDARY; contact is integrated over it: the softer side, or the finer one of equal stiffness, up to twice as fine");
     section.add("Master", master, "BODY.BOUNDARY, or the name of an obstacle");
     section.add_choice(
       "Sides",

@@ -315,19 +315,15 @@ namespace Signorini
             const auto &[cell, f] = slave.faces[point.face];
             trace.reinit(cell, f);
             const unsigned int k = face.degree = cell->get_fe().degree;
-            for (unsigned int j = 0; j <= (dim == 3 ? k : 0); ++j)
-              for (unsigned int i = 0; i <= k; ++i)
-                {
-                  Point<dim - 1> xi;
-                  xi[dim - 2]           = double(j) / k;
-                  xi[0]                 = double(i) / k;
-                  const SparseRow shape = trace.unresolved_shape(unit_point<dim>(f, xi));
-                  face.nodes.push_back(
-                    std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
-                      return a.second < b.second;
-                    })->first);
-                  face.positions.push_back(slave.patches[point.face].position(xi));
-                }
+            for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+              {
+                const SparseRow shape = trace.unresolved_shape(unit_point<dim>(f, xi));
+                face.nodes.push_back(
+                  std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
+                    return a.second < b.second;
+                  })->first);
+                face.positions.push_back(slave.patches[point.face].position(xi));
+              }
           }
       return result;
     }

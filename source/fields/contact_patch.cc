@@ -1,6 +1,7 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/surface_gradient.h>
 
 #include <algorithm>
 #include <array>
@@ -174,15 +175,7 @@ namespace Signorini
               change[d] += sign * values[c];
               tangents[d] += sign * Tensor<1, dim>(face.positions[nodes[c]]);
             }
-        Tensor<2, dim - 1> metric;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          for (unsigned int e = 0; e < dim - 1; ++e)
-            metric[d][e] = tangents[d] * tangents[e];
-        const Tensor<1, dim - 1> raised = invert(metric) * change;
-        Tensor<1, dim>           result;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          result += raised[d] * tangents[d];
-        return result;
+        return surface_gradient<dim>(tangents, change);
       }
 
       /// At open nodes beside nodes in contact; not above zero.

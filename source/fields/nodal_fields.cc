@@ -63,15 +63,10 @@ namespace Signorini
     LA::Vector
     from_points(const Snapshot<dim> &snapshot, const LA::Vector &values, const unsigned int pair)
     {
-      unsigned int first = 0;
-      for (unsigned int p = 0; p < pair; ++p)
-        first += snapshot.surfaces[p].points.size();
-
       Integrals<dim> integrals(snapshot.elasticity);
-      const IndexSet rows   = values.locally_owned_elements();
-      const auto    &points = snapshot.surfaces[pair].points;
-      for (unsigned int q = 0; q < points.size(); ++q)
-        integrals.add(points[q], values(rows.nth_index_in_set(first + q)));
+      auto           row = first_row(snapshot, pair);
+      for (const ContactPoint<dim> &point : snapshot.surfaces[pair].points)
+        integrals.add(point, values(row++));
       integrals.finish();
 
       LA::Vector field = snapshot.elasticity.zero_vector();
@@ -84,6 +79,18 @@ namespace Signorini
       return field;
     }
   } // namespace
+
+
+
+  template <int dim>
+  types::global_dof_index
+  first_row(const Snapshot<dim> &snapshot, const unsigned int pair)
+  {
+    types::global_dof_index first = snapshot.pressure.local_range().first;
+    for (unsigned int p = 0; p < pair; ++p)
+      first += snapshot.surfaces[p].points.size();
+    return first;
+  }
 
 
 
@@ -119,8 +126,12 @@ namespace Signorini
 
 
 
+  template types::global_dof_index
+  first_row(const Snapshot<2> &, unsigned int);
   template LA::Vector
   nodal_field(const Snapshot<2> &, const LA::Vector &, unsigned int);
+  template types::global_dof_index
+  first_row(const Snapshot<3> &, unsigned int);
   template LA::Vector
   nodal_field(const Snapshot<3> &, const LA::Vector &, unsigned int);
   template LA::Vector

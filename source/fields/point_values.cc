@@ -24,17 +24,6 @@ namespace Signorini
       u = s.displacement;
       return u;
     }
-
-    /// Rows of the points of one pair: (*v)(first + q).
-    template <int dim>
-    types::global_dof_index
-    first_row(const Snapshot<dim> &s, const unsigned int pair)
-    {
-      types::global_dof_index first = s.pressure.local_range().first;
-      for (unsigned int p = 0; p < pair; ++p)
-        first += s.surfaces[p].points.size();
-      return first;
-    }
   } // namespace
 
 

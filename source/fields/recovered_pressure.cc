@@ -1,6 +1,7 @@
 #include <signorini/contact/lagrange.h>
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/recovered_pressure.h>
+#include <signorini/fields/surface_gradient.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -61,15 +62,9 @@ namespace Signorini
         , surface(s.surfaces[pair])
         , raw(s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair)))
         , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
+        , number_of_pair(pair)
         , matrices(surface.slave_faces.size())
       {
-        // Of points, which have rows of their own.
-        if (!samples_nodes(s.contact))
-          {
-            first_row = s.pressure.local_range().first;
-            for (unsigned int p = 0; p < pair; ++p)
-              first_row += s.surfaces[p].points.size();
-          }
         number_vertices();
         area = open_area = zero();
         offset.assign(dim, zero());
@@ -192,18 +187,10 @@ namespace Signorini
         for (unsigned int c = 0; c < n; ++c)
           for (unsigned int d = 0; d < dim - 1; ++d)
             tangents[d] += at.slope[c][d] * Tensor<1, dim>(corner(face, c));
-        Tensor<2, dim - 1> metric;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          for (unsigned int e = 0; e < dim - 1; ++e)
-            metric[d][e] = tangents[d] * tangents[e];
-        const Tensor<2, dim - 1> inverse = invert(metric);
-        FaceMatrices            &matrix  = matrices[point.face];
+        FaceMatrices &matrix = matrices[point.face];
         for (unsigned int e = 0; e < n; ++e)
           {
-            const Tensor<1, dim - 1> raised = inverse * at.slope[e];
-            Tensor<1, dim>           gradient;
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              gradient += raised[d] * tangents[d];
+            const Tensor<1, dim> gradient = surface_gradient<dim>(tangents, at.slope[e]);
             for (unsigned int c = 0; c < n; ++c)
               {
                 matrix.mass[c][e] += point.weight * at.value[c] * at.value[e];
@@ -259,8 +246,10 @@ namespace Signorini
       Field
       mean_pressure() const
       {
-        Field        result = zero();
-        unsigned int q      = 0;
+        Field result = zero();
+        // Points have rows of their own.
+        const bool at_nodes = samples_nodes(s.contact);
+        auto       row      = first_row(s, number_of_pair);
         for (const ContactPoint<dim> &point : surface.points)
           {
             const SlaveFace<dim> &face    = surface.slave_faces[point.face];
@@ -268,29 +257,22 @@ namespace Signorini
             const Corners<dim>    at(point.xi);
             const auto            shape = node_functions(face.degree, point.xi);
             double                own   = 0;
-            if (!samples_nodes_here())
-              own = s.pressure(first_row + q);
+            if (!at_nodes)
+              own = s.pressure(row++);
             else if (!is_dual)
               for (unsigned int i = 0; i < shape.size(); ++i)
                 own += shape[i] * raw(face.nodes[i]);
             for (unsigned int c = 0; c < n; ++c)
               {
                 double weighted = at.value[c] * own;
-                if (samples_nodes_here() && is_dual)
+                if (at_nodes && is_dual)
                   for (unsigned int i = 0; i < shape.size(); ++i)
                     weighted += share(c, i, face.degree) * shape[i] * raw(face.nodes[i]);
                 result(vertices[point.face][c]) += point.weight * weighted;
               }
-            ++q;
           }
         divide(result);
         return result;
-      }
-
-      bool
-      samples_nodes_here() const
-      {
-        return first_row == numbers::invalid_dof_index;
       }
 
       /// Value of the linear function of corner c at node i.
@@ -477,7 +459,7 @@ namespace Signorini
       const Snapshot<dim>       &s;
       const ContactSurface<dim> &surface;
       const LA::Vector           raw, status; ///< with ghosts
-      types::global_dof_index    first_row = numbers::invalid_dof_index;
+      const unsigned int         number_of_pair;
       Field              area, open_area; ///< int phi_v dA, and that on faces with open nodes
       std::vector<Field> offset;          ///< d
       std::vector<FaceMatrices> matrices; ///< of slave faces

@@ -29,6 +29,15 @@ namespace Signorini
 
 
 
+  /// Of a displacement or force, counted from 1; what no unsigned int can be is none either.
+  unsigned int
+  DeckReader::component(const Words &words, const unsigned int i) const
+  {
+    return std::clamp(number(words, i), 0., 1000.);
+  }
+
+
+
   /// OP=NEW ends what earlier steps have begun.
   void
   DeckReader::remove_old(const std::vector<Curve *> &curves) const
@@ -87,8 +96,9 @@ namespace Signorini
             add_symmetry(words[0], upper_case(words[1]));
             continue;
           }
-        const unsigned int first = number(words, 1),
-                           last  = words.size() > 2 && !words[2].empty() ? number(words, 2) : first;
+        const unsigned int first = component(words, 1),
+                           last =
+                             words.size() > 2 && !words[2].empty() ? component(words, 2) : first;
         if (last > 3)
           model.leave_out("*BOUNDARY of rotations and temperatures", in.place());
         if (first < 1 || first > 3)
@@ -134,13 +144,13 @@ namespace Signorini
     remove_old(curves);
     for (Words words; in.next_line(words);)
       {
-        const unsigned int component = number(words, 1);
-        if (component < 1 || component > 3)
+        const unsigned int d = component(words, 1);
+        if (d < 1 || d > 3)
           model.leave_out("*CLOAD of moments and fluxes", in.place());
         else if (DeckModel::AtNodes *nodes = at_nodes(model.forces, words[0]))
           {
             // Forces of one step on the same node add up.
-            Curve       &curve = nodes->components[component - 1];
+            Curve       &curve = nodes->components[d - 1];
             const double there =
               !curve.empty() && in_step && curve.back().step == model.steps.size() ?
                 curve.back().value :
@@ -221,7 +231,7 @@ namespace Signorini
   void
   DeckReader::add_gravity(const Members &elements, const Words &words)
   {
-    const std::string   label = upper_case(words.at(1));
+    const std::string   label = words.size() > 1 ? upper_case(words[1]) : "";
     DeckModel::BodyLoad load{elements, {{0, 0, 0}}, label == "GRAV", {}};
     if (label == "GRAV")
       {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <ostream>
+#include <set>
 #include <sstream>
 
 namespace Signorini
@@ -32,18 +34,26 @@ namespace Signorini
 
 
 
-    /// Names that are there already get a number.
-    std::string
-    unlike(const std::string &name, const std::vector<Item> &items)
+    /// Names that are there already get a number. Decks may name each node of thousands: nothing is
+    /// tried twice.
+    class Names
     {
-      std::string result = name;
-      for (unsigned int i = 2; std::any_of(items.begin(),
-                                           items.end(),
-                                           [&](const Item &one) { return one.name == result; });
-           ++i)
-        result = name + " " + std::to_string(i);
-      return result;
-    }
+    public:
+      std::string
+      unlike(const std::string &name)
+      {
+        if (taken.insert(name).second)
+          return name;
+        for (unsigned int &i = next.insert({name, 2}).first->second;; ++i)
+          if (const std::string result = name + " " + std::to_string(i);
+              taken.insert(result).second)
+            return result;
+      }
+
+    private:
+      std::set<std::string>               taken;
+      std::map<std::string, unsigned int> next;
+    };
 
 
 
@@ -209,6 +219,7 @@ namespace Signorini
   SceneWriter::supports()
   {
     std::vector<Item> items;
+    Names             names;
     for (const auto &at : model.supports)
       {
         const std::string displacement = vector_formula(at.components, "free");
@@ -232,7 +243,7 @@ namespace Signorini
         if (like != items.end())
           like->keys[0].second += ", " + where;
         else
-          items.push_back({unlike(is_number ? "nodes" : as_name(at.target), items),
+          items.push_back({names.unlike(is_number ? "nodes" : as_name(at.target)),
                            {{"Nodes", where}, {"Displacement", displacement}}});
       }
     return section("Supports", items);
@@ -274,6 +285,7 @@ namespace Signorini
   SceneWriter::loads()
   {
     std::vector<Item> items;
+    Names             names;
     for (const auto &at : model.forces)
       {
         const std::string force = forces(at), where = targets(at, "*CLOAD");
@@ -286,12 +298,12 @@ namespace Signorini
         if (like != items.end())
           like->keys[0].second += ", " + where;
         else
-          items.push_back({unlike(is_number ? "nodes" : as_name(at.target), items),
+          items.push_back({names.unlike(is_number ? "nodes" : as_name(at.target)),
                            {{"Nodes", where}, {"Force", force}}});
       }
     for (const auto &load : model.pressures)
       if (const std::string where = surfaces(load.surface, "a pressure"); !where.empty())
-        items.push_back({unlike(as_name(load.surface), items),
+        items.push_back({names.unlike(as_name(load.surface)),
                          {{"Boundaries", where}, {"Pressure", formula(load.pressure)}}});
     for (const auto &load : model.body_loads)
       for (const Body &body : all)
@@ -310,7 +322,7 @@ namespace Signorini
             for (unsigned int d = 0; d < dim; ++d)
               words.push_back(load.direction[d] == 0 ? "0" :
                                                        text(load.direction[d]) + "*(" + size + ")");
-            items.push_back({unlike("body force of " + body.name, items),
+            items.push_back({names.unlike("body force of " + body.name),
                              {{"Bodies", body.name}, {"Body force", join(words, "; ")}}});
           }
     return section("Loads", items);
@@ -322,6 +334,7 @@ namespace Signorini
   SceneWriter::pairs()
   {
     std::vector<Item> items;
+    Names             names;
     for (const auto &pair : model.pairs)
       {
         const std::string slaves  = surfaces(pair.slave, "the slave of a contact pair"),
@@ -332,7 +345,7 @@ namespace Signorini
         for (const std::string &slave : split(slaves, ','))
           for (const std::string &master : split(masters, ','))
             {
-              items.push_back({unlike(as_name(pair.slave) + " on " + as_name(pair.master), items),
+              items.push_back({names.unlike(as_name(pair.slave) + " on " + as_name(pair.master)),
                                {{"Slave", slave}, {"Master", master}}});
               if (stays)
                 items.back().keys.emplace_back("Separates", "no");

@@ -6,11 +6,20 @@
 
 namespace Signorini
 {
+  double &
+  memory_of_machine()
+  {
+    static double bytes = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+    return bytes;
+  }
+
+
+
   double
   largest_number_of_cells()
   {
     constexpr double bytes = 400; // of a cell, by deal.II's triangulations alone
-    return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) / bytes;
+    return memory_of_machine() / bytes;
   }
 
 

@@ -4,6 +4,7 @@
 #include <signorini/mesh/formats/vtu.h>
 #include <signorini/mesh/mesh_file.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <algorithm>
 #include <array>
@@ -132,6 +133,8 @@ namespace Signorini
     for (const Format &format : registry)
       if (format.extension == extension)
         {
+          if (is_directory(file_name))
+            throw SceneError("mesh file '" + file_name + "' is a directory");
           if (!std::ifstream(file_name))
             throw SceneError("mesh file '" + file_name + "' cannot be opened");
           MeshFile file = format.read(file_name);

@@ -24,14 +24,8 @@ namespace Signorini
       for (unsigned int face = 0; face < GeometryInfo<dim>::faces_per_cell; ++face)
         {
           std::vector<Point<dim>> points;
-          for (unsigned int j = 0; j <= (dim == 3 ? n_subdivisions : 0); ++j)
-            for (unsigned int i = 0; i <= n_subdivisions; ++i)
-              {
-                Point<dim - 1> xi;
-                xi[dim - 2] = double(j) / n_subdivisions;
-                xi[0]       = double(i) / n_subdivisions;
-                points.push_back(unit_point<dim>(face, xi));
-              }
+          for (const Point<dim - 1> &xi : face_lattice<dim>(n_subdivisions))
+            points.push_back(unit_point<dim>(face, xi));
           result.push_back(Quadrature<dim>(points));
         }
       return result;

@@ -141,29 +141,37 @@ namespace Signorini
     const auto compile = [&](const std::string &text, const std::size_t n_known) {
       refuse_slips(text);
       mu::Parser parser = basic_parser();
+      // To define a name takes longer than to see that it is not there.
       for (std::size_t i = 0; i < n_known; ++i)
-        parser.DefineVar(name(i), &program->values[i]);
+        if (text.find(name(i)) != std::string::npos)
+          parser.DefineVar(name(i), &program->values[i]);
       parser.SetExpr(text);
       return parser;
     };
-    const auto uses = [&](const mu::Parser &parser, const std::size_t i) {
-      return parser.GetUsedVar().count(name(i)) > 0;
+    // Which of all names a formula uses: it is read for that, once.
+    const auto used_by = [&](const mu::Parser &parser) {
+      const auto       &names = parser.GetUsedVar();
+      std::vector<bool> used(n_all);
+      for (std::size_t i = 0; i < n_all; ++i)
+        used[i] = names.count(name(i)) > 0;
+      return used;
     };
     std::vector<bool> needed(n_all, false), varies(n_all, false);
     std::string       place; // for messages
     try
       {
         program->formula = compile(formula.text, n_all);
-        for (std::size_t i = 0; i < n_all; ++i)
-          needed[i] = uses(program->formula, i);
-        std::vector<mu::Parser> parsers(definitions.size());
+        needed           = used_by(program->formula);
+        std::vector<mu::Parser>        parsers(definitions.size());
+        std::vector<std::vector<bool>> used(definitions.size());
         for (std::size_t k = definitions.size(); k-- > 0;)
           if (needed[n + k])
             {
               place      = "in the definition of '" + definitions[k].first + "': ";
               parsers[k] = compile(definitions[k].second, n + k);
+              used[k]    = used_by(parsers[k]);
               for (std::size_t i = 0; i < n + k; ++i)
-                needed[i] = needed[i] || uses(parsers[k], i);
+                needed[i] = needed[i] || used[k][i];
               place = "";
             }
         depends.assign(needed.begin(), needed.begin() + n);
@@ -173,7 +181,7 @@ namespace Signorini
           if (needed[n + k])
             {
               for (std::size_t i = 0; i < n + k; ++i)
-                varies[n + k] = varies[n + k] || (varies[i] && uses(parsers[k], i));
+                varies[n + k] = varies[n + k] || (varies[i] && used[k][i]);
               place                  = "in the definition of '" + definitions[k].first + "': ";
               program->values[n + k] = parsers[k].Eval();
               place                  = "";

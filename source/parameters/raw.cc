@@ -2,6 +2,7 @@
 #include <signorini/parameters/text.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -10,6 +11,30 @@
 
 namespace Signorini
 {
+  namespace
+  {
+    std::string
+    readable(std::string message)
+    {
+      constexpr std::size_t longest = 4000, beginning = 1000;
+      if (message.size() > longest)
+        message =
+          message.substr(0, beginning) + "... (" + std::to_string(message.size()) + " characters)";
+      for (char &c : message)
+        if (std::iscntrl(static_cast<unsigned char>(c)) && c != '\n' && c != '\t')
+          c = '?';
+      return message;
+    }
+  } // namespace
+
+
+
+  SceneError::SceneError(const std::string &message)
+    : std::runtime_error(readable(message))
+  {}
+
+
+
   std::string
   trim(const std::string &text)
   {
@@ -116,6 +141,16 @@ namespace Signorini
       return {trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
     }
 
+    /// No scene has so many; what calls itself for each would run out of stack.
+    void
+    refuse_depth(const std::size_t depth, const std::string &where)
+    {
+      constexpr std::size_t deepest = 100;
+      if (depth > deepest)
+        throw SceneError(where + ": subsections stand within each other more than " +
+                         std::to_string(deepest) + " deep; is an end missing?");
+    }
+
     class Reader
     {
     public:
@@ -129,12 +164,16 @@ namespace Signorini
       void
       read(RawSection &section, const bool top)
       {
+        refuse_depth(++depth, where());
         std::string line;
         while (next_line(in, line, number))
           if (line.empty())
             continue;
           else if (line == "end" && !top)
-            return;
+            {
+              --depth;
+              return;
+            }
           else
             statement(section, line);
         if (!top)
@@ -172,6 +211,7 @@ namespace Signorini
       const std::string file_name;
       std::istream     &in;
       unsigned int      number = 0;
+      std::size_t       depth  = 0; ///< of sections within each other
     };
   } // namespace
 
@@ -272,6 +312,15 @@ namespace Signorini
 
 
 
+  bool
+  is_directory(const std::string &name)
+  {
+    std::error_code is_no_name;
+    return std::filesystem::is_directory(name, is_no_name);
+  }
+
+
+
   void
   skip_byte_order_mark(std::istream &in)
   {
@@ -295,7 +344,7 @@ namespace Signorini
   RawSection
   read_raw(const std::string &file_name)
   {
-    if (std::filesystem::is_directory(file_name))
+    if (is_directory(file_name))
       throw SceneError("'" + file_name + "' is a directory, not a scene file; name a file in it");
     std::ifstream in(file_name);
     if (!in)
@@ -313,6 +362,7 @@ namespace Signorini
     std::vector<std::string> parts = split(path, '/');
     if (parts.empty() || parts.back().empty())
       throw SceneError(where + ": expected SECTION/KEY=VALUE");
+    refuse_depth(parts.size(), where);
     RawSection *section = &root;
     for (unsigned int i = 0; i + 1 < parts.size(); ++i)
       section = &section->get_section(parts[i], where);

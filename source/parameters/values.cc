@@ -1,6 +1,7 @@
 #include <signorini/parameters/values.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -17,7 +18,8 @@ namespace Signorini
       {
         std::ostringstream text;
         text << std::setprecision(digits) << x;
-        if (std::stod(text.str()) == x)
+        // stod would refuse what is rounded to infinity, and numbers below 2e-308.
+        if (std::strtod(text.str().c_str(), nullptr) == x)
           return text.str();
       }
     return "nan";

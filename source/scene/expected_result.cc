@@ -74,15 +74,38 @@ namespace Signorini
 
   namespace
   {
+    /// What stands after `part` in a list or under that name; null if nothing does.
+    const Json *
+    below(const Json &tree, const std::string &part)
+    {
+      if (tree.is_object())
+        return tree.contains(part) ? &tree[part] : nullptr;
+      constexpr std::size_t most_digits = 9;
+      if (!tree.is_array() || part.empty() || part.size() > most_digits ||
+          part.find_first_not_of("0123456789") != std::string::npos)
+        return nullptr;
+      const std::size_t index = std::stoul(part);
+      return index < tree.size() ? &tree[index] : nullptr;
+    }
+
+    /// The end of a path of names and numbers of list entries; null if there is none.
+    const Json *
+    at_path(const Json &tree, const std::string &path)
+    {
+      const Json *place = &tree;
+      for (const std::string &part : split(path, '/'))
+        place = place ? below(*place, part) : nullptr;
+      return place;
+    }
+
     double
     number_at(const Json &results, const std::string &path, const std::string &name)
     {
-      const Json::json_pointer pointer("/" + path);
-      const Json              &last  = results["load_steps"].back();
-      const Json              *all[] = {&last, &results};
+      const Json &last  = results["load_steps"].back();
+      const Json *all[] = {at_path(last, path), at_path(results, path)};
       for (const Json *place : all)
-        if (place->contains(pointer) && (*place)[pointer].is_number())
-          return (*place)[pointer].get<double>();
+        if (place && place->is_number())
+          return place->get<double>();
       throw SceneError("Expected results/" + name + "/Quantities: there is no number '" + path +
                        "' in results.json");
     }
@@ -136,24 +159,28 @@ namespace Signorini
           const std::string first = path.substr(0, path.find('/'));
           if (is_open(first, whole))
             continue;
-          const Json::json_pointer pointer("/" + path);
-          if (step.contains(pointer) && (step[pointer].is_number() || step[pointer].is_null()))
+          const Json *const end = at_path(step, path);
+          if (end && (end->is_number() || end->is_null()))
             continue;
           // As far as the path is right, what might follow.
-          Json::json_pointer known("");
+          const Json *place = &step;
+          std::string known;
           for (const std::string &part : split(path, '/'))
-            if (!step.contains(known / part))
-              break;
-            else
-              known /= part;
+            {
+              const Json *const next = below(*place, part);
+              if (!next)
+                break;
+              place = next;
+              known += "/" + part;
+            }
           std::vector<std::string> words;
-          if (step[known].is_structured())
-            for (const auto &[key, value] : step[known].items())
+          if (place->is_structured())
+            for (const auto &[key, value] : place->items())
               words.push_back(key);
           if (known.empty())
             words.insert(words.end(), whole.begin(), whole.end());
           throw SceneError("Expected results/" + one.name + "/Quantities: there is no number '" +
-                           path + "' in results.json; after '" + known.to_string() +
+                           path + "' in results.json; after '" + known +
                            "' there are: " + (words.empty() ? "no more names" : join(words)));
         }
   }

@@ -103,26 +103,86 @@ namespace Signorini
 
 
   unsigned int
-  ActiveSet::keep_deepest(const LA::Vector &gap)
+  ActiveSet::keep_deepest(const LA::Vector &gap, const bool step_by_step)
   {
-    std::vector<double> deepest(contact.n_pairs(), 0.);
-    auto                pair = contact.pair.begin();
-    for (const auto i : gap.locally_owned_elements())
+    // Refined once, an area has four times as many points: that is how a zone grows without losing
+    // its shape.
+    constexpr unsigned int growth   = 4;
+    const unsigned int     n        = contact.n_pairs();
+    const MPI_Comm         comm     = gap.get_mpi_communicator();
+    const double           rounding = coordinate_rounding();
+    std::vector<double>    deepest(n, 0.);
+    std::vector<double>    share(n, 0.5); // of the deepest, from which on points count
+    const auto             visit = [&](const auto &action) {
+      auto pair = contact.pair.begin();
+      for (const auto i : gap.locally_owned_elements())
+        action(i, *pair++);
+    };
+    visit([&](const auto i, const unsigned int pair) {
+      deepest[pair] = std::min(deepest[pair], gap(i));
+    });
+    Utilities::MPI::min(deepest, comm, deepest);
+
+    const auto stays = [&](const auto i, const unsigned int pair) {
+      return last(i) > 0 || contact.permanent(i) > 0 || deepest[pair] >= -rounding ||
+             gap(i) <= share[pair] * deepest[pair];
+    };
+    constexpr unsigned int most_trials = 10;
+    for (unsigned int trial = 0; step_by_step && trial < most_trials; ++trial)
       {
-        deepest[*pair] = std::min(deepest[*pair], gap(i));
-        ++pair;
+        std::vector<unsigned int> counts(2 * n, 0); // before and now
+        visit([&](const auto i, const unsigned int pair) {
+          counts[pair] += last(i) > 0;
+          counts[n + pair] += now(i) > 0 && stays(i, pair);
+        });
+        Utilities::MPI::sum(counts, comm, counts);
+        bool is_too_large = false;
+        for (unsigned int pair = 0; pair < n; ++pair)
+          if (counts[pair] > 0 && counts[n + pair] > growth * counts[pair])
+            {
+              share[pair]  = (1 + share[pair]) / 2;
+              is_too_large = true;
+            }
+        if (!is_too_large)
+          break;
       }
-    Utilities::MPI::min(deepest, gap.get_mpi_communicator(), deepest);
-    const double rounding = coordinate_rounding();
-    pair                  = contact.pair.begin();
-    for (const auto i : gap.locally_owned_elements())
-      {
-        const double most = deepest[*pair++];
-        if (last(i) == 0 && gap(i) > most / 2 && most < -rounding && contact.permanent(i) == 0)
-          now(i) = 0;
-      }
+    visit([&](const auto i, const unsigned int pair) {
+      if (!stays(i, pair))
+        now(i) = 0;
+    });
     now.compress(VectorOperation::insert);
     return count(now);
+  }
+
+
+
+  void
+  ActiveSet::open_pulling_regions(const LA::Vector &gap, const LA::Vector &predicted)
+  {
+    if (contact.regions.empty())
+      return;
+    LA::Vector either = now, force = contact.zero();
+    for (const auto i : now.locally_owned_elements())
+      {
+        either(i) = std::max(now(i), last(i));
+        force(i)  = last(i) * contact.weight(i) * (predicted(i) - contact.epsilon(i) * gap(i));
+      }
+    either.compress(VectorOperation::insert);
+    force.compress(VectorOperation::insert);
+    const LA::Vector sums    = contact.regions.sums(either, force);
+    const auto       is_left = [&](const auto i) {
+      return now(i) > 0 && (sums(i) >= 0 || contact.permanent(i) > 0);
+    };
+    std::vector<unsigned int> left(contact.n_pairs(), 0);
+    auto                      pair = contact.pair.begin();
+    for (const auto i : now.locally_owned_elements())
+      left[*pair++] += is_left(i);
+    Utilities::MPI::sum(left, now.get_mpi_communicator(), left);
+    pair = contact.pair.begin();
+    for (const auto i : now.locally_owned_elements())
+      if (left[*pair++] > 0 && !is_left(i))
+        now(i) = 0;
+    now.compress(VectorOperation::insert);
   }
 
 
@@ -147,7 +207,8 @@ namespace Signorini
       if (contact.permanent(i) == 0)
         deepest = std::max(deepest, -gap(i));
     deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
-    if (deepest > coordinate_rounding())
+    // So is a single one that overlaps, as the tip of a cone does by the mean over its faces.
+    if (deepest > coordinate_rounding() && size_of_separating() > 1)
       return keep_deepest(gap);
     now = contact.permanent;
     return count(now);

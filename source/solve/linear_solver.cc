@@ -22,7 +22,8 @@ namespace Signorini
       "Preconditioner",
       preconditioner,
       preconditioner_names(),
-      "contact filter: exact on the contact zone, multigrid elsewhere; block ones and SIMPLE: for "
+      "contact filter: exact on the contact zone, multigrid elsewhere, and direct where that does not converge and the "
+      "system is not too large (400,000 unknowns in 2D, 60,000 in 3D); block ones and SIMPLE: for "
       "multipliers, by a Schur complement; direct: small problems");
     section.add_choice(
       "Krylov method",
@@ -123,6 +124,7 @@ namespace Signorini
                              TimerOutput                            &timer)
     : settings(settings)
     , system(system)
+    , dim(dim)
     , timer(timer)
   {
     TimerOutput::Scope scope(timer, "preconditioner");
@@ -138,9 +140,27 @@ namespace Signorini
           known.resize(dim); // they come first
         hierarchy = std::make_unique<Hierarchy>(system.stiffness(), known, dim);
       }
+    make_preconditioner();
+  }
+
+
+
+  void
+  LinearSolver::make_preconditioner()
+  {
     LinearSolverSettings chosen = settings;
     chosen.direct_solver        = choose_direct(settings, system.stiffness());
     preconditioner              = Preconditioner::create(chosen, system, hierarchy.get());
+  }
+
+
+
+  bool
+  LinearSolver::can_factorise() const
+  {
+    // Of a minute or so.
+    const unsigned int most = dim == 2 ? 400000 : 60000;
+    return settings.preconditioner == "contact filter" && system.stiffness().m() <= most;
   }
 
 
@@ -191,7 +211,33 @@ namespace Signorini
         // degrees, and SolverMinRes divides by the cosine.
         x = preconditioned;
       }
-    SolverControl control(settings.maximum_iterations, tolerance);
+    if (const auto iterations = iterate(krylov, tolerance, x, rhs))
+      return *iterations;
+    if (!can_factorise())
+      throw SolverFailure(failure);
+    cannot_iterate          = true;
+    settings.preconditioner = "direct";
+    cycles_before           = preconditioner->multigrid_cycles();
+    preconditioner.reset();
+    hierarchy.reset();
+    make_preconditioner();
+    preconditioner->update();
+    return solve(x, rhs, reduction, absolute_tolerance);
+  }
+
+
+
+  std::optional<unsigned int>
+  LinearSolver::iterate(const std::string     &krylov,
+                        const double           tolerance,
+                        LA::BlockVector       &x,
+                        const LA::BlockVector &rhs)
+  {
+    // From there on a factorisation is quicker.
+    constexpr unsigned int patience = 200;
+    const unsigned int most = can_factorise() ? std::min(patience, settings.maximum_iterations) :
+                                                settings.maximum_iterations;
+    SolverControl      control(most, tolerance);
     try
       {
         if (krylov == "CG")
@@ -201,16 +247,19 @@ namespace Signorini
         else
           SolverFGMRES<LA::BlockVector>(control, SolverFGMRES<LA::BlockVector>::AdditionalData(50))
             .solve(system, x, rhs, *preconditioner);
+        return control.last_step();
       }
-    catch (const SolverControl::NoConvergence &failure)
+    catch (const SolverControl::NoConvergence &stop)
       {
-        throw SolverFailure(
+        failure =
           krylov + " with the preconditioner '" + settings.preconditioner + "' stopped after " +
-          std::to_string(failure.last_step) + " iterations with residual " +
-          short_text(failure.last_residual / norm) +
-          " of the start; choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller Factor "
-          "if the method has one");
+          std::to_string(stop.last_step) + " iterations with residual " +
+          short_text(stop.last_residual / rhs.l2_norm()) + " of the start; " +
+          (settings.preconditioner == "direct" ?
+             "the system is as good as singular: look at supports, and for nodes in two pairs" :
+             "choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller "
+             "Factor if the method has one");
+        return {};
       }
-    return control.last_step();
   }
 } // namespace Signorini

@@ -52,6 +52,7 @@ namespace Signorini
   namespace
   {
     constexpr double fine_reduction = 1e-6; // by linear solves, once an active set comes up again
+    constexpr unsigned int steps_of_growth = 5; // of a cold start, see ActiveSet::keep_deepest()
 
     void
     print_head(ConditionalOStream &out)
@@ -285,7 +286,7 @@ namespace Signorini
         const bool is_settled = contact.empty() || (n > 0 && step.changes == 0 && !step.withholds &&
                                                     softness == last_softness);
         step.krylov_iterations =
-          solve_linear(x, rhs, is_settled ? 0. : reduction, 0.5 * settings.tolerance * least);
+          solve_linear(x, rhs, is_settled ? 0. : reduction, 0.5 * settings.tolerance * least, out);
         damping = cautious && has_energy() ? line_search(r, gap, stress, p, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
@@ -373,7 +374,8 @@ namespace Signorini
   Newton::solve_linear(LA::BlockVector       &x,
                        const LA::BlockVector &rhs,
                        const double           reduction,
-                       const double           tolerance)
+                       const double           tolerance,
+                       ConditionalOStream    &out)
   {
     if (!factorised)
       {
@@ -381,7 +383,11 @@ namespace Signorini
         linear_solver.update();
         factorised = true;
       }
+    const bool         iterates   = !linear_solver.has_given_up();
     const unsigned int iterations = linear_solver.solve(x, rhs, reduction, tolerance);
+    if (iterates && linear_solver.has_given_up())
+      out << "    the iterative solver does not converge: the system is factorised from here on"
+          << std::endl;
     // Constrained ones are unknowns of their own to the linear solver, zero up to its tolerance.
     constraints.set_zero(x.block(0));
     if (system.is_saddle_point())
@@ -430,18 +436,23 @@ namespace Signorini
   {
     if (contact.empty())
       return;
-    const LA::Vector &start = predicted(p, stress);
+    const LA::Vector  &start  = predicted(p, stress);
+    const unsigned int before = active_set.size();
     active_set.update(gap, start);
-    if (is_cold && n <= 1)
+    const unsigned int all = active_set.size();
+    // From a zone that is too small bodies overlap far around it.
+    const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before;
+    if (is_cold && (n <= 1 || grows))
       {
-        const unsigned int all    = active_set.size();
         const bool         falls  = n == 0 && !system.free_motions().empty();
         const bool         stands = falls && touches_where_it_can(gap);
         const unsigned int kept   = stands ? active_set.add_touching(gap) :
                                     falls  ? active_set.drop_touching(gap) :
-                                             active_set.keep_deepest(gap);
+                                             active_set.keep_deepest(gap, grows);
         step.withholds            = kept < all;
       }
+    if (!cautious && n > 0)
+      active_set.open_pulling_regions(gap, start);
     if (!cautious && active_set.seen_before())
       {
         // The linear solves may have been too rough to tell where there is pressure.
@@ -475,7 +486,9 @@ namespace Signorini
   Newton::touches_where_it_can(const LA::Vector &gap)
   {
     ActiveSet touching(contact);
-    touching.add_touching(gap);
+    // On a tip nothing stands.
+    if (touching.add_touching(gap) <= 1)
+      return false;
     system.find_loose_motions(touching.values());
     return system.free_motions().loose().size() <= system.free_motions().never_held().size();
   }

@@ -69,7 +69,8 @@ namespace Signorini
     const auto           extremes = extremes_of_bodies(now);
     const double         scale = std::max(largest_force, rounding * elastic_force(now, extremes));
     std::vector<Finding> all   = check_motions(now, extremes);
-    for (const auto &some : {check_pairs(scene, now, extremes),
+    for (const auto &some : {check_locking(now),
+                             check_pairs(scene, now, extremes),
                              check_loads(scene, now),
                              check_balance(results, scale)})
       all.insert(all.end(), some.begin(), some.end());

@@ -23,6 +23,10 @@ namespace Signorini
       double smallest_rest_gap = std::numeric_limits<double>::max();
       double smallest_facing   = 1; ///< where there is pressure
       double penetration       = 0; ///< there, the mean
+      // Of active points:
+      double largest_rest_gap = -std::numeric_limits<double>::max(),
+             least_rest_gap   = -largest_rest_gap;
+      double pressure = 0, stiffness = 0, epsilon = 0; ///< the largest ones
     };
 
     template <int dim>
@@ -38,6 +42,13 @@ namespace Signorini
             zone.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
             zone.candidates += s.contact.weight(i);
             zone.smallest_rest_gap = std::min(zone.smallest_rest_gap, s.contact.rest_gap(i));
+            if (s.active(i) == 0)
+              continue;
+            zone.least_rest_gap   = std::min(zone.least_rest_gap, s.contact.rest_gap(i));
+            zone.largest_rest_gap = std::max(zone.largest_rest_gap, s.contact.rest_gap(i));
+            zone.pressure         = std::max(zone.pressure, s.pressure(i));
+            zone.stiffness        = std::max(zone.stiffness, s.contact.stiffness(i));
+            zone.epsilon          = std::max(zone.epsilon, s.contact.epsilon(i));
           }
       const PointValues values = point_values(s, pair);
       struct Face
@@ -70,8 +81,10 @@ namespace Signorini
         *sum = Utilities::MPI::sum(*sum, comm);
       if (zone.active > 0)
         zone.penetration /= zone.active;
-      for (double *least : {&zone.smallest_rest_gap, &zone.smallest_facing})
+      for (double *least : {&zone.smallest_rest_gap, &zone.smallest_facing, &zone.least_rest_gap})
         *least = Utilities::MPI::min(*least, comm);
+      for (double *most : {&zone.largest_rest_gap, &zone.pressure, &zone.stiffness, &zone.epsilon})
+        *most = Utilities::MPI::max(*most, comm);
       return zone;
     }
 
@@ -146,28 +159,16 @@ namespace Signorini
     /// A pressure that would push the slave by the height of a facet, beside the largest one.
     template <int dim>
     Finding
-    smooth(const Snapshot<dim> &s, const unsigned int pair)
+    smooth(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
     {
       const double sagitta = std::max(s.elasticity.mesh().sagitta(s.pairs[pair].slave),
                                       s.elasticity.mesh().sagitta(s.pairs[pair].master));
-      double pressure = 0, stiffness = 0, least = std::numeric_limits<double>::max(), most = -least;
-      auto   which = s.contact.pair.begin();
-      for (const auto i : s.active.locally_owned_elements())
-        if (*which++ == pair && s.active(i) > 0)
-          {
-            pressure  = std::max(pressure, s.pressure(i));
-            stiffness = std::max(stiffness, s.contact.stiffness(i));
-            least     = std::min(least, s.contact.rest_gap(i));
-            most      = std::max(most, s.contact.rest_gap(i));
-          }
-      const MPI_Comm comm = s.elasticity.mesh().communicator();
-      for (double *x : {&pressure, &stiffness, &most})
-        *x = Utilities::MPI::max(*x, comm);
       // Facets that match have no gaps between them.
-      const double noise = std::min(sagitta, std::max(0., most - Utilities::MPI::min(least, comm)));
+      const double noise =
+        std::min(sagitta, std::max(0., zone.largest_rest_gap - zone.least_rest_gap));
       return finding_of("facets",
                         s.pairs[pair].name,
-                        pressure > 0 ? noise * stiffness / pressure : 0.,
+                        zone.pressure > 0 ? noise * zone.stiffness / zone.pressure : 0.,
                         0.1,
                         "flat facets stand for a curved surface: their heights of up to " +
                           short_text(sagitta, 2) + " disturb the pressure by about that share",
@@ -175,26 +176,55 @@ namespace Signorini
                         "elements of second order with curved sides");
     }
 
+    /// The share of nodes at which the pressure alternates by more than two percent of the largest
+    /// one. What a node has more than its neighbours, z, is of the opposite sign at these: of an
+    /// amplitude a on a regular mesh z = l a, and they have -r l a in the mean, with l = 2, r = 1
+    /// along a line and l = 4/3, r = 1/3 on a surface; so a^2 = -z z_neighbours/(l^2 r). What is
+    /// smooth has the same sign there, irregular meshes make any, and at edges, where the pressure
+    /// is singular, it alternates at a few nodes only.
+    template <int dim>
+    Finding
+    even(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
+    {
+      constexpr double   scale = dim == 2 ? 4. : 16. / 27, little = 0.02, few = 5;
+      const GapOperator &contact = s.contact;
+      LA::Vector         active = s.active, inner = contact.zero(), innermost = contact.zero();
+      auto               which = contact.pair.begin();
+      for (const auto i : active.locally_owned_elements())
+        if (*which++ != pair)
+          active(i) = 0;
+      active.compress(VectorOperation::insert);
+      LA::Vector more = contact.regions.means_of_neighbours(active, s.pressure, inner);
+      more.sadd(-1, 1, s.pressure);
+      const LA::Vector around   = contact.regions.means_of_neighbours(inner, more, innermost);
+      const double     most     = scale * std::pow(little * zone.pressure, 2);
+      double           counts[] = {0, 0};
+      for (const auto i : more.locally_owned_elements())
+        if (innermost(i) > 0)
+          {
+            counts[0] += -more(i) * around(i) > most;
+            counts[1] += 1;
+          }
+      Utilities::MPI::sum(counts, s.elasticity.mesh().communicator(), counts);
+      return finding_of("alternating pressure",
+                        s.pairs[pair].name,
+                        counts[1] >= few ? counts[0] / counts[1] : 0.,
+                        1. / 3,
+                        "at that share of its nodes the pressure alternates by more than 2 % "
+                        "of the largest one",
+                        "exchange Slave and Master, refine the master, or take another method");
+    }
+
     /// Of methods whose pressure is the gap times a stiffness.
     template <int dim>
     Finding
-    exact(const Snapshot<dim> &s, const unsigned int pair)
+    exact(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
     {
-      double pressure = 0, rounding = 0;
-      auto   which = s.contact.pair.begin();
-      for (const auto i : s.active.locally_owned_elements())
-        if (*which++ == pair && s.active(i) > 0)
-          {
-            pressure = std::max(pressure, s.pressure(i));
-            rounding = std::max(rounding, s.contact.epsilon(i));
-          }
-      const MPI_Comm comm = s.elasticity.mesh().communicator();
-      pressure            = Utilities::MPI::max(pressure, comm);
-      rounding            = Utilities::MPI::max(rounding, comm) * s.displacement.linfty_norm() *
-                 std::numeric_limits<double>::epsilon();
+      const double rounding =
+        zone.epsilon * s.displacement.linfty_norm() * std::numeric_limits<double>::epsilon();
       return finding_of("rounding / pressure",
                         s.pairs[pair].name,
-                        pressure > 0 ? rounding / pressure : 0.,
+                        zone.pressure > 0 ? rounding / zone.pressure : 0.,
                         1e-6,
                         "the factor of the method is so large that the rounding of displacements "
                         "is seen in the pressure",
@@ -287,11 +317,14 @@ namespace Signorini
                      60,
                      "normals of surfaces that touch are far from opposite",
                      "refine there, or divide the boundary"));
-        findings.push_back(smooth(now, i));
+        findings.push_back(smooth(now, i, zone));
+        // Of quadratic functions it is the recovered pressure that is reported.
+        if (now.contact.regions.has_nodes() && scene.degree_of(pair.slave) == 1)
+          findings.push_back(even(now, i, zone));
         if (pair.separates)
           findings.push_back(tight(now, i, zone, extremes));
         if (!scene.contact.chosen().has_multipliers())
-          findings.push_back(exact(now, i));
+          findings.push_back(exact(now, i, zone));
         if (obstacle)
           continue;
         findings.push_back(stands(pair.name, surface.sides));

@@ -62,6 +62,12 @@ def cases():
         history = ["Load steps/Number=20", "Load steps/End time=2"]
         yield Case("active-set/up-and-down", f"hertz-2d/{name}", found_soon("hertz-2d", sets + history, mirrored=True),
                    labels={"full"})
+    # Zones whose size nobody knows before: a plate that lifts off, tips pressed in by a force.
+    for name, sets in METHODS.items():
+        yield Case("active-set/cold", f"receding-plate/{name}", found_soon("receding-plate", sets), labels={"full"})
+    for scene in ("ellipsoid-force", "cone-force"):
+        for name in ("multiplier", "penalty", "nitsche-theta=1"):
+            yield Case("active-set/cold", f"{scene}/{name}", found_soon(scene, METHODS[name], most=8), labels={"full"})
     # One cell a body: all is contact zone, and contact alone stops the upper one; without loads, there is nothing to do.
     for scene in ("two-cells", "two-cells-2d"):
         for degree in (1, 2):

@@ -60,6 +60,10 @@ def cases():
                out="WARNED  penetration / deformation, pair ")
     yield case("stiff-penalty", plane + ["--set", "Contact method/Method=penalty", "--set", "Contact method/penalty/Factor=1e11"], 0,
                out="WARNED  rounding / pressure, pair ")
+    yield case("alternating", wavy + named, 0, out="WARNED  alternating pressure, pair joint: ")
+    rubber = [str(SCENES / "nearly-incompressible.prm"), "--set", "Expected results/Names=", *output]
+    yield case("factorised", rubber, 0, out="the iterative solver does not converge: the system is factorised from here on")
+    yield case("locking", rubber + ["--set", "Mesh/Degree=1"], 0, out="WARNED  locking: ")
     jump = [str(PRM / "receding-layer.prm"), "--set", "Loads/strip/Pressure=if(x < 5.1, 10, 0)", "--set", "Expected results/Names=",
             *output]
     yield case("load-that-jumps", jump, 0, out="WARNED  load by two rules, load strip: ")

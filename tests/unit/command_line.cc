@@ -186,6 +186,15 @@ TEST_CASE("scene files: UTF-8 mark, directories, long lines")
   CHECK(message_of([&] { scene_of<2>("set " + text + " = 2"); }).size() < 800);
 }
 
+TEST_CASE("messages have no control characters, and an end")
+{
+  const std::string odd = std::string("a\0b", 3) + "\x1b[2J\x7f";
+  CHECK(message_of([&] { throw SceneError("'" + odd + "'\n\tis odd"); }) == "'a?b?[2J?'\n\tis odd");
+  const std::string message = message_of([] { throw SceneError(std::string(60000, 'x')); });
+  CHECK(has(message, "xxx... (60000 characters)"));
+  CHECK(message.size() < 2000);
+}
+
 TEST_CASE("one process runs scenes one after the other")
 {
   // Of several ranks each runs its own.

@@ -398,6 +398,20 @@ TEST_CASE("import: steps, amplitudes, gravity, pressures on elements, symmetry")
 
 
 
+TEST_CASE("import: loads without a type, and components that are none, are left out")
+{
+  const TemporaryFile file("*INCLUDE, INPUT=" +
+                             std::filesystem::path(test_mesh("pieces.inp")).string() +
+                             "\n*STEP\n*STATIC\n1, 1\n*DLOAD\nEall,\n*BOUNDARY\nNends, 1e300\n"
+                             "*CLOAD\nNends, 1e300, 2\n*END STEP\n",
+                           ".inp");
+  const std::string   messages = imported(file.path).second;
+  says(messages, "*DLOAD (type )");
+  says(messages, "*CLOAD of moments and fluxes");
+}
+
+
+
 TEST_CASE("import: temperatures of a body; what may have held bodies")
 {
   const auto deck = [](const std::string &temperatures) {

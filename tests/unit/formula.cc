@@ -58,6 +58,18 @@ TEST_CASE("each name is defined once, before it is used, and means nothing else"
 
 
 
+TEST_CASE("many definitions, each of which uses the one before, take no time")
+{
+  std::vector<std::pair<std::string, std::string>> list{{"a0", "x"}};
+  for (unsigned int i = 1; i < 50; ++i)
+    list.push_back(
+      {"a" + std::to_string(i), "a" + std::to_string(i - 1) + " + " + (i % 2 == 0 ? "1" : "y")});
+  const Expression<2> last(Formula("a49 - a4", definitions(list)));
+  CHECK(last.value({3, 2}) == doctest::Approx(23 * 2 + 22));
+}
+
+
+
 TEST_CASE("what a formula depends on is known, through its definitions too")
 {
   const auto names = definitions({{"zero", "0"}, {"r", "sqrt(x^2 + y^2)"}, {"ramp", "t/2"}});

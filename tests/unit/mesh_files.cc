@@ -393,6 +393,10 @@ TEST_CASE("VTU: text, base64, and compressed by zlib in blocks of 32 bytes")
 
   says(attempt("solid"), "no XML file");
   says(attempt("<VTKFile type=\"PolyData\"/>"), "no unstructured grid");
+  std::string deep;
+  for (unsigned int i = 0; i < 100000; ++i)
+    deep += "<a>";
+  says(attempt(deep), "more than 1000 deep");
   says(attempt(vtu("", "appended", words)), "appended");
   says(attempt(vtu("compressor=\"vtkLZ4DataCompressor\"", "binary", words)),
        "vtkLZ4DataCompressor");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/contact/contact_rows.h>
+#include <signorini/contact/regions.h>
 #include <signorini/linear_algebra.h>
 
 #include <memory>
@@ -44,6 +45,7 @@ namespace Signorini
     std::vector<LA::Vector>
       moment; ///< of a unit force along the normal: x cross n; 1 (2D) or 3 (3D)
     std::vector<unsigned int> pair; ///< contact pair of each locally owned point
+    ContactRegions            regions;
 
     /// Degree of freedom (first component) of the slave node of each locally owned point; empty for
     /// quadrature points.

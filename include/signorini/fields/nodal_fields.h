@@ -8,6 +8,12 @@ namespace Signorini
   bool
   samples_nodes(const GapOperator &contact);
 
+  /// Of methods that sample at points: the row of the first point of a pair on this rank; those of
+  /// the others follow.
+  template <int dim>
+  dealii::types::global_dof_index
+  first_row(const Snapshot<dim> &snapshot, unsigned int pair);
+
   /// A quantity on the rows of the gap operator as a field on the slave surface of one pair: a
   /// vector of the layout of the displacement (without ghosts) with the value of a node at the
   /// node's first degree of freedom, hanging nodes interpolated, zero everywhere else. Rows that

@@ -92,6 +92,8 @@ namespace Signorini
 
     double
     number(const Words &words, unsigned int i) const;
+    unsigned int
+    component(const Words &words, unsigned int i) const;
     DeckModel::AtNodes *
     at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target);
     bool

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <vector>
+
 namespace Signorini
 {
   /// The point of the reference cell that has parameter xi in [0,1]^(dim-1) on a face, in the
@@ -26,5 +28,22 @@ namespace Signorini
     for (unsigned int d = 0; d < dim - 1; ++d)
       xi[d] = p[(face / 2 + 1 + d) % dim];
     return xi;
+  }
+
+  /// The parameters of (k+1)^(dim-1) equidistant points of a face, the first one running fastest.
+  template <int dim>
+  std::vector<dealii::Point<dim - 1>>
+  face_lattice(const unsigned int k)
+  {
+    std::vector<dealii::Point<dim - 1>> points;
+    for (unsigned int j = 0; j <= (dim == 3 ? k : 0); ++j)
+      for (unsigned int i = 0; i <= k; ++i)
+        {
+          dealii::Point<dim - 1> xi;
+          xi[dim - 2] = double(j) / k;
+          xi[0]       = double(i) / k;
+          points.push_back(xi);
+        }
+    return points;
   }
 } // namespace Signorini

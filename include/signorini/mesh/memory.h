@@ -4,6 +4,10 @@
 
 namespace Signorini
 {
+  /// What memory there is, in bytes: that of this machine, unless another number is written here.
+  double &
+  memory_of_machine();
+
   /// More cells than that do not fit into the memory of this machine, whatever is done with them.
   double
   largest_number_of_cells();

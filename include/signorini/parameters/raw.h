@@ -10,11 +10,12 @@ namespace Signorini
 {
   /// Something that the user asked for and that cannot be done: a bad scene file, command line or
   /// mesh file. The message names the key, its value, where it was set, and the cure. All ranks
-  /// throw it alike, because all ranks read the same input.
+  /// throw it alike, because all ranks read the same input. What files have that nobody can read,
+  /// control characters and endless words, is not in it.
   class SceneError : public std::runtime_error
   {
   public:
-    using std::runtime_error::runtime_error;
+    explicit SceneError(const std::string &message);
   };
 
   /// A scene file as it was written: sections and values with the place where each was set, not yet

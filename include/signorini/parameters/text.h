@@ -15,6 +15,10 @@ namespace Signorini
   std::string
   short_text(double value, int digits = 2);
 
+  /// False also for names that no file can have. Streams open directories, and fail when they read.
+  bool
+  is_directory(const std::string &name);
+
   /// Three bytes at the start by which some editors say that a file is UTF-8.
   void
   skip_byte_order_mark(std::istream &in);

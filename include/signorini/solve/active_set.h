@@ -44,8 +44,15 @@ namespace Signorini
     /// Where smooth bodies overlap, they are pushed apart on a part of that area only: Hertz' is
     /// where they are at least half as deep as at the deepest point. Of each pair no other points
     /// become active. Returns the number of active points.
+    /// @param step_by_step nor so many that there are more than four times those of the last set
     unsigned int
-    keep_deepest(const LA::Vector &gap);
+    keep_deepest(const LA::Vector &gap, bool step_by_step = false);
+
+    /// A region of points that pulls as a whole does not stay, nor do the points beside it that
+    /// overlap because it was turned about: left to themselves, they would wander along a lever
+    /// that lifts off, a point a step. Of each pair something must be left.
+    void
+    open_pulling_regions(const LA::Vector &gap, const LA::Vector &predicted);
 
     /// Bodies that stand on each other do not fall. Returns the number of active points.
     unsigned int

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <optional>
 #include <stdexcept>
 
 namespace Signorini
@@ -50,7 +51,8 @@ namespace Signorini
     /// Solve from a zero start until the residual has fallen by the reduction, or below the
     /// absolute tolerance. What the preconditioner's start achieves does not count as reduction: it
     /// takes away the forces of stiff penalties, next to which all others look small. Returns the
-    /// number of iterations; throws SolverFailure.
+    /// number of iterations; throws SolverFailure. Where the contact filter does not get there and
+    /// the system is not too large for it, it is factorised from then on.
     unsigned int
     solve(LA::BlockVector       &x,
           const LA::BlockVector &rhs,
@@ -60,14 +62,37 @@ namespace Signorini
     unsigned int
     multigrid_cycles() const
     {
-      return preconditioner->multigrid_cycles();
+      return preconditioner->multigrid_cycles() + cycles_before;
+    }
+
+    /// True: the Krylov method did not converge, and the system is factorised instead.
+    bool
+    has_given_up() const
+    {
+      return cannot_iterate;
     }
 
   private:
-    const LinearSolverSettings      settings;
+    /// Returns the number of iterations, or none.
+    std::optional<unsigned int>
+    iterate(const std::string     &krylov,
+            double                 tolerance,
+            LA::BlockVector       &x,
+            const LA::BlockVector &rhs);
+
+    void
+    make_preconditioner();
+    bool
+    can_factorise() const;
+
+    LinearSolverSettings            settings;
     const ContactSystem            &system;
+    const unsigned int              dim;
     dealii::TimerOutput            &timer;
     std::unique_ptr<Hierarchy>      hierarchy;
     std::unique_ptr<Preconditioner> preconditioner;
+    bool                            cannot_iterate = false;
+    unsigned int                    cycles_before  = 0; ///< it did
+    std::string                     failure;            ///< of the last iteration
   };
 } // namespace Signorini

@@ -120,10 +120,11 @@ namespace Signorini
     bool
     is_closed(const NewtonStep &step, double scale) const;
     unsigned int
-    solve_linear(LA::BlockVector       &x,
-                 const LA::BlockVector &rhs,
-                 double                 reduction,
-                 double                 tolerance);
+    solve_linear(LA::BlockVector            &x,
+                 const LA::BlockVector      &rhs,
+                 double                      reduction,
+                 double                      tolerance,
+                 dealii::ConditionalOStream &out);
     /// At points that may separate.
     bool
     has_no_pressure(const LA::Vector &p) const;

@@ -36,6 +36,12 @@ namespace Signorini
   std::vector<Finding>
   check_motions(const Snapshot<dim> &now, const std::vector<Extremes> &extremes);
 
+  /// Nearly incompressible bodies whose cells cannot change shape without changing volume: the
+  /// share of the energy that this takes.
+  template <int dim>
+  std::vector<Finding>
+  check_locking(const Snapshot<dim> &now);
+
   /// Pair by pair: those that never act, zones of a few faces, surfaces that move far or are far
   /// from opposite, overlaps larger than faces, facets, sides, penetration of penalties.
   template <int dim>

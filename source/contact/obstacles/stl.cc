@@ -58,7 +58,7 @@ namespace Signorini
         try
           {
             const std::string path = found_beside_scene(file);
-            if (std::filesystem::exists(path))
+            if (file_exists(path))
               file = std::filesystem::absolute(path).lexically_normal(); // for the written scene
             Triangles triangles = read_stl(path);
             for (auto &vertex : triangles.vertices)

@@ -1,5 +1,6 @@
 #include <signorini/contact/obstacles/stl_file.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <cmath>
 #include <cstdint>
@@ -25,6 +26,8 @@ namespace Signorini
       explicit Reader(const std::string &file_name)
         : file_name(file_name)
       {
+        if (is_directory(file_name))
+          fail("is a directory");
         std::ifstream in(file_name, std::ios::binary);
         if (!in)
           fail("cannot be opened");

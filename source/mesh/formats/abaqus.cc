@@ -283,6 +283,8 @@ namespace Signorini
               });
             if (found == scope->surfaces.end())
               in.fail("there is no surface '" + word + "' above");
+            check_amount(in, double(result.faces.size()) + found->faces.size());
+            check_amount(in, double(result.nodes.size()) + found->nodes.size());
             result.faces.insert(result.faces.end(), found->faces.begin(), found->faces.end());
             result.nodes.insert(result.nodes.end(), found->nodes.begin(), found->nodes.end());
           }
@@ -300,6 +302,7 @@ namespace Signorini
     if (of.empty())
       for (const auto &[number, e] : scope->elements.numbers())
         members.push_back(e);
+    check_amount(in, double(surface.faces.size()) + members.size());
     for (const unsigned int e : members)
       {
         const MeshFile::Element &element = scope->mesh->elements[e];

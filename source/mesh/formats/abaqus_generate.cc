@@ -65,7 +65,12 @@ namespace Signorini
   std::size_t
   AbaqusReader::node_number(const unsigned int index) const
   {
-    return scope->number_of.at(index);
+    const auto found = scope->number_of.find(index);
+    if (found == scope->number_of.end())
+      in.fail(
+        "*" + in.keyword() +
+        " of nodes of an instance is not read here; make them in the part, or write them out");
+    return found->second;
   }
 
 
@@ -86,6 +91,7 @@ namespace Signorini
         if (step == 0 || last <= first || (last - first) % step != 0)
           in.fail("*NGEN: the increment does not lead from the first to the last node");
         const std::size_t n = (last - first) / step;
+        check_amount(in, n);
         for (std::size_t i = 0; i <= n; ++i)
           add_node(first + i * step, a + (b - a) * (double(i) / n), set);
       }
@@ -113,6 +119,7 @@ namespace Signorini
                           step = number_from(in, word(words, 3, "1"));
         if (from.size() != to.size() || n == 0)
           in.fail("*NFILL: the two sets do not have the same number of nodes");
+        check_amount(in, double(n) * std::max<std::size_t>(from.size(), 1));
         for (unsigned int k = 0; k < from.size(); ++k)
           {
             const std::size_t first = node_number(from[k]);
@@ -142,10 +149,11 @@ namespace Signorini
     AbaqusSet *const  set    = set_of("NEW SET", scope->nodes);
     Members           old;
     scope->nodes.append(in, in.value("OLD SET"), old);
-    const unsigned int times = in.has("MULTIPLE") ? number_from(in, in.value("MULTIPLE")) : 1;
-    const RigidMotion  once  = read_motion();
-    RigidMotion        motion;
-    for (unsigned int i = 1; i <= times; ++i)
+    const std::size_t times = in.has("MULTIPLE") ? number_from(in, in.value("MULTIPLE")) : 1;
+    check_amount(in, double(times) * std::max<std::size_t>(old.size(), 1));
+    const RigidMotion once = read_motion();
+    RigidMotion       motion;
+    for (std::size_t i = 1; i <= times; ++i)
       {
         motion = motion.then(once);
         for (const unsigned int node : old)
@@ -188,6 +196,7 @@ namespace Signorini
             of_nodes[d]    = number_from(in, word(words, 2 + 3 * d, "1"));
             of_elements[d] = number_from(in, word(words, 3 + 3 * d, "1"));
           }
+        check_amount(in, double(n[0]) * n[1] * n[2]);
         std::vector<std::size_t> numbers;
         for (const unsigned int node : scope->mesh->elements[master].nodes)
           numbers.push_back(node_number(node));

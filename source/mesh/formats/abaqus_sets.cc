@@ -1,4 +1,6 @@
 #include <signorini/mesh/formats/abaqus_sets.h>
+#include <signorini/mesh/memory.h>
+#include <signorini/parameters/text.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -24,6 +26,17 @@ namespace Signorini
 
 
 
+  void
+  check_amount(const KeywordFile &in, const double number)
+  {
+    if (number > largest_number_of_cells())
+      in.fail("*" + in.keyword() + " asks for " + short_text(number, 6) +
+              " nodes, elements or members of a set, more than the memory of this machine could "
+              "hold; is a number wrong?");
+  }
+
+
+
   std::size_t
   number_from(const KeywordFile &in, const std::string &word)
   {
@@ -36,17 +49,23 @@ namespace Signorini
 
 
 
+  const AbaqusSets::Numbers *
+  AbaqusSets::numbers_of(const std::string &instance) const
+  {
+    if (instance.empty())
+      return &index_of;
+    const auto found = instances.find(upper_case(instance));
+    return found == instances.end() ? nullptr : &found->second;
+  }
+
+
+
   unsigned int
   AbaqusSets::index(const std::size_t number, const std::string &instance) const
   {
-    const auto *numbers = &index_of;
-    if (!instance.empty())
-      {
-        const auto found = instances.find(upper_case(instance));
-        if (found == instances.end())
-          return none;
-        numbers = &found->second;
-      }
+    const Numbers *const numbers = numbers_of(instance);
+    if (!numbers)
+      return none;
     const auto found = numbers->find(number);
     return found == numbers->end() ? none : found->second;
   }
@@ -91,6 +110,7 @@ namespace Signorini
     const std::string name = in_instance(instance, word);
     if (const AbaqusSet *set = find(name))
       {
+        check_amount(in, double(members.size()) + set->members.size());
         members.insert(members.end(), set->members.begin(), set->members.end());
         return;
       }
@@ -108,6 +128,34 @@ namespace Signorini
 
 
   void
+  AbaqusSets::append_range(const std::size_t          first,
+                           const std::size_t          last,
+                           const std::size_t          step,
+                           const std::string         &instance,
+                           std::vector<unsigned int> &members) const
+  {
+    const Numbers &numbers = *numbers_of(instance);
+    if (last < first)
+      return;
+    if (const std::size_t n = (last - first) / step; n <= numbers.size())
+      {
+        for (std::size_t i = 0; i <= n; ++i)
+          if (const unsigned int found = index(first + i * step, instance); found != none)
+            members.push_back(found);
+        return;
+      }
+    // 1 to 999999999 is a way to say all.
+    std::map<std::size_t, unsigned int> in_range;
+    for (const auto &[number, index] : numbers)
+      if (number >= first && number <= last && (number - first) % step == 0)
+        in_range.insert({number, index});
+    for (const auto &[number, index] : in_range)
+      members.push_back(index);
+  }
+
+
+
+  void
   AbaqusSets::append_lines(KeywordFile &in, std::vector<unsigned int> &members) const
   {
     const std::string instance = in.value("INSTANCE");
@@ -116,15 +164,12 @@ namespace Signorini
     for (std::vector<std::string> words; in.next_line(words);)
       if (in.has("GENERATE"))
         {
-          const std::size_t first = number_from(in, words.at(0)),
-                            last  = words.size() > 1 && !words[1].empty() ?
-                                      number_from(in, words[1]) :
-                                      first,
-                            step =
-                              words.size() > 2 && !words[2].empty() ? number_from(in, words[2]) : 1;
-          for (std::size_t i = first; i <= last; i += std::max<std::size_t>(step, 1))
-            if (const unsigned int found = index(i, instance); found != none)
-              members.push_back(found);
+          const auto number = [&](const std::size_t i, const std::size_t otherwise) {
+            return i < words.size() && !words[i].empty() ? number_from(in, words[i]) : otherwise;
+          };
+          const std::size_t first = number_from(in, words.at(0)), last = number(1, first),
+                            step = std::max<std::size_t>(number(2, 1), 1);
+          append_range(first, last, step, instance, members);
         }
       else
         for (const std::string &word : words)

@@ -188,7 +188,7 @@ namespace Signorini
         skip_numbers(dimension == 0 ? 3 : 6); // a point, or a bounding box
         in >> n;
         for (std::size_t i = 0; i < n && in >> group; ++i)
-          entities[dimension][tag].push_back(std::abs(group)); // the sign is a direction
+          entities[dimension][tag].push_back(without_sign(group));
         if (dimension == 0)
           return;
         in >> n;
@@ -197,11 +197,18 @@ namespace Signorini
       }
 
       void
-      skip_numbers(const unsigned int n)
+      skip_numbers(const std::size_t n)
       {
         double ignored;
-        for (unsigned int i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < n && in; ++i)
           in >> ignored;
+      }
+
+      /// The sign of a group is a direction. The smallest integer has no other one.
+      static int
+      without_sign(const int group)
+      {
+        return std::abs(std::max(group, -std::numeric_limits<int>::max()));
       }
 
       void
@@ -286,9 +293,9 @@ namespace Signorini
             unsigned int type = 0, n_tags = 0;
             int          group = 0, ignored;
             in >> tag >> type >> n_tags;
-            for (unsigned int j = 0; j < n_tags; ++j)
+            for (unsigned int j = 0; j < n_tags && in; ++j)
               in >> (j == 0 ? group : ignored);
-            read_element(tag, type, {std::abs(group)});
+            read_element(tag, type, {without_sign(group)});
           }
       }
 
@@ -327,7 +334,7 @@ namespace Signorini
         std::vector<std::size_t> tags; // of the step, number of components, number of nodes
         for (std::size_t tag; tags.size() < n && in >> tag;)
           tags.push_back(tag);
-        if (tags.size() < 3)
+        if (tags.size() < 3 || tags[1] == 0)
           fail("has a $NodeData without its three whole numbers");
         std::vector<double> values(file.nodes.size(), std::numeric_limits<double>::quiet_NaN());
         std::size_t         node = 0;

@@ -72,6 +72,8 @@ namespace Signorini
     if (sources.size() > deepest_include)
       fail("files include each other more than " + std::to_string(deepest_include) +
            " deep; does '" + file_name + "' include itself?");
+    if (is_directory(file_name))
+      fail("'" + file_name + "' is a directory, not a file");
     auto in = std::make_unique<std::ifstream>(file_name);
     if (!*in)
       fail("the file '" + file_name + "' cannot be opened");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -236,7 +237,11 @@ namespace Signorini
         std::string       rest;
         std::getline(in, rest);
         const std::string components = trim(rest);
-        const std::size_t n          = components.empty() ? 1 : std::stoul(components);
+        const std::size_t n =
+          components.empty() ? 1 : std::strtoul(components.c_str(), nullptr, 10);
+        if (n < 1 || n > 4)
+          fail("has SCALARS " + name + " with '" + shortened(components) +
+               "' components; there are 1 to 4");
         if (next_word() == "LOOKUP_TABLE")
           next_word();
         else

@@ -57,9 +57,6 @@ namespace Signorini
     add_cell(MeshFile &file, const unsigned int type, const MeshFile::Nodes &nodes)
     {
       const auto [shape, n] = vtk_type(plain_type(type, nodes.size()));
-      for (const unsigned int node : nodes)
-        if (node >= file.nodes.size())
-          throw SceneError("has a cell with the unknown point " + std::to_string(node));
       if (n > 0 && nodes.size() != n)
         throw SceneError("has cell " + std::to_string(file.elements.size()) + " of type " +
                          std::to_string(type) + " without its " + std::to_string(n) + " points");
@@ -88,6 +85,10 @@ namespace Signorini
         const long begin = offsets[i], end = offsets[i + 1];
         if (begin < 0 || end < begin || end > static_cast<long>(points.size()))
           throw SceneError("has no points for cell " + std::to_string(i));
+        // Larger ones would become others, which are there, as indices.
+        for (long j = begin; j < end; ++j)
+          if (points[j] < 0 || points[j] >= static_cast<long>(file.nodes.size()))
+            throw SceneError("has a cell with the unknown point " + std::to_string(points[j]));
         add_cell(file, types[i], {points.begin() + begin, points.begin() + end});
       }
   }

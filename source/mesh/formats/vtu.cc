@@ -48,6 +48,7 @@ namespace Signorini
         std::ifstream in(file_name, std::ios::binary);
         std::string   text(std::istreambuf_iterator<char>(in), {});
         cut_raw_data(text);
+        refuse_depth(text);
         std::istringstream xml(text);
         try
           {
@@ -89,6 +90,23 @@ namespace Signorini
       fail(const std::string &what) const
       {
         throw SceneError("mesh file '" + file_name + "' " + what);
+      }
+
+      /// The XML reader calls itself for each element within another one, and would run out of
+      /// stack.
+      void
+      refuse_depth(const std::string &text) const
+      {
+        constexpr int deepest = 1000;
+        int           depth   = 0;
+        for (std::size_t i = 0; i + 1 < text.size(); ++i)
+          {
+            const char next = text[i + 1];
+            if ((text[i] == '<' && next == '/') || (text[i] == '/' && next == '>'))
+              --depth;
+            else if (text[i] == '<' && next != '!' && next != '?' && ++depth > deepest)
+              fail("has elements within each other more than " + std::to_string(deepest) + " deep");
+          }
       }
 
       void

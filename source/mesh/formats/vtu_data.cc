@@ -31,8 +31,15 @@ namespace Signorini
     std::string
     decoded(const std::string &base64)
     {
-      const std::vector<unsigned char> bytes = Utilities::decode_base64(base64);
-      return {bytes.begin(), bytes.end()};
+      try
+        {
+          const std::vector<unsigned char> bytes = Utilities::decode_base64(base64);
+          return {bytes.begin(), bytes.end()};
+        }
+      catch (const std::exception &)
+        {
+          throw SceneError("has an array that is not base64, as it says");
+        }
     }
 
 
@@ -57,8 +64,21 @@ namespace Signorini
 
 
     std::string
+    rest_of(const std::string &bytes, const std::size_t begin)
+    {
+      if (begin > bytes.size())
+        throw SceneError("has an array that ends too early");
+      return bytes.substr(begin);
+    }
+
+
+
+    std::string
     inflated(const std::string &packed, const std::size_t size)
     {
+      constexpr std::size_t largest_ratio = 1032; // of zlib
+      if (size / largest_ratio > packed.size())
+        throw SceneError("has a compressed array that says that it is larger than it can be");
       std::string bytes(size, '\0');
       uLongf      n = size;
       if (uncompress(reinterpret_cast<Bytef *>(&bytes[0]),
@@ -108,12 +128,12 @@ namespace Signorini
     if (!compressed)
       {
         const std::string bytes = decoded(characters);
-        return unpacked(part_of(bytes, 0, width), bytes.substr(width));
+        return unpacked(part_of(bytes, 0, width), rest_of(bytes, width));
       }
     // The header is encoded on its own.
     const std::string beginning = decoded(part_of(characters, 0, in_base64(3 * width)));
     const std::size_t size      = in_base64(header_size(beginning));
-    return unpacked(decoded(part_of(characters, 0, size)), decoded(characters.substr(size)));
+    return unpacked(decoded(part_of(characters, 0, size)), decoded(rest_of(characters, size)));
   }
 
 
@@ -122,7 +142,7 @@ namespace Signorini
   VtuData::from_raw(const std::string &bytes, const std::size_t offset) const
   {
     const std::size_t size = header_size(part_of(bytes, offset, width));
-    return unpacked(part_of(bytes, offset, size), bytes.substr(offset + size));
+    return unpacked(part_of(bytes, offset, size), rest_of(bytes, offset + size));
   }
 
 

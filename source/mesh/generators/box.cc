@@ -107,26 +107,12 @@ namespace Signorini
       {
         section.fail("Corners", error.what());
       }
-    check_size(section);
+    check_size(section, "Corners", low.distance(high), std::max(low.norm(), high.norm()));
     if (subdivisions.size() != dim)
       section.fail("Subdivisions", "must have " + std::to_string(dim) + " numbers");
     check_number_of_cells(section, "Subdivisions", subdivisions);
     if (grading.size() != dim)
       section.fail("Grading", "must have " + std::to_string(dim) + " numbers");
-  }
-
-
-
-  template <int dim>
-  void
-  BoxMesh<dim>::check_size(const Section &section) const
-  {
-    // Squares of lengths must be numbers, and coordinates of neighbours different ones.
-    const double size = low.distance(high), reach = std::max(low.norm(), high.norm());
-    if (!(size > 1e-100 && reach < 1e100 && reach < 1e7 * size))
-      section.fail("Corners",
-                   "is too small, too large or too far from the origin for what numbers can tell "
-                   "apart; take other units, or shift the scene");
   }
 
 

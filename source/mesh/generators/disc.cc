@@ -23,6 +23,10 @@ namespace Signorini
       "of the whole; boundaries: `arc`, and the cuts at the height of the center, `top` of a lower "
       "part and `bottom` of an upper one, and `symmetry` at its x; "
       "half: the upper one, quarter: the upper right one");
+    if (!section.reading())
+      return;
+    check_size(section, "Radius", radius, radius);
+    check_size(section, "Center", radius, center.norm() + radius);
   }
 
 

@@ -142,15 +142,24 @@ namespace Signorini
 
 
 
+  bool
+  file_exists(const std::string &name)
+  {
+    std::error_code is_no_name;
+    return std::filesystem::exists(name, is_no_name);
+  }
+
+
+
   std::string
   found_beside_scene(const std::string &file)
   {
-    if (std::filesystem::exists(file) || std::filesystem::path(file).is_absolute())
+    if (file_exists(file) || std::filesystem::path(file).is_absolute())
       return file;
     for (const std::string &folder : mesh_search_path())
       {
         const auto candidate = std::filesystem::path(folder) / file;
-        if (std::filesystem::exists(candidate))
+        if (file_exists(candidate.string()))
           return candidate.string();
       }
     return file;
@@ -244,7 +253,7 @@ namespace Signorini
       section.fail("File", "a mesh from a file needs its name");
     const auto        surfaces = read_curved_boundaries<dim>(curved_text, section);
     const std::string path     = found_beside_scene(file);
-    if (std::filesystem::exists(path))
+    if (file_exists(path))
       file = std::filesystem::absolute(path).lexically_normal(); // for the scene that is written
     std::string key = "File";
     try

@@ -1,4 +1,5 @@
 #include <signorini/mesh/generators/named_surface.h>
+#include <signorini/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,18 @@ namespace Signorini
       return true;
     }
   } // namespace
+
+
+
+  void
+  check_size(const Section &section, const std::string &key, const double size, const double reach)
+  {
+    // Squares of lengths must be numbers, and coordinates of neighbours different ones.
+    if (!(size > 1e-100 && reach < 1e100 && reach < 1e7 * size))
+      section.fail(key,
+                   "is too small, too large or too far from the origin for what numbers can tell "
+                   "apart; take other units, or shift the scene");
+  }
 
 
 

@@ -95,11 +95,15 @@ namespace Signorini
       {
         section.add("Height", height, "from `bottom` to `top` [length]", positive);
         section.add("Layers", layers, "coarse cells along the height", {1});
+        if (section.reading())
+          check_size(section, "Height", height, std::abs(center[dim - 1]) + height);
       }
     if (!section.reading())
       return;
     if (inner_radius >= outer_radius)
       section.fail("Inner radius", "must be smaller than the outer one");
+    check_size(section, "Inner radius", inner_radius, outer_radius);
+    check_size(section, "Center", inner_radius, center.norm() + outer_radius);
     check_number_of_cells(section,
                           "Cells around",
                           {cells_around, cells_through, dim == 3 ? layers : 1});

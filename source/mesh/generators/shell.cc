@@ -97,6 +97,8 @@ namespace Signorini
       return;
     if (inner_radius >= outer_radius)
       section.fail("Inner radius", "must be smaller than the outer one");
+    check_size(section, "Inner radius", inner_radius, outer_radius);
+    check_size(section, "Center", inner_radius, center.norm() + outer_radius);
     check_number_of_cells(section,
                           "Cells along 45 degrees",
                           {3, cells_around, cells_around, cells_through});

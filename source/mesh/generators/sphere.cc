@@ -16,6 +16,10 @@ namespace Signorini
     section.add("Center", center, "center (cx, cy, cz) of the ball [length]");
     section.add("Radius", radius, "radius [length]", positive);
     section.add_choice("Part", part, ball_parts, ball_part_help + "; boundary `sphere`");
+    if (!section.reading())
+      return;
+    check_size(section, "Radius", radius, radius);
+    check_size(section, "Center", radius, center.norm() + radius);
   }
 
 

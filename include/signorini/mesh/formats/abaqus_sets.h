@@ -75,10 +75,29 @@ namespace Signorini
     add_instance(const std::string &name, const AbaqusSets &of);
 
   private:
+    using Numbers = std::unordered_map<std::size_t, unsigned int>;
+
+    /// Those of the instance, or of none; null if there is no such instance.
+    const Numbers *
+    numbers_of(const std::string &instance) const;
+
+    /// What there is of first, first + step, ... up to last.
+    void
+    append_range(std::size_t                first,
+                 std::size_t                last,
+                 std::size_t                step,
+                 const std::string         &instance,
+                 std::vector<unsigned int> &members) const;
+
     std::unordered_map<std::size_t, unsigned int>                        index_of;
     std::map<std::string, AbaqusSet>                                     sets;
     std::map<std::string, std::unordered_map<std::size_t, unsigned int>> instances;
   };
+
+  /// A line of a few words may ask for more nodes, elements or members of sets than any memory
+  /// holds: that is refused.
+  void
+  check_amount(const KeywordFile &in, double number);
 
   /// The number of a node or element.
   std::size_t

@@ -30,8 +30,6 @@ namespace Signorini
     }
 
   private:
-    void
-    check_size(const Section &section) const;
     std::vector<NamedSurface<dim>>
     surfaces() const;
 

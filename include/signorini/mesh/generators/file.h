@@ -11,6 +11,10 @@ namespace Signorini
   std::vector<std::string> &
   mesh_search_path();
 
+  /// True if a file is there; false also for names that no file can have.
+  bool
+  file_exists(const std::string &name);
+
   /// Where a file is: as named, or in one of those folders; the name itself if it is not there.
   std::string
   found_beside_scene(const std::string &file);

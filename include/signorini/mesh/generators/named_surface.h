@@ -17,6 +17,11 @@ namespace Signorini
     std::shared_ptr<dealii::Manifold<dim>> manifold;
   };
 
+  /// Refuse a size, given by a key, that numbers cannot tell from nothing, or at that distance from
+  /// the origin.
+  void
+  check_size(const Section &section, const std::string &key, double size, double reach);
+
   /// The plane on which coordinate number `axis` has the given value. `size` is that of the mesh:
   /// the tolerance is relative to it.
   template <int dim>

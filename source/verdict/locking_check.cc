@@ -1,0 +1,150 @@
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/stress.h>
+#include <signorini/verdict/checks.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    struct Energies
+    {
+      double all = 0, locked = 0;
+    };
+
+    /// A share of values at points of a cell.
+    struct Weighted
+    {
+      double weight, value;
+    };
+
+    /// Of the squares of what is left of the values beside their mean, or beside a linear function.
+    template <int dim>
+    double
+    rest(const std::vector<Point<dim>> &points,
+         const std::vector<Weighted>   &values,
+         const bool                     linear)
+    {
+      const unsigned int n     = linear ? dim + 1 : 1;
+      const auto         basis = [&](const unsigned int q, const unsigned int i) {
+        return i == 0 ? 1. : points[q][i - 1] - points[0][i - 1];
+      };
+      FullMatrix<double> moments(n);
+      Vector<double>     right(n), coefficients(n);
+      double             squares = 0;
+      for (unsigned int q = 0; q < points.size(); ++q)
+        {
+          squares += values[q].weight * values[q].value * values[q].value;
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              right(i) += values[q].weight * basis(q, i) * values[q].value;
+              for (unsigned int j = 0; j < n; ++j)
+                moments(i, j) += values[q].weight * basis(q, i) * basis(q, j);
+            }
+        }
+      moments.gauss_jordan();
+      moments.vmult(coefficients, right);
+      return std::max(0., squares - coefficients * right);
+    }
+
+    /// The energy of each body, and the part that goes into changes of volume inside of cells that
+    /// a pressure of one degree less would not see: a mean for degree 1, a linear function beyond.
+    template <int dim>
+    std::vector<Energies>
+    energies_of_bodies(const Snapshot<dim> &s, const double least_ratio)
+    {
+      const Elasticity<dim>           &elasticity = s.elasticity;
+      const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
+      const FEValuesExtractors::Vector displacement(0);
+      hp::QCollection<dim>             rules;
+      for (unsigned int i = 0; i < elasticity.finite_elements().size(); ++i)
+        rules.push_back(QGauss<dim>(elasticity.finite_elements()[i].degree + 1));
+      hp::FEValues<dim>           values_of(elasticity.mesh().mappings(),
+                                  elasticity.finite_elements(),
+                                  rules,
+                                  update_values | update_gradients | update_quadrature_points |
+                                    update_JxW_values);
+      std::vector<Energies>       energies(elasticity.mesh().n_bodies());
+      std::vector<Tensor<1, dim>> u;
+      std::vector<Tensor<2, dim>> gradient;
+      std::vector<Weighted>       volume;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        {
+          const Material &material = elasticity.material(cell->material_id());
+          if (!cell->is_locally_owned() || material.poissons_ratio < least_ratio)
+            continue;
+          values_of.reinit(cell);
+          const FEValues<dim> &values = values_of.get_present_fe_values();
+          u.resize(values.n_quadrature_points);
+          gradient.resize(values.n_quadrature_points);
+          volume.resize(values.n_quadrature_points);
+          values[displacement].get_function_values(ghosted, u);
+          values[displacement].get_function_gradients(ghosted, gradient);
+          Energies &of_body = energies[cell->material_id()];
+          for (unsigned int q = 0; q < volume.size(); ++q)
+            {
+              const Point<dim> &x      = values.quadrature_point(q);
+              const auto        eps    = strain(elasticity.model(), material, gradient[q], u[q], x);
+              const double      weight = values.JxW(q) * measure(elasticity.model(), x);
+              volume[q]                = {weight, trace(eps)};
+              of_body.all += 0.5 * weight * (stress(material, eps) * eps);
+            }
+          of_body.locked += 0.5 * material.lambda() *
+                            rest(values.get_quadrature_points(), volume, cell->get_fe().degree > 1);
+        }
+      const MPI_Comm comm = elasticity.mesh().communicator();
+      for (Energies &of_body : energies)
+        for (double *energy : {&of_body.all, &of_body.locked})
+          *energy = Utilities::MPI::sum(*energy, comm);
+      return energies;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Finding>
+  check_locking(const Snapshot<dim> &now)
+  {
+    constexpr double least_ratio = 0.4; // below there is little to lock
+    if (now.elasticity.model() == Model::plane_stress)
+      return {};
+    Finding finding;
+    finding.check       = "locking";
+    finding.limit       = 0.01;
+    const auto energies = energies_of_bodies(now, least_ratio);
+    for (unsigned int body = 0; body < energies.size(); ++body)
+      {
+        const Energies &of_body = energies[body];
+        const double    share   = of_body.all > 0 ? of_body.locked / of_body.all : 0.;
+        if (share >= finding.value)
+          {
+            finding.value = share;
+            finding.what  = now.elasticity.mesh().body_name(body);
+          }
+      }
+    finding.outcome = finding.value > finding.limit ? Outcome::warned : Outcome::passed;
+    finding.what =
+      "'" + finding.what +
+      "' is nearly incompressible and too stiff on this mesh, as that share of its energy "
+      "goes into changes of volume inside of cells: forces may be too large by about "
+      "that, pressures by three times it";
+    finding.cure = "set Degree = 2, or a finer mesh";
+    return {finding};
+  }
+
+
+
+  template std::vector<Finding>
+  check_locking(const Snapshot<2> &);
+  template std::vector<Finding>
+  check_locking(const Snapshot<3> &);
+} // namespace Signorini
