@@ -300,7 +300,9 @@ namespace Signorini
         for (unsigned int i = 0; i < one.boundaries.size(); ++i)
           {
             boundary_names.push_back(name + "." + one.boundaries[i]);
-            sagittas.push_back(one.sagittas.empty() ? 0. : growth * one.sagittas[i]);
+            facets.push_back(one.facets.empty() ? FacetHeight() : one.facets[i]);
+            facets.back().height *= growth;
+            facets.back().length *= growth;
             ids_of_names.emplace_back();
             for (const types::boundary_id id : one.ids_of(i))
               ids_of_names.back().insert(first_id + id);
@@ -374,11 +376,11 @@ namespace Signorini
 
 
   template <int dim>
-  double
-  Mesh<dim>::sagitta(const std::string &boundary) const
+  FacetHeight
+  Mesh<dim>::facet_height(const std::string &boundary) const
   {
     const auto found = std::find(boundary_names.begin(), boundary_names.end(), boundary);
-    return found == boundary_names.end() ? 0. : sagittas[found - boundary_names.begin()];
+    return found == boundary_names.end() ? FacetHeight() : facets[found - boundary_names.begin()];
   }
 
 

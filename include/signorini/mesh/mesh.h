@@ -158,9 +158,9 @@ namespace Signorini
     const BoundaryIds &
     boundary_ids(const std::string &name) const;
 
-    /// How far facets of "body.boundary" may be from the curved surface that they stand for, about.
-    double
-    sagitta(const std::string &boundary) const;
+    /// The steepest facet of "body.boundary" that stands for a curved surface; height 0: none does.
+    FacetHeight
+    facet_height(const std::string &boundary) const;
 
     const std::vector<std::string> &
     boundaries() const
@@ -228,7 +228,7 @@ namespace Signorini
 
     std::vector<std::string>                               names, boundary_names;
     std::vector<BoundaryIds>                               ids_of_names;
-    std::vector<double>                                    sagittas; ///< of names
+    std::vector<FacetHeight>                               facets; ///< of names
     unsigned int                                           n_ids = 0;
     std::vector<BodyPiece<dim>>                            my_pieces;
     std::vector<dealii::types::coarse_cell_id>             coarse_ids;           ///< of all bodies
