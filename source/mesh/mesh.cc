@@ -300,6 +300,7 @@ namespace Signorini
         for (unsigned int i = 0; i < one.boundaries.size(); ++i)
           {
             boundary_names.push_back(name + "." + one.boundaries[i]);
+            body_of_boundary.push_back(names.size());
             facets.push_back(one.facets.empty() ? FacetHeight() : one.facets[i]);
             facets.back().height *= growth;
             facets.back().length *= growth;
@@ -371,6 +372,18 @@ namespace Signorini
       throw SceneError("there is no boundary '" + name + "'; the boundaries are " +
                        join(boundary_names));
     return ids_of_names[found - boundary_names.begin()];
+  }
+
+
+
+  template <int dim>
+  std::optional<unsigned int>
+  Mesh<dim>::body_of(const std::string &boundary) const
+  {
+    const auto found = std::find(boundary_names.begin(), boundary_names.end(), boundary);
+    if (found == boundary_names.end())
+      return {};
+    return body_of_boundary[found - boundary_names.begin()];
   }
 
 
