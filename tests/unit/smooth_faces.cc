@@ -104,21 +104,22 @@ namespace
   double
   largest(const SmoothFaces<dim> &smooth, const std::function<double(const Point<dim> &)> &distance)
   {
-    double result = 0;
+    double result = 0, back = 0;
     for (const auto &one : smooth.faces)
       {
         const CurvedFace<dim> face(one.edges);
-        for (double x = 0.1; x < 1; x += 0.2)
-          for (double y = 0.1; y < (dim == 2 ? 0.2 : 1.); y += 0.2)
+        for (double x = 0.1; x < 1; x += dim == 2 ? 0.2 : 0.4)
+          for (double y = 0.1; y < (dim == 2 ? 0.2 : 1.); y += 0.4)
             {
               Point<dim - 1> xi;
               xi[dim - 2]  = y;
               xi[0]        = x;
               const auto p = face.push_forward(xi);
               result       = std::max(result, std::abs(distance(p)));
-              CHECK(face.push_forward(face.pull_back(p)).distance(p) < 1e-13);
+              back         = std::max(back, face.push_forward(face.pull_back(p)).distance(p));
             }
       }
+    CHECK(back < 1e-13);
     return result;
   }
 
@@ -193,7 +194,7 @@ TEST_CASE("surfaces through the corners of facets have the order four")
     {
       CAPTURE(triangles);
       double last = 0;
-      for (const unsigned int n : {24, 48, 96})
+      for (const unsigned int n : {triangles ? 14u : 24u, triangles ? 28u : 48u})
         {
           CAPTURE(n);
           Grid<3> grid = sheet(n, on_ellipsoid);
@@ -210,12 +211,13 @@ TEST_CASE("surfaces through the corners of facets have the order four")
             CHECK(error < last / 4);
           else if (last > 0)
             CHECK(error < last / 15);
-          if (n >= 48)
-            CHECK(error < 0.012 * sagitta);
-          last = error;
+          if (last > 0)
+            CHECK(error < (triangles ? 0.04 : 0.002) * sagitta);
+          last                 = error;
+          unsigned int n_moved = 0;
           for (unsigned int v = 0; v < smooth.vertices.size(); ++v)
-            if (!grid.made[v])
-              CHECK(smooth.vertices[v] == grid.vertices[v]);
+            n_moved += !grid.made[v] && smooth.vertices[v] != grid.vertices[v];
+          CHECK(n_moved == 0);
         }
     }
 }
