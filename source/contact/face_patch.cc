@@ -171,6 +171,24 @@ namespace Signorini
     bounds = box_of(nodes, degree);
     if (degree > 1 && largest_deviation(nodes, degree).norm() < 1e-12 * size)
       keep_corners();
+
+    // At ends and middles; polynomials of second derivatives are of degree two, beside which they
+    // do not rise much in between.
+    constexpr double                margin      = 1.25;
+    constexpr std::array<double, 3> places      = {{0., 0.5, 1.}};
+    const bool                      is_parallel = dim == 2 && degree == 1;
+    largest_curvature                           = 0;
+    for (unsigned int n = 0; !is_parallel && n < Utilities::pow(3u, dim - 1); ++n)
+      {
+        Parameter xi;
+        for (unsigned int d = 0, rest = n; d < dim - 1; ++d, rest /= 3)
+          xi[d] = places[rest % 3];
+        double square = 0;
+        for (const auto &row : curvatures(xi))
+          for (const Tensor<1, dim> &one : row)
+            square += one.norm_square();
+        largest_curvature = std::max(largest_curvature, margin * std::sqrt(square));
+      }
   }
 
 
@@ -276,6 +294,15 @@ namespace Signorini
   FacePatch<dim>::diameter() const
   {
     return size;
+  }
+
+
+
+  template <int dim>
+  double
+  FacePatch<dim>::bend() const
+  {
+    return largest_curvature;
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace Signorini
@@ -11,6 +12,16 @@ namespace Signorini
 
   namespace
   {
+    template <int n>
+    Point<n>
+    middle_of_square()
+    {
+      Point<n> middle;
+      for (unsigned int d = 0; d < n; ++d)
+        middle[d] = 0.5;
+      return middle;
+    }
+
     // Parameter number n of a grid with per_line points a line over center +- half_width.
     template <int n_parameters>
     Point<n_parameters>
@@ -64,14 +75,31 @@ namespace Signorini
         xi = better;
     }
 
+    /// The least factor by which the parametrisation stretches at the middle.
+    template <int dim>
+    double
+    least_stretch(const FacePatch<dim> &face)
+    {
+      const auto t = face.tangents(middle_of_square<dim - 1>());
+      if constexpr (dim == 2)
+        return t[0].norm();
+      else
+        {
+          const double a = t[0].norm_square(), b = t[0] * t[1], c = t[1].norm_square();
+          return std::sqrt(std::max(0., (a + c) / 2 - std::hypot((a - c) / 2, b)));
+        }
+    }
+
     // A grid over the face and the squared distance at each of its points. A curved face can have
-    // several local minima; the density is what experiments with very bumpy faces asked for.
+    // several local minima; the density is what experiments with very bumpy faces asked for. Faces
+    // that turn by less than a radian have no bumps: as many points as nodes will do.
     template <int dim>
     class Samples
     {
     public:
       Samples(const Point<dim> &x, const FacePatch<dim> &face)
-        : per_line((dim == 2 ? 4 : 3) * face.get_degree() + 1)
+        : per_line(
+            (face.bend() < least_stretch(face) ? 1 : (dim == 2 ? 4 : 3)) * face.get_degree() + 1)
         , count(dim == 3 ? per_line * per_line : per_line)
       {
         for (unsigned int n = 0; n < count; ++n)
@@ -87,10 +115,7 @@ namespace Signorini
       Point<dim - 1>
       parameter(const unsigned int n) const
       {
-        Point<dim - 1> middle;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          middle[d] = 0.5;
-        return grid_point(n, per_line, middle, 0.5);
+        return grid_point(n, per_line, middle_of_square<dim - 1>(), 0.5);
       }
 
       double
@@ -121,6 +146,18 @@ namespace Signorini
       std::array<double, 169> values;
     };
 
+    /// The Hessian of |x(xi) - x|^2/2, J^T J + (x(xi) - x) . d^2x, is positive definite all over
+    /// the face: there is one minimum, which Newton's method finds from everywhere.
+    template <int dim>
+    bool
+    is_convex(const Point<dim> &x, const FacePatch<dim> &face)
+    {
+      const double farthest = x.distance(face.center()) + face.diameter();
+      // From the middle, tangents change by at most the bend times the half of a diagonal.
+      const double stretch = least_stretch(face) - 0.71 * face.bend();
+      return stretch > 0 && farthest * face.bend() < stretch * stretch;
+    }
+
     template <int dim>
     Projection<dim>
     result_at(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &xi)
@@ -143,6 +180,10 @@ namespace Signorini
   Projection<dim>
   project(const Point<dim> &x, const FacePatch<dim> &face)
   {
+    if (Point<dim - 1> xi = middle_of_square<dim - 1>();
+        is_convex(x, face) && descend_to_minimum(x, face, xi))
+      return result_at(x, face, xi);
+
     const Samples<dim> samples(x, face);
     Point<dim - 1>     best;
     double             best_value = std::numeric_limits<double>::max();

@@ -1,12 +1,12 @@
 #include <signorini/contact/bytes.h>
 #include <signorini/contact/regions.h>
+#include <signorini/mesh/connected.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace Signorini
 {
@@ -15,34 +15,6 @@ namespace Signorini
   namespace
   {
     using Index = types::global_dof_index;
-
-    /// Sets that are united pair by pair.
-    class DisjointSets
-    {
-    public:
-      explicit DisjointSets(const unsigned int n)
-        : parent(n)
-      {
-        std::iota(parent.begin(), parent.end(), 0u);
-      }
-
-      unsigned int
-      find(unsigned int i)
-      {
-        while (parent[i] != i)
-          i = parent[i] = parent[parent[i]];
-        return i;
-      }
-
-      void
-      unite(const unsigned int i, const unsigned int j)
-      {
-        parent[find(i)] = find(j);
-      }
-
-    private:
-      std::vector<unsigned int> parent;
-    };
 
     struct Sum
     {
@@ -121,39 +93,51 @@ namespace Signorini
         ++point;
       }
 
+    share(number);
+
+    Connected sets(n);
+    for (const Numbers &face : faces)
+      {
+        const auto inside = [&](const unsigned int node) { return number[node] > 0; };
+        const auto first  = std::find_if(face.begin(), face.end(), inside);
+        for (auto node = first; node != face.end(); ++node)
+          if (inside(*node))
+            sets.connect(*first, *node);
+      }
+
     // The largest number of a node, in turn of the region on this rank and of all ranks that know
     // the node.
-    for (bool is_first = true;; is_first = false)
+    while (true)
       {
-        DisjointSets sets(n);
-        for (const Numbers &face : faces)
-          {
-            const auto inside = [&](const unsigned int node) { return number[node] > 0; };
-            const auto first  = std::find_if(face.begin(), face.end(), inside);
-            for (auto node = first; node != face.end(); ++node)
-              if (inside(*node))
-                sets.unite(*first, *node);
-          }
         std::vector<Index> largest(n, 0);
         for (unsigned int i = 0; i < n; ++i)
-          largest[sets.find(i)] = std::max(largest[sets.find(i)], number[i]);
-
-        LinearAlgebra::distributed::Vector<double> field(layout);
-        bool                                       has_changed = is_first;
+          largest[sets.first_of(i)] = std::max(largest[sets.first_of(i)], number[i]);
+        bool has_changed = false;
         for (unsigned int i = 0; i < n; ++i)
-          if (number[i] > 0)
+          if (number[i] > 0 && largest[sets.first_of(i)] > number[i])
             {
-              has_changed            = has_changed || largest[sets.find(i)] > number[i];
-              field.local_element(i) = largest[sets.find(i)];
+              number[i]   = largest[sets.first_of(i)];
+              has_changed = true;
             }
         if (Utilities::MPI::max<unsigned int>(has_changed, layout->get_mpi_communicator()) == 0)
           return number;
-        field.compress(VectorOperation::max);
-        field.update_ghost_values();
-        const auto &values = field;
-        for (unsigned int i = 0; i < n; ++i)
-          number[i] = values.local_element(i);
+        share(number);
       }
+  }
+
+
+
+  void
+  ContactRegions::share(std::vector<Index> &number) const
+  {
+    LinearAlgebra::distributed::Vector<double> field(layout);
+    for (unsigned int i = 0; i < number.size(); ++i)
+      field.local_element(i) = number[i];
+    field.compress(VectorOperation::max);
+    field.update_ghost_values();
+    const auto &values = field;
+    for (unsigned int i = 0; i < number.size(); ++i)
+      number[i] = values.local_element(i);
   }
 
 
@@ -165,25 +149,23 @@ namespace Signorini
     const auto               at     = [&](const Numbers &point) {
       return point.empty() ? Index(0) : number[point.front()];
     };
-    std::map<Index, double> own;
+    std::map<Index, double> sum_of;
     auto                    point = points.begin();
     for (const auto i : in.locally_owned_elements())
       {
-        if (in(i) > 0)
-          own[at(*point)] += values(i);
+        // A point of a face without any node of enough area belongs to none.
+        if (in(i) > 0 && at(*point) > 0)
+          sum_of[at(*point)] += values(i);
         ++point;
       }
-    std::vector<std::pair<Index, double>> list(own.begin(), own.end());
-    add_other_ranks(list);
-    own = std::map<Index, double>(list.begin(), list.end());
+    add_other_ranks(sum_of);
 
     LA::Vector result;
     result.reinit(in);
     point = points.begin();
     for (const auto i : in.locally_owned_elements())
       {
-        // A point of a face without any node of enough area belongs to none.
-        if (const auto sum = own.find(at(*point)); in(i) > 0 && sum != own.end())
+        if (const auto sum = sum_of.find(at(*point)); in(i) > 0 && sum != sum_of.end())
           result(i) = sum->second;
         ++point;
       }
@@ -240,20 +222,18 @@ namespace Signorini
 
 
   void
-  ContactRegions::add_other_ranks(std::vector<std::pair<Index, double>> &own) const
+  ContactRegions::add_other_ranks(std::map<Index, double> &sum_of) const
   {
     // The rank of the node whose number a region has, adds them up.
     const MPI_Comm comm = layout->get_mpi_communicator();
     IndexSet       wanted(layout->size());
-    for (const auto &[region, value] : own)
-      if (region > 0)
-        wanted.add_index(region - 1);
+    for (const auto &[region, value] : sum_of)
+      wanted.add_index(region - 1);
     const auto owners =
       Utilities::MPI::compute_index_owner(layout->locally_owned_range(), wanted, comm);
     std::map<unsigned int, std::vector<Sum>> sums;
-    for (const auto &[region, value] : own)
-      if (region > 0)
-        sums[owners[wanted.index_within_set(region - 1)]].push_back({region, value});
+    for (const auto &[region, value] : sum_of)
+      sums[owners[wanted.index_within_set(region - 1)]].push_back({region, value});
     auto                    received = Utilities::MPI::some_to_some(comm, sums);
     std::map<Index, double> totals;
     for (const auto &[rank, list] : received)
@@ -262,10 +242,9 @@ namespace Signorini
     for (auto &[rank, list] : received)
       for (Sum &sum : list)
         sum.value = totals[sum.region];
-    own.clear();
     for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, received))
       for (const Sum &sum : list)
-        own.emplace_back(sum.region, sum.value);
+        sum_of[sum.region] = sum.value;
   }
 
 

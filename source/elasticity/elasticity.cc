@@ -359,7 +359,7 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<Resultant<dim>>
+  Reactions<dim>
   Elasticity<dim>::reactions(const LA::Vector &u, const LA::Vector &contact_force) const
   {
     // Unconstrained residual: internal forces - loads, hanging nodes resolved.
@@ -372,8 +372,10 @@ namespace Signorini
     FullMatrix<double>                   cell_matrix;
     Vector<double>                       cell_force, cell_load, values;
     std::vector<types::global_dof_index> indices;
-    Resultant<dim>                       total_load;
-    CellNodes<dim>                       nodes_of(my_mesh, elements);
+    Reactions<dim>                       result;
+    result.supports.resize(my_supports.size());
+    result.bodies.resize(my_mesh.n_bodies());
+    CellNodes<dim> nodes_of(my_mesh, elements);
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -392,8 +394,9 @@ namespace Signorini
                 continue; // the circumference is in balance
               Tensor<1, dim> force;
               force[component] = loaded ? cell_load[i] : 0.;
-              total_load.force += force;
-              total_load.moment += moment_of(nodes[i], force);
+              const Resultant<dim> at_node{force, moment_of(nodes[i], force)};
+              result.load += at_node;
+              result.bodies[cell->material_id()] += at_node;
             }
           const Material &material = materials[cell->material_id()];
           kernel.assemble(cell, material, cell_matrix);
@@ -408,7 +411,6 @@ namespace Signorini
     residual.compress(VectorOperation::add);
     residual -= contact_force;
 
-    std::vector<Resultant<dim>> result(my_supports.size());
     for (const auto &[index, node] : held)
       if (locally_owned.is_element(index))
         {
@@ -423,19 +425,21 @@ namespace Signorini
                 Tensor<1, dim> share = (force * directions[k]) * directions[k];
                 if (my_model == Model::axisymmetric)
                   share[0] = 0;
-                Resultant<dim> &sum = result[support - my_supports.data()];
-                sum.force += share;
-                sum.moment += moment_of(node.position, share);
+                const Resultant<dim> at_node{share, moment_of(node.position, share)};
+                result.supports[support - my_supports.data()] += at_node;
+                result.bodies[my_mesh.pieces()[node.piece].body] += at_node;
               }
         }
-    result.push_back(total_load);
-    for (Resultant<dim> &resultant : result)
-      {
-        resultant.force  = Utilities::MPI::sum(resultant.force, my_mesh.communicator());
-        resultant.moment = Utilities::MPI::sum(resultant.moment, my_mesh.communicator());
-        if (my_model == Model::axisymmetric)
-          resultant.moment = 0;
-      }
+    const auto over_ranks = [&](Resultant<dim> &resultant) {
+      resultant.force  = Utilities::MPI::sum(resultant.force, my_mesh.communicator());
+      resultant.moment = Utilities::MPI::sum(resultant.moment, my_mesh.communicator());
+      if (my_model == Model::axisymmetric)
+        resultant.moment = 0;
+    };
+    over_ranks(result.load);
+    for (auto *list : {&result.supports, &result.bodies})
+      for (Resultant<dim> &resultant : *list)
+        over_ranks(resultant);
     return result;
   }
 

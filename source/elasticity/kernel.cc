@@ -65,7 +65,17 @@ namespace Signorini
                  update_gradients | update_JxW_values |
                    (model == Model::axisymmetric ? update_values | update_quadrature_points :
                                                    update_default))
-  {}
+  {
+    for (const auto &fe : elements)
+      {
+        dofs_of_nodes.emplace_back(fe.n_dofs_per_cell());
+        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+          {
+            const auto [component, node]                 = fe.system_to_component_index(i);
+            dofs_of_nodes.back()[node * dim + component] = i;
+          }
+      }
+  }
 
 
 
@@ -75,16 +85,16 @@ namespace Signorini
                                  const Material     &material,
                                  FullMatrix<double> &cell_matrix)
   {
-    const FEValues<dim>      &values = reinit(all_values, cell);
-    const FiniteElement<dim> &fe     = cell->get_fe();
-    const double              lambda = in_plane_lambda(model, material), mu = material.mu();
-    const unsigned int        n = fe.base_element(0).n_dofs_per_cell();
-    weights                     = values.get_JxW_values();
+    const FEValues<dim> &values = reinit(all_values, cell);
+    const double         lambda = in_plane_lambda(model, material), mu = material.mu();
+    const auto          &dof = dofs_of_nodes[cell->active_fe_index()];
+    const unsigned int   n   = dof.size() / dim;
+    weights                  = values.get_JxW_values();
     if (model == Model::axisymmetric)
       for (const unsigned int q : values.quadrature_point_indices())
         weights[q] *= measure(model, values.quadrature_point(q));
 
-    cell_matrix.reinit(fe.n_dofs_per_cell(), fe.n_dofs_per_cell());
+    cell_matrix.reinit(dof.size(), dof.size());
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j <= i; ++j)
         {
@@ -104,14 +114,13 @@ namespace Signorini
             for (unsigned int b = 0; b < dim; ++b)
               {
                 const double       k   = lambda * G[a][b] + mu * G[b][a] + (a == b ? mu_trace : 0);
-                const unsigned int row = fe.component_to_system_index(a, i),
-                                   column = fe.component_to_system_index(b, j);
-                cell_matrix(row, column)  = k;
-                cell_matrix(column, row)  = k;
+                const unsigned int row = dof[i * dim + a], column = dof[j * dim + b];
+                cell_matrix(row, column) = k;
+                cell_matrix(column, row) = k;
               }
         }
     if (model == Model::axisymmetric)
-      add_hoop(fe, lambda, mu, cell_matrix);
+      add_hoop(dof, lambda, mu, cell_matrix);
   }
 
 
@@ -121,13 +130,13 @@ namespace Signorini
   // delta_a0 delta_b0.
   template <int dim>
   void
-  StiffnessKernel<dim>::add_hoop(const FiniteElement<dim> &fe,
-                                 const double              lambda,
-                                 const double              mu,
-                                 FullMatrix<double>       &cell_matrix)
+  StiffnessKernel<dim>::add_hoop(const std::vector<unsigned int> &dof,
+                                 const double                     lambda,
+                                 const double                     mu,
+                                 FullMatrix<double>              &cell_matrix)
   {
     const FEValues<dim> &values = all_values.get_present_fe_values();
-    const unsigned int   n      = fe.base_element(0).n_dofs_per_cell();
+    const unsigned int   n      = dof.size() / dim;
     for (const unsigned int q : values.quadrature_point_indices())
       {
         const double r = values.quadrature_point(q)[0];
@@ -135,14 +144,13 @@ namespace Signorini
           for (unsigned int j = 0; j < n; ++j)
             {
               const double h_i = values.shape_value(i, q) / r, h_j = values.shape_value(j, q) / r;
-              const unsigned int row    = fe.component_to_system_index(0, i),
-                                 column = fe.component_to_system_index(0, j);
+              const unsigned int row = dof[i * dim], column = dof[j * dim];
               cell_matrix(row, column) += (lambda + 2 * mu) * h_i * h_j * weights[q];
               for (unsigned int a = 0; a < dim; ++a)
                 {
-                  cell_matrix(fe.component_to_system_index(a, i), column) +=
+                  cell_matrix(dof[i * dim + a], column) +=
                     lambda * values.shape_grad(i, q)[a] * h_j * weights[q];
-                  cell_matrix(row, fe.component_to_system_index(a, j)) +=
+                  cell_matrix(row, dof[j * dim + a]) +=
                     lambda * h_i * values.shape_grad(j, q)[a] * weights[q];
                 }
             }

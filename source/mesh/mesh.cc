@@ -300,7 +300,10 @@ namespace Signorini
         for (unsigned int i = 0; i < one.boundaries.size(); ++i)
           {
             boundary_names.push_back(name + "." + one.boundaries[i]);
-            sagittas.push_back(one.sagittas.empty() ? 0. : growth * one.sagittas[i]);
+            body_of_boundary.push_back(names.size());
+            facets.push_back(one.facets.empty() ? FacetHeight() : one.facets[i]);
+            facets.back().height *= growth;
+            facets.back().length *= growth;
             ids_of_names.emplace_back();
             for (const types::boundary_id id : one.ids_of(i))
               ids_of_names.back().insert(first_id + id);
@@ -374,11 +377,23 @@ namespace Signorini
 
 
   template <int dim>
-  double
-  Mesh<dim>::sagitta(const std::string &boundary) const
+  std::optional<unsigned int>
+  Mesh<dim>::body_of(const std::string &boundary) const
   {
     const auto found = std::find(boundary_names.begin(), boundary_names.end(), boundary);
-    return found == boundary_names.end() ? 0. : sagittas[found - boundary_names.begin()];
+    if (found == boundary_names.end())
+      return {};
+    return body_of_boundary[found - boundary_names.begin()];
+  }
+
+
+
+  template <int dim>
+  FacetHeight
+  Mesh<dim>::facet_height(const std::string &boundary) const
+  {
+    const auto found = std::find(boundary_names.begin(), boundary_names.end(), boundary);
+    return found == boundary_names.end() ? FacetHeight() : facets[found - boundary_names.begin()];
   }
 
 

@@ -41,11 +41,8 @@ namespace Signorini
              const Snapshot<dim>           &now,
              const std::vector<Probe<dim>> &probes)
   {
-    std::vector<bool> rigid;
-    for (const ContactPair<dim> &pair : now.pairs)
-      rigid.push_back(scene.obstacle_of(pair) != nullptr);
     Json one = {{"pairs", pair_results(now)}};
-    one.update(force_results(now, rigid, scene.newton.tolerance));
+    one.update(force_results(now, scene.newton.tolerance));
     one["probes"]                  = probe_results(now, probes);
     const SolutionErrors deviation = errors(now, scene.known);
     if (!scene.known.displacement.empty())

@@ -35,17 +35,55 @@ namespace Signorini
       return list(std::vector<double>(&t[0], &t[0] + dim));
     }
 
+    template <int dim>
+    Json
+    list_of_moment(const Tensor<1, 3> &moment)
+    {
+      return list(std::vector<double>(&moment[0], &moment[0] + (dim == 2 ? 1 : 3)));
+    }
+
+    /// What a pair exerts on what the scene calls its slave.
+    template <int dim>
+    struct PairForce
+    {
+      Resultant<dim> resultant;
+      double         normal_force = 0, sum_of_sizes = 0; ///< of the points
+    };
+
+    /// Collective.
+    template <int dim>
+    PairForce<dim>
+    force_of(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      PairForce<dim> sum;
+      // Around the axis radial forces are in balance, and so are moments.
+      const bool on_circles = s.elasticity.model() == Model::axisymmetric;
+      auto       which      = s.contact.pair.begin();
+      for (const auto i : s.pressure.locally_owned_elements())
+        if (*which++ == pair)
+          {
+            const double force    = s.pressure(i) * s.contact.weight(i);
+            const double on_slave = s.pairs[pair].exchanged ? -force : force;
+            for (unsigned int d = on_circles; d < dim; ++d)
+              sum.resultant.force[d] += on_slave * s.contact.normal[d](i);
+            for (unsigned int d = 0; !on_circles && d < s.contact.moment.size(); ++d)
+              sum.resultant.moment[d] += on_slave * s.contact.moment[d](i);
+            sum.normal_force += force;
+            sum.sum_of_sizes += std::abs(force);
+          }
+      const MPI_Comm comm  = s.elasticity.mesh().communicator();
+      sum.resultant.force  = Utilities::MPI::sum(sum.resultant.force, comm);
+      sum.resultant.moment = Utilities::MPI::sum(sum.resultant.moment, comm);
+      sum.normal_force     = Utilities::MPI::sum(sum.normal_force, comm);
+      sum.sum_of_sizes     = Utilities::MPI::sum(sum.sum_of_sizes, comm);
+      return sum;
+    }
+
     /// Sums over the points of one pair.
     struct PairSums
     {
-      explicit PairSums(const unsigned int dim)
-        : force(dim)
-        , moment(dim == 2 ? 1 : 3)
-      {}
-
-      std::vector<double> force, moment;
-      double              normal_force = 0, sum_of_sizes = 0, active_points = 0, points = 0;
-      ContactPatch        patch;
+      double       active_points = 0, points = 0;
+      ContactPatch patch;
       // Of each, the maximum.
       double pressure = 0, penetration = 0, minus_gap = -std::numeric_limits<double>::max(),
              tension = 0, complementarity = 0;
@@ -53,10 +91,7 @@ namespace Signorini
       void
       over_ranks(const MPI_Comm comm)
       {
-        for (auto *numbers : {&force, &moment})
-          for (double &x : *numbers)
-            x = Utilities::MPI::sum(x, comm);
-        for (double *x : {&normal_force, &sum_of_sizes, &active_points, &points})
+        for (double *x : {&active_points, &points})
           *x = Utilities::MPI::sum(*x, comm);
         for (double *x : {&pressure, &penetration, &minus_gap, &tension, &complementarity})
           *x = Utilities::MPI::max(*x, comm);
@@ -75,22 +110,12 @@ namespace Signorini
     PairSums
     sums_of(const Snapshot<dim> &s, const unsigned int pair)
     {
-      PairSums sums(dim);
+      PairSums sums;
       auto     which = s.contact.pair.begin();
       for (const auto i : s.pressure.locally_owned_elements())
         if (*which++ == pair)
           {
-            const double p = s.pressure(i), g = s.gap(i), force = p * s.contact.weight(i);
-            // On what the scene calls the slave.
-            const double on_slave = s.pairs[pair].exchanged ? -force : force;
-            // Radial forces are in balance around the axis, and so are moments.
-            const bool on_circles = s.elasticity.model() == Model::axisymmetric;
-            for (unsigned int d = on_circles; d < sums.force.size(); ++d)
-              sums.force[d] += on_slave * s.contact.normal[d](i);
-            for (unsigned int d = on_circles; d < sums.moment.size(); ++d)
-              sums.moment[d] += on_slave * s.contact.moment[d](i);
-            sums.normal_force += force;
-            sums.sum_of_sizes += std::abs(force);
+            const double p = s.pressure(i), g = s.gap(i);
             sums.points += 1;
             sums.active_points += s.active(i);
             sums.penetration     = std::max(sums.penetration, violation(s.pairs[pair], g));
@@ -139,12 +164,13 @@ namespace Signorini
     Json result = Json::object();
     for (unsigned int pair = 0; pair < snapshot.pairs.size(); ++pair)
       {
-        const PairSums sums               = sums_of(snapshot, pair);
+        const PairSums       sums         = sums_of(snapshot, pair);
+        const PairForce<dim> force        = force_of(snapshot, pair);
         result[snapshot.pairs[pair].name] = {
           {"slave", snapshot.pairs[pair].named_slave()},
-          {"force", list(sums.force)},
-          {"moment", list(sums.moment)},
-          {"normal_force", sums.normal_force},
+          {"force", list(force.resultant.force)},
+          {"moment", list_of_moment<dim>(force.resultant.moment)},
+          {"normal_force", force.normal_force},
           {"area", sums.patch.area},
           {"semi_axes", list(sums.patch.semi_axes)},
           {"points", sums.points},
@@ -223,50 +249,55 @@ namespace Signorini
 
   template <int dim>
   Json
-  force_results(const Snapshot<dim>     &s,
-                const std::vector<bool> &master_is_rigid,
-                const double             tolerance)
+  force_results(const Snapshot<dim> &s, const double tolerance)
   {
-    const auto reactions =
+    const Mesh<dim>     &mesh = s.elasticity.mesh();
+    const Reactions<dim> reactions =
       s.elasticity.reactions(s.displacement,
                              s.contact.total_force(s.pressure, s.contact.stress(s.displacement)));
-    Json           supports = Json::object();
-    Resultant<dim> sum;
-    double         largest = 0;
+    Json   supports = Json::object();
+    double largest  = reactions.load.force.norm();
     for (unsigned int i = 0; i < s.elasticity.supports().size(); ++i)
-      supports[s.elasticity.supports()[i].name] = {{"reaction", list(reactions[i].force)}};
-    for (const Resultant<dim> &one : reactions)
       {
-        sum.force += one.force;
-        sum.moment += one.moment;
-        largest = std::max(largest, one.force.norm());
+        const Tensor<1, dim> &force               = reactions.supports[i].force;
+        supports[s.elasticity.supports()[i].name] = {{"reaction", list(force)}};
+        largest                                   = std::max(largest, force.norm());
       }
+    std::vector<Resultant<dim>> on_bodies = reactions.bodies;
     for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
       {
-        const PairSums sums = sums_of(s, pair);
-        Tensor<1, dim> force;
-        for (unsigned int d = 0; d < dim; ++d)
-          force[d] = sums.force[d];
-        largest = std::max({largest, force.norm(), sums.sum_of_sizes});
-        if (!master_is_rigid[pair])
-          continue;
-        sum.force += force;
-        for (unsigned int d = 0; d < sums.moment.size(); ++d)
-          sum.moment[d] += sums.moment[d];
+        const ContactPair<dim> &names = s.pairs[pair];
+        const PairForce<dim>    force = force_of(s, pair);
+        largest = std::max({largest, force.resultant.force.norm(), force.sum_of_sizes});
+        on_bodies[*mesh.body_of(names.named_slave())] += force.resultant;
+        if (const auto master = mesh.body_of(names.named_master()))
+          on_bodies[*master] += {-force.resultant.force, -force.resultant.moment};
       }
-    const double lever = s.elasticity.mesh().size();
     // What rounding alone would leave is in balance, whatever its directions are.
     if (largest <= rounding_of_forces(s, tolerance))
       {
-        sum     = Resultant<dim>();
+        on_bodies.assign(mesh.n_bodies(), {});
         largest = 0;
       }
-    return {{"supports", supports},
-            {"obstacles", obstacle_results(s)},
-            {"total_load", list(reactions.back().force)},
-            {"largest_force", largest},
-            {"force_balance", largest > 0 ? sum.force.norm() / largest : 0.},
-            {"moment_balance", largest > 0 ? sum.moment.norm() / (largest * lever) : 0.}};
+    Resultant<dim> sum;
+    Json           bodies  = Json::object();
+    const auto     balance = [&](const Resultant<dim> &one) {
+      const double scale = largest > 0 ? largest : 1.;
+      return Json{{"force_balance", one.force.norm() / scale},
+                  {"moment_balance", one.moment.norm() / (scale * mesh.size())}};
+    };
+    for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+      {
+        bodies[mesh.body_name(body)] = balance(on_bodies[body]);
+        sum += on_bodies[body];
+      }
+    Json results = {{"supports", supports},
+                    {"obstacles", obstacle_results(s)},
+                    {"total_load", list(reactions.load.force)},
+                    {"bodies", bodies},
+                    {"largest_force", largest}};
+    results.update(balance(sum));
+    return results;
   }
 
 
@@ -360,11 +391,11 @@ namespace Signorini
   template Json
   probe_results(const Snapshot<3> &, const std::vector<Probe<3>> &);
   template Json
-  force_results(const Snapshot<2> &, const std::vector<bool> &, double);
+  force_results(const Snapshot<2> &, double);
   template Json
   shares_of_ranks(const Elasticity<2> &, const std::vector<ContactSurface<2>> &);
   template Json
   shares_of_ranks(const Elasticity<3> &, const std::vector<ContactSurface<3>> &);
   template Json
-  force_results(const Snapshot<3> &, const std::vector<bool> &, double);
+  force_results(const Snapshot<3> &, double);
 } // namespace Signorini

@@ -10,7 +10,6 @@
 
 #include <Amesos.h>
 
-
 namespace Signorini
 {
   using namespace dealii;
@@ -211,11 +210,16 @@ namespace Signorini
         // degrees, and SolverMinRes divides by the cosine.
         x = preconditioned;
       }
-    if (const auto iterations = iterate(krylov, tolerance, x, rhs))
-      return *iterations;
-    if (!can_factorise())
-      throw SolverFailure(failure);
-    cannot_iterate          = true;
+    try
+      {
+        return iterate(krylov, tolerance, x, rhs);
+      }
+    catch (const SolverFailure &)
+      {
+        if (!can_factorise())
+          throw;
+      }
+    has_given_up_iterating  = true;
     settings.preconditioner = "direct";
     cycles_before           = preconditioner->multigrid_cycles();
     preconditioner.reset();
@@ -227,7 +231,7 @@ namespace Signorini
 
 
 
-  std::optional<unsigned int>
+  unsigned int
   LinearSolver::iterate(const std::string     &krylov,
                         const double           tolerance,
                         LA::BlockVector       &x,
@@ -251,15 +255,14 @@ namespace Signorini
       }
     catch (const SolverControl::NoConvergence &stop)
       {
-        failure =
+        throw SolverFailure(
           krylov + " with the preconditioner '" + settings.preconditioner + "' stopped after " +
           std::to_string(stop.last_step) + " iterations with residual " +
           short_text(stop.last_residual / rhs.l2_norm()) + " of the start; " +
           (settings.preconditioner == "direct" ?
              "the system is as good as singular: look at supports, and for nodes in two pairs" :
              "choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller "
-             "Factor if the method has one");
-        return {};
+             "Factor if the method has one"));
       }
   }
 } // namespace Signorini

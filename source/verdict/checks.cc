@@ -23,14 +23,20 @@ namespace Signorini
           Bounds{"balance of moments", "moment_balance", 1e-3, 0.1}})
       {
         Finding finding;
-        finding.check   = check;
-        finding.value   = scale > 0 ? results[key].get<double>() * largest / scale : 0.;
+        finding.check = check;
+        for (const auto &[body, of_body] : results["bodies"].items())
+          if (const double value = scale > 0 ? of_body[key].get<double>() * largest / scale : 0.;
+              !(value <= finding.value))
+            {
+              finding.value = value;
+              finding.where = "body " + body;
+            }
         finding.limit   = warned;
         finding.outcome = finding.value <= warned ? Outcome::passed :
                           finding.value <= failed ? Outcome::warned :
                                                     Outcome::failed;
         finding.what =
-          "what acts on the bodies is not in balance, by that share of the largest force";
+          "what acts on the body is not in balance, by that share of the largest force";
         finding.cure =
           "take a smaller Newton/Tolerance or Solver/Preconditioner = direct; of moments: a finer mesh";
         findings.push_back(finding);

@@ -26,7 +26,7 @@ namespace Signorini
       // Of active points:
       double largest_rest_gap = -std::numeric_limits<double>::max(),
              least_rest_gap   = -largest_rest_gap;
-      double pressure = 0, stiffness = 0, epsilon = 0; ///< the largest ones
+      double pressure = 0, modulus = 0, epsilon = 0; ///< the largest ones; stiffness times depth
     };
 
     template <int dim>
@@ -47,7 +47,6 @@ namespace Signorini
             zone.least_rest_gap   = std::min(zone.least_rest_gap, s.contact.rest_gap(i));
             zone.largest_rest_gap = std::max(zone.largest_rest_gap, s.contact.rest_gap(i));
             zone.pressure         = std::max(zone.pressure, s.pressure(i));
-            zone.stiffness        = std::max(zone.stiffness, s.contact.stiffness(i));
             zone.epsilon          = std::max(zone.epsilon, s.contact.epsilon(i));
           }
       const PointValues values = point_values(s, pair);
@@ -62,9 +61,11 @@ namespace Signorini
           Face &face = faces[s.surfaces[pair].points[q].face];
           face.area += s.surfaces[pair].points[q].weight;
           face.touched |= values.pressure[q] > 0;
-          if (values.pressure[q] > 0)
-            zone.smallest_facing =
-              std::min(zone.smallest_facing, s.surfaces[pair].points[q].facing);
+          if (!(values.pressure[q] > 0))
+            continue;
+          const ContactPoint<dim> &point = s.surfaces[pair].points[q];
+          zone.smallest_facing           = std::min(zone.smallest_facing, point.facing);
+          zone.modulus                   = std::max(zone.modulus, point.stiffness * point.depth);
         }
       for (const auto &[number, face] : faces)
         if (face.touched)
@@ -83,7 +84,7 @@ namespace Signorini
         zone.penetration /= zone.active;
       for (double *least : {&zone.smallest_rest_gap, &zone.smallest_facing, &zone.least_rest_gap})
         *least = Utilities::MPI::min(*least, comm);
-      for (double *most : {&zone.largest_rest_gap, &zone.pressure, &zone.stiffness, &zone.epsilon})
+      for (double *most : {&zone.largest_rest_gap, &zone.pressure, &zone.modulus, &zone.epsilon})
         *most = Utilities::MPI::max(*most, comm);
       return zone;
     }
@@ -156,22 +157,25 @@ namespace Signorini
         "begin with bodies that nearly touch, or take smaller loads");
     }
 
-    /// A pressure that would push the slave by the height of a facet, beside the largest one.
+    /// The pressure under waves as high and long as facets, beside the largest one.
     template <int dim>
     Finding
     smooth(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
     {
-      const double sagitta = std::max(s.elasticity.mesh().sagitta(s.pairs[pair].slave),
-                                      s.elasticity.mesh().sagitta(s.pairs[pair].master));
+      const FacetHeight slave  = s.elasticity.mesh().facet_height(s.pairs[pair].slave),
+                        master = s.elasticity.mesh().facet_height(s.pairs[pair].master);
+      FacetHeight  steeper     = slave.slope() > master.slope() ? slave : master;
+      const double height      = steeper.height;
       // Facets that match have no gaps between them.
-      const double noise =
-        std::min(sagitta, std::max(0., zone.largest_rest_gap - zone.least_rest_gap));
+      if (std::min(slave.height, master.height) > 0)
+        steeper.height =
+          std::min(height, std::max(0., zone.largest_rest_gap - zone.least_rest_gap));
       return finding_of("facets",
                         s.pairs[pair].name,
-                        zone.pressure > 0 ? noise * zone.stiffness / zone.pressure : 0.,
+                        zone.pressure > 0 ? steeper.slope() * zone.modulus / zone.pressure : 0.,
                         0.1,
                         "flat facets stand for a curved surface: their heights of up to " +
-                          short_text(sagitta, 2) + " disturb the pressure by about that share",
+                          short_text(height, 2) + " disturb the pressure by about that share",
                         "make the facets smaller, name the surface in Curved boundaries, or take "
                         "elements of second order with curved sides");
     }

@@ -20,10 +20,12 @@ def balanced(scene, sets, most_moment):
     """Forces relative to the largest; moments relative to that force times the size of the scene."""
     def body(test):
         for step in test.results(scene, sets + ["Newton/Tolerance=1e-12"], 2)["load_steps"]:
-            forces, moments = step["force_balance"], step["moment_balance"]
-            test.print(f"t = {step['time']:<8g} forces {forces:8.1e}, moments {moments:8.1e}")
-            test.check(forces <= 1e-9, f"forces do not balance: {forces:.1e}")
-            test.check(moments <= most_moment, f"moments do not balance: {moments:.1e}, allowed {most_moment:g}")
+            for name, one in {"all": step, **step["bodies"]}.items():
+                forces, moments = one["force_balance"], one["moment_balance"]
+                test.print(f"t = {step['time']:<8g} {name}: forces {forces:8.1e}, moments {moments:8.1e}")
+                test.check(forces <= 1e-9, f"forces on {name} do not balance: {forces:.1e}")
+                test.check(moments <= most_moment,
+                           f"moments on {name} do not balance: {moments:.1e}, allowed {most_moment:g}")
     return body
 
 

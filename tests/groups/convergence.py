@@ -89,6 +89,9 @@ def closed_forms():
     yield from table("two-curved-force", "two-curved", 4, "pairs/faces/force/1", 129700, 1.8, 1e-3, sets=degree_1)
     yield from table("two-curved-pressure", "two-curved", 4, "pairs/faces/max_pressure", 19441, 1.8, 1.5e-3, sets=degree_1)
     yield from table("two-curved-degree-2", "two-curved", 2, "pairs/faces/force/1", 129700, 2.5, 2e-4)
+    coarse = ["Definitions/n=8", "Definitions/m=7"]
+    yield from table("two-curved-3d-force", "two-curved-3d", 3, "pairs/faces/force/2", 1.89397e6, 1.7, 3e-3, sets=coarse)
+    yield from table("two-curved-3d-pressure", "two-curved-3d", 3, "pairs/faces/max_pressure", 31660, 1.8, 1e-3, sets=coarse)
     # Between nodes: a fifth of a face.
     yield from table("layer-length", "layer", 3, "pairs/contact/area", 10.07782, -1, 2e-3, since=0)
     # A penalty stiff enough not to hide it behind its own penetration, which is of order one.

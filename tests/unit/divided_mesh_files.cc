@@ -812,10 +812,11 @@ TEST_CASE("divided: coinciding nodes are merged before")
 
 TEST_CASE("divided: Mid-side nodes = no gives cells between the corners")
 {
-  const Map  map  = bent_map(2);
-  const auto mesh = mesh_of<2>(Writer(plane(5), 2, map).inp(), ".inp", {{"Mid-side nodes", "no"}});
+  const Map  map = bent_map(2);
+  const Keys straight{{"Mid-side nodes", "no"}, {"Curved boundaries", "none"}};
+  const auto mesh = mesh_of<2>(Writer(plane(5), 2, map).inp(), ".inp", straight);
   CHECK(mesh.manifolds.empty());
-  const auto       corners = mesh_of<2>(Writer(plane(5), 1, map).inp(), ".inp");
+  const auto       corners = mesh_of<2>(Writer(plane(5), 1, map).inp(), ".inp", straight);
   Triangulation<2> one, other;
   create(one, mesh);
   create(other, corners);

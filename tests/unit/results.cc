@@ -118,6 +118,7 @@ namespace
   const std::map<std::string, std::string> stands_for = {{"load_steps/N/pairs", "PAIR"},
                                                          {"load_steps/N/supports", "SUPPORT"},
                                                          {"load_steps/N/obstacles", "OBSTACLE"},
+                                                         {"load_steps/N/bodies", "BODY"},
                                                          {"load_steps/N/probes", "PROBE"},
                                                          {"preflight/bodies", "BODY"},
                                                          {"preflight/bodies/BODY/boundaries",

@@ -30,7 +30,8 @@ namespace
           faces.emplace_back();
           faces.back().vertices = {first, first + 1, first + m + 1, first + m + 2};
         }
-    return find_round_faces(faces, vertices, std::vector<bool>(vertices.size(), false));
+    const std::vector<bool> made(vertices.size(), false);
+    return find_round_faces(FacetGraph<3>(faces, vertices, made));
   }
 
   Facets<2>
@@ -42,7 +43,8 @@ namespace
         faces.emplace_back();
         faces.back().vertices = {i, i + 1};
       }
-    return find_round_faces(faces, vertices, std::vector<bool>(vertices.size(), false));
+    const std::vector<bool> made(vertices.size(), false);
+    return find_round_faces(FacetGraph<2>(faces, vertices, made));
   }
 
   Point<2>

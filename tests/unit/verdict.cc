@@ -74,8 +74,12 @@ TEST_CASE("balances: passed, warned, failed")
 {
   const auto outcomes = [](const double forces, const double moments) {
     const auto findings =
-      check_balance({{"largest_force", 2.}, {"force_balance", forces}, {"moment_balance", moments}},
+      check_balance({{"largest_force", 2.},
+                     {"bodies",
+                      {{"good", {{"force_balance", 0.}, {"moment_balance", 0.}}},
+                       {"bad", {{"force_balance", forces}, {"moment_balance", moments}}}}}},
                     4.);
+    CHECK(findings.at(0).where == "body bad");
     return std::pair(findings.at(0).outcome, findings.at(1).outcome);
   };
   CHECK(outcomes(1.9e-5, 1.9e-3) == std::pair(Outcome::passed, Outcome::passed));

@@ -69,6 +69,10 @@ namespace Signorini
     double
     diameter() const;
 
+    /// About the largest norm of second derivatives, a bit more rather than less.
+    double
+    bend() const;
+
     /// Average of the nodes: an identity of the face that does not depend on ranks or numbering.
     dealii::Point<dim>
     center() const;
@@ -79,11 +83,11 @@ namespace Signorini
     {
       ar &degree;
       serialize_bytes(ar, nodes);
-      ar &outward &bounds &size;
+      ar &outward &bounds &size &largest_curvature;
     }
 
   private:
-    /// Sets size and bounds from the nodes.
+    /// Sets size, bounds and bend from the nodes.
     void
     measure();
     void
@@ -93,6 +97,6 @@ namespace Signorini
     std::vector<dealii::Point<dim>> nodes;
     double                          outward = 1;
     dealii::BoundingBox<dim>        bounds;
-    double                          size = 0;
+    double                          size = 0, largest_curvature = 0;
   };
 } // namespace Signorini

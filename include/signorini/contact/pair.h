@@ -30,11 +30,16 @@ namespace Signorini
     void
     exchange();
 
-    /// As the scene names it.
+    /// As the scene names them.
     const std::string &
     named_slave() const
     {
       return exchanged ? master : slave;
+    }
+    const std::string &
+    named_master() const
+    {
+      return exchanged ? slave : master;
     }
   };
 } // namespace Signorini

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/partitioner.h>
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -56,9 +57,13 @@ namespace Signorini
     std::vector<Index>
     regions(const LA::Vector &in) const;
 
-    /// @param own sums over the points of this rank, by numbers of regions; out: over all
+    /// The largest of the numbers that ranks have of a node. Collective.
     void
-    add_other_ranks(std::vector<std::pair<Index, double>> &own) const;
+    share(std::vector<Index> &number) const;
+
+    /// @param sum_of points of this rank, by numbers of regions; out: of all ranks
+    void
+    add_other_ranks(std::map<Index, double> &sum_of) const;
 
     bool                                                       at_nodes = false;
     std::vector<Numbers>                                       faces;  ///< nodes of slave faces

@@ -21,6 +21,23 @@ namespace Signorini
   {
     dealii::Tensor<1, dim> force;
     dealii::Tensor<1, 3>   moment; ///< about the origin; 2D: the first component alone
+
+    Resultant &
+    operator+=(const Resultant &other)
+    {
+      force += other.force;
+      moment += other.moment;
+      return *this;
+    }
+  };
+
+  /// What supports and loads exert.
+  template <int dim>
+  struct Reactions
+  {
+    std::vector<Resultant<dim>> supports; ///< each on all bodies
+    Resultant<dim>              load;     ///< on all bodies
+    std::vector<Resultant<dim>> bodies;   ///< all supports and loads on each body
   };
 
   /// x cross f; in 2D its only component comes first.
@@ -105,9 +122,8 @@ namespace Signorini
 
     /// What the supports exert: internal forces minus loads minus contact forces at the
     /// degrees of freedom of each support. @param contact_force forces of contact on all degrees of
-    /// freedom (hanging nodes resolved). Returns one resultant a support, and last that of the
-    /// loads.
-    std::vector<Resultant<dim>>
+    /// freedom (hanging nodes resolved).
+    Reactions<dim>
     reactions(const LA::Vector &u, const LA::Vector &contact_force) const;
 
     /// Rigid-body modes (dim translations, then rotations about the center, scaled to size one) on

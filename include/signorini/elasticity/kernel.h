@@ -33,16 +33,19 @@ namespace Signorini
   private:
     /// Axisymmetric: what the hoop strain u_r/r adds.
     void
-    add_hoop(const dealii::FiniteElement<dim> &fe,
-             double                            lambda,
-             double                            mu,
-             dealii::FullMatrix<double>       &cell_matrix);
+    add_hoop(const std::vector<unsigned int> &dof,
+             double                           lambda,
+             double                           mu,
+             dealii::FullMatrix<double>      &cell_matrix);
 
     const Model model;
     // The gradients of the scalar element serve all components; the values refer to it.
     const dealii::hp::FECollection<dim> scalar_elements;
     dealii::hp::FEValues<dim>           all_values;
     std::vector<double>                 weights; ///< of the quadrature points
+    /// Of each element, which finds them by searching only: that of component d of node i is at
+    /// dim i + d.
+    std::vector<std::vector<unsigned int>> dofs_of_nodes;
   };
 
   /// Load vector of one cell: body forces, tractions and pressures, thesis (39), and forces at

@@ -27,6 +27,19 @@ namespace Signorini
   template <int dim>
   using NodeSet = std::vector<std::vector<NodePlace<dim>>>;
 
+  /// A facet of a coarse mesh that stands for a curved surface.
+  struct FacetHeight
+  {
+    double height = 0; ///< how far it is from the surface, about
+    double length = 1; ///< of the facet
+
+    double
+    slope() const
+    {
+      return height / length;
+    }
+  };
+
   /// The coarse mesh of one body, before the bodies are put into one forest.
   template <int dim>
   struct CoarseMesh
@@ -42,9 +55,8 @@ namespace Signorini
     /// The names of each boundary id, as indices into `boundaries`. Empty: id i has the name i.
     std::vector<std::vector<unsigned int>> names_of_ids;
 
-    /// Of facets that may stand for a curved surface, by names: how far they are from it, about, at
-    /// most. Empty: none are.
-    std::vector<double> sagittas;
+    /// The steepest facets that may stand for a curved surface, by names. Empty: none are.
+    std::vector<FacetHeight> facets;
 
     /// Number of boundary ids, which count from 0.
     unsigned int

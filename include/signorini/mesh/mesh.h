@@ -8,6 +8,7 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/hp/mapping_collection.h>
 
+#include <optional>
 #include <set>
 
 namespace Signorini
@@ -154,13 +155,17 @@ namespace Signorini
       return names[body];
     }
 
+    /// That of "body.boundary"; none if there is no such boundary.
+    std::optional<unsigned int>
+    body_of(const std::string &boundary) const;
+
     /// Boundary ids of "body.boundary". Throws SceneError naming the boundaries there are.
     const BoundaryIds &
     boundary_ids(const std::string &name) const;
 
-    /// How far facets of "body.boundary" may be from the curved surface that they stand for, about.
-    double
-    sagitta(const std::string &boundary) const;
+    /// The steepest facet of "body.boundary" that stands for a curved surface; height 0: none does.
+    FacetHeight
+    facet_height(const std::string &boundary) const;
 
     const std::vector<std::string> &
     boundaries() const
@@ -228,7 +233,8 @@ namespace Signorini
 
     std::vector<std::string>                               names, boundary_names;
     std::vector<BoundaryIds>                               ids_of_names;
-    std::vector<double>                                    sagittas; ///< of names
+    std::vector<FacetHeight>                               facets;           ///< of boundaries
+    std::vector<unsigned int>                              body_of_boundary; ///< of names
     unsigned int                                           n_ids = 0;
     std::vector<BodyPiece<dim>>                            my_pieces;
     std::vector<dealii::types::coarse_cell_id>             coarse_ids;           ///< of all bodies

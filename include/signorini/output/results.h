@@ -19,12 +19,11 @@ namespace Signorini
   pair_results(const Snapshot<dim> &snapshot);
 
   /// Per support the force that it exerts, the total load, the largest of all forces on the
-  /// bodies (of pairs: the sum of their sizes), and the balance: their sum divided by that.
+  /// bodies (of pairs: the sum of their sizes), and the balance of each body and of all: the sum of
+  /// what acts divided by that, of moments by that and the size of the scene.
   template <int dim>
   Json
-  force_results(const Snapshot<dim>     &snapshot,
-                const std::vector<bool> &master_is_rigid,
-                double                   tolerance);
+  force_results(const Snapshot<dim> &snapshot, double tolerance);
 
   /// Displacement, stress in space by names ("xx", ...), principal stresses (the largest first) and
   /// von Mises stress at each probe.

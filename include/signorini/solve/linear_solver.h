@@ -4,7 +4,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include <optional>
 #include <stdexcept>
 
 namespace Signorini
@@ -69,12 +68,12 @@ namespace Signorini
     bool
     has_given_up() const
     {
-      return cannot_iterate;
+      return has_given_up_iterating;
     }
 
   private:
-    /// Returns the number of iterations, or none.
-    std::optional<unsigned int>
+    /// Returns the number of iterations; throws SolverFailure.
+    unsigned int
     iterate(const std::string     &krylov,
             double                 tolerance,
             LA::BlockVector       &x,
@@ -91,8 +90,7 @@ namespace Signorini
     dealii::TimerOutput            &timer;
     std::unique_ptr<Hierarchy>      hierarchy;
     std::unique_ptr<Preconditioner> preconditioner;
-    bool                            cannot_iterate = false;
-    unsigned int                    cycles_before  = 0; ///< it did
-    std::string                     failure;            ///< of the last iteration
+    bool                            has_given_up_iterating = false;
+    unsigned int                    cycles_before          = 0; ///< giving up
   };
 } // namespace Signorini

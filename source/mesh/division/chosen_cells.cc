@@ -1,8 +1,7 @@
+#include <signorini/mesh/connected.h>
 #include <signorini/mesh/division/cell_shape.h>
 #include <signorini/mesh/division/centers.h>
 #include <signorini/mesh/division/chosen_cells.h>
-
-#include <numeric>
 
 namespace Signorini
 {
@@ -10,36 +9,6 @@ namespace Signorini
   {
     using Shape = MeshFile::Shape;
     using Nodes = MeshFile::Nodes;
-
-    /// Sets that are united: each element has a way to the first one of its set.
-    class Sets
-    {
-    public:
-      explicit Sets(const unsigned int n)
-        : next(n)
-      {
-        std::iota(next.begin(), next.end(), 0);
-      }
-
-      unsigned int
-      first(unsigned int i)
-      {
-        for (; next[i] != i; i = next[i])
-          next[i] = next[next[i]];
-        return i;
-      }
-
-      void
-      unite(const unsigned int i, const unsigned int j)
-      {
-        next[first(i)] = first(j);
-      }
-
-    private:
-      std::vector<unsigned int> next;
-    };
-
-
 
     Nodes
     nodes_at(const MeshFile::Element &element, const Nodes &places)
@@ -61,20 +30,21 @@ namespace Signorini
               const Links                     &links,
               const Wanted                    &wanted)
     {
-      Sets                                                          sets(cells.size());
+      Connected                                                     sets(cells.size());
       std::unordered_map<Centers::Key, unsigned int, Centers::Hash> cell_at;
       for (unsigned int c = 0; c < cells.size(); ++c)
         {
           const MeshFile::Element &element = file.elements[cells[c]];
           for (const Nodes &link : links(CellShape::of(element.shape)))
-            sets.unite(c, cell_at.insert({Centers::key(nodes_at(element, link)), c}).first->second);
+            sets.connect(c,
+                         cell_at.insert({Centers::key(nodes_at(element, link)), c}).first->second);
         }
       std::vector<bool> is_wanted(cells.size()), result(file.elements.size());
       for (unsigned int c = 0; c < cells.size(); ++c)
         if (wanted(file.elements[cells[c]].shape))
-          is_wanted[sets.first(c)] = true;
+          is_wanted[sets.first_of(c)] = true;
       for (unsigned int c = 0; c < cells.size(); ++c)
-        result[cells[c]] = is_wanted[sets.first(c)];
+        result[cells[c]] = is_wanted[sets.first_of(c)];
       return result;
     }
 

@@ -204,15 +204,15 @@ namespace Signorini
                 non_negative);
     section.add("Mid-side nodes",
                 mid_side_nodes,
-                "yes: cells of second order are as curved as their nodes say; no: straight "
-                "between the corners");
+                "yes: cells of second order are as curved as their nodes say; no: they are "
+                "taken for cells of first order");
     section.add(
       "Curved boundaries",
       curved_text,
       dim == 2 ?
-        "automatic: facets with their corners on circles are taken for these; none: facets stay facets; or "
+        "automatic: facets with their corners on circles, or on any smooth curve, are taken for these; none: facets stay facets; or "
         "boundaries on circles, separated by ;   NAME circle cx cy" :
-        "automatic: facets with their corners on spheres, cylinders, cones are taken for these; none: facets stay "
+        "automatic: facets with their corners on spheres, cylinders, cones, or on any smooth surface, are taken for these; none: facets stay "
         "facets; or boundaries on spheres (center) or cylinders (point and direction of the axis), "
         "separated by ;   NAME sphere cx cy cz   NAME cylinder px py pz ax ay az");
     section.add("Temperature field",
@@ -312,7 +312,7 @@ namespace Signorini
         check_not_folded(triangulation, part);
         mesh =
           CoarseMesh<dim>::from_triangulation(triangulation, part.boundaries, part.names_of_ids);
-        mesh.sagittas = rounding.sagittas;
+        mesh.facets = rounding.facets;
       }
     catch (const SceneError &error)
       {

@@ -1,9 +1,6 @@
-#include <signorini/mesh/generators/facets.h>
 #include <signorini/mesh/generators/round_faces.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
 
 namespace Signorini
@@ -12,48 +9,20 @@ namespace Signorini
 
   namespace
   {
-    constexpr double       largest_angle = 35; // [degrees] between facets: 12 on a circle and more
     constexpr double       largest_share = 0.01; // of the sagitta, that corners may be off
     constexpr unsigned int max_seeds     = 200;  // in vain, before a mesh is taken for what it is
-
-    template <int dim>
-    Tensor<1, dim>
-    normal_of(const std::vector<unsigned int> &v, const std::vector<Point<dim>> &vertices)
-    {
-      Tensor<1, dim> n;
-      if constexpr (dim == 2)
-        n = cross_product_2d(vertices[v[1]] - vertices[v[0]]);
-      else
-        n = cross_product_3d(vertices[v[3]] - vertices[v[0]], vertices[v[2]] - vertices[v[1]]);
-      return n / n.norm();
-    }
 
     template <int dim>
     class Finder
     {
     public:
-      Finder(const std::vector<CellData<dim - 1>> &faces,
-             const std::vector<Point<dim>>        &vertices,
-             const std::vector<bool>              &made)
-        : faces(faces)
-        , vertices(vertices)
-        , made(made)
-        , neighbours(faces.size())
+      explicit Finder(const FacetGraph<dim> &graph)
+        : graph(graph)
+        , faces(graph.faces)
+        , vertices(graph.vertices)
+        , made(graph.made)
         , used(faces.size(), false)
-      {
-        for (const auto &face : faces)
-          {
-            normals.push_back(normal_of<dim>(face.vertices, vertices));
-            centers.push_back(center_of(face.vertices, vertices));
-          }
-        std::map<std::vector<unsigned int>, std::vector<unsigned int>> at_rim;
-        for (unsigned int f = 0; f < faces.size(); ++f)
-          for (const auto &rim : rims_of<dim>(faces[f].vertices))
-            at_rim[rim].push_back(f);
-        for (const auto &[rim, members] : at_rim)
-          if (members.size() == 2)
-            join(rim, members[0], members[1]);
-      }
+      {}
 
       Facets<dim>
       find()
@@ -61,49 +30,19 @@ namespace Signorini
         Facets<dim>  result;
         unsigned int in_vain = 0;
         for (unsigned int seed = 0; seed < faces.size() && in_vain < max_seeds; ++seed)
-          if (!used[seed] && !neighbours[seed].empty())
+          if (!used[seed] && !graph.neighbours(seed).empty())
             {
               if (auto found = grown_from(seed))
                 result.round.push_back(std::move(*found));
-              else if (sagitta({seed}) > 0)
+              else if (graph.sagitta({seed}) > 0)
                 ++in_vain;
             }
         for (unsigned int f = 0; f < faces.size(); ++f)
-          result.sagitta.push_back(used[f] ? 0. : sagitta({f}));
+          result.sagitta.push_back(used[f] ? 0. : graph.sagitta({f}));
         return result;
       }
 
     private:
-      struct Neighbour
-      {
-        unsigned int face;
-        double       sagitta; ///< of a chord between the middles of both
-      };
-
-      void
-      join(const std::vector<unsigned int> &rim, const unsigned int a, const unsigned int b)
-      {
-        // Faces that go on straight lie opposite to each other.
-        const double cosine =
-          -(inward(rim, faces[a].vertices, vertices) * inward(rim, faces[b].vertices, vertices));
-        if (cosine < std::cos(largest_angle * numbers::PI / 180))
-          return;
-        const double angle   = std::acos(std::min(1., cosine));
-        const double sagitta = angle > 1e-5 ? centers[a].distance(centers[b]) * angle / 8 : 0.;
-        neighbours[a].push_back({b, sagitta});
-        neighbours[b].push_back({a, sagitta});
-      }
-
-      double
-      sagitta(const std::vector<unsigned int> &some) const
-      {
-        double largest = 0;
-        for (const unsigned int f : some)
-          for (const Neighbour &n : neighbours[f])
-            largest = std::max(largest, n.sagitta);
-        return largest;
-      }
-
       std::vector<unsigned int>
       corners_of(const std::vector<unsigned int> &some) const
       {
@@ -123,7 +62,7 @@ namespace Signorini
         std::vector<unsigned int> some{first};
         std::set<unsigned int>    known{first};
         for (unsigned int i = 0; i < some.size() && corners_of(some).size() < enough; ++i)
-          for (const Neighbour &n : neighbours[some[i]])
+          for (const auto &n : graph.neighbours(some[i]))
             if (!used[n.face] && known.insert(n.face).second)
               some.push_back(n.face);
         return some;
@@ -139,8 +78,10 @@ namespace Signorini
         for (const unsigned int v : corners_of(some))
           points.push_back(vertices[v]);
         for (std::size_t i = 0; i < n; ++i)
-          normals_there.push_back(normals[some[i]] * normals[some[0]] < 0 ? -normals[some[i]] :
-                                                                            normals[some[i]]);
+          {
+            const Tensor<1, dim> &normal = graph.normal(some[i]);
+            normals_there.push_back(normal * graph.normal(some[0]) < 0 ? -normal : normal);
+          }
         return fit_surface(points, normals_there, tolerance);
       }
 
@@ -158,7 +99,7 @@ namespace Signorini
       {
         constexpr unsigned int    least     = dim == 2 ? 5 : 9;
         std::vector<unsigned int> some      = seed_around(seed);
-        const double              tolerance = largest_share * sagitta(some);
+        const double              tolerance = largest_share * graph.sagitta(some);
         if (tolerance == 0 || corners_of(some).size() < (dim == 2 ? 4 : 9))
           return {};
         const std::size_t n_seed  = some.size();
@@ -169,7 +110,7 @@ namespace Signorini
         std::size_t            fitted = n_seed;
         for (unsigned int i = 0; i < some.size(); ++i)
           {
-            for (const Neighbour &n : neighbours[some[i]])
+            for (const auto &n : graph.neighbours(some[i]))
               if (!used[n.face] && known.count(n.face) == 0 && lies_on(n.face, *surface, tolerance))
                 {
                   known.insert(n.face);
@@ -190,15 +131,13 @@ namespace Signorini
           return {};
         for (const unsigned int f : some)
           used[f] = true;
-        return RoundFaces<dim>{*surface, some, sagitta(some)};
+        return RoundFaces<dim>{*surface, some, graph.sagitta(some)};
       }
 
+      const FacetGraph<dim>                &graph;
       const std::vector<CellData<dim - 1>> &faces;
       const std::vector<Point<dim>>        &vertices;
       const std::vector<bool>              &made;
-      std::vector<Tensor<1, dim>>           normals;
-      std::vector<Point<dim>>               centers;
-      std::vector<std::vector<Neighbour>>   neighbours; ///< across smooth rims
       std::vector<bool>                     used;
     };
   } // namespace
@@ -207,21 +146,15 @@ namespace Signorini
 
   template <int dim>
   Facets<dim>
-  find_round_faces(const std::vector<CellData<dim - 1>> &faces,
-                   const std::vector<Point<dim>>        &vertices,
-                   const std::vector<bool>              &made)
+  find_round_faces(const FacetGraph<dim> &graph)
   {
-    return Finder<dim>(faces, vertices, made).find();
+    return Finder<dim>(graph).find();
   }
 
 
 
   template Facets<2>
-  find_round_faces(const std::vector<CellData<1>> &,
-                   const std::vector<Point<2>> &,
-                   const std::vector<bool> &);
+  find_round_faces(const FacetGraph<2> &);
   template Facets<3>
-  find_round_faces(const std::vector<CellData<2>> &,
-                   const std::vector<Point<3>> &,
-                   const std::vector<bool> &);
+  find_round_faces(const FacetGraph<3> &);
 } // namespace Signorini

@@ -1,10 +1,10 @@
+#include <signorini/mesh/connected.h>
 #include <signorini/mesh/generators/facets.h>
 #include <signorini/mesh/generators/smooth_patches.h>
 
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace Signorini
 {
@@ -12,38 +12,8 @@ namespace Signorini
 
   namespace
   {
-    /// Sets that grow together.
-    class Union
-    {
-    public:
-      explicit Union(const unsigned int n)
-        : parent(n)
-      {
-        std::iota(parent.begin(), parent.end(), 0);
-      }
-
-      unsigned int
-      root(unsigned int i)
-      {
-        while (parent[i] != i)
-          i = parent[i] = parent[parent[i]];
-        return i;
-      }
-
-      void
-      join(const unsigned int i, const unsigned int j)
-      {
-        parent[root(j)] = root(i);
-      }
-
-    private:
-      std::vector<unsigned int> parent;
-    };
-
-
-
     template <int dim>
-    Union
+    Connected
     connected(const std::vector<CellData<dim - 1>> &faces,
               const std::vector<Point<dim>>        &vertices,
               const double                          angle)
@@ -55,13 +25,13 @@ namespace Signorini
 
       // Faces that go on straight lie opposite to each other.
       const double limit = std::cos(angle * numbers::PI / 180);
-      Union        sets(faces.size());
+      Connected    sets(faces.size());
       for (const auto &[rim, members] : at_rim)
         for (unsigned int i = 0; i < members.size(); ++i)
           for (unsigned int j = 0; j < i; ++j)
             if (-(inward(rim, faces[members[i]].vertices, vertices) *
                   inward(rim, faces[members[j]].vertices, vertices)) >= limit)
-              sets.join(members[i], members[j]);
+              sets.connect(members[i], members[j]);
       return sets;
     }
 
@@ -148,14 +118,14 @@ namespace Signorini
                  const std::vector<Point<dim>>        &vertices,
                  const double                          angle)
   {
-    Union                                    sets = connected(faces, vertices, angle);
-    std::map<unsigned int, SmoothPatch<dim>> by_root;
+    Connected                                sets = connected(faces, vertices, angle);
+    std::map<unsigned int, SmoothPatch<dim>> by_first;
     for (unsigned int f = 0; f < faces.size(); ++f)
-      by_root[sets.root(f)].faces.push_back(f);
+      by_first[sets.first_of(f)].faces.push_back(f);
 
     const double step = 1e-6 * size_of<dim>(faces, vertices);
     std::multimap<std::array<long, dim + 1>, SmoothPatch<dim>> by_place;
-    for (auto &[root, patch] : by_root)
+    for (auto &[first, patch] : by_first)
       {
         const auto at = place(patch, faces, vertices, step);
         by_place.insert({at, patch});

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <signorini/mesh/generators/facet_graph.h>
 #include <signorini/mesh/generators/fitted_surface.h>
-
-#include <deal.II/grid/tria_description.h>
 
 namespace Signorini
 {
@@ -29,11 +28,7 @@ namespace Signorini
   /// angles, with all corners on the surface. Such surfaces may go on smoothly as others, as
   /// fillets do. Found from seeds of a few facets, which grow as far as corners lie on the surface,
   /// up to a hundredth of the sagitta of the facets.
-  /// @param faces with vertices in deal.II's order
-  /// @param made vertices between others, which count for nothing
   template <int dim>
   Facets<dim>
-  find_round_faces(const std::vector<dealii::CellData<dim - 1>> &faces,
-                   const std::vector<dealii::Point<dim>>        &vertices,
-                   const std::vector<bool>                      &made);
+  find_round_faces(const FacetGraph<dim> &graph);
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/mesh/generator.h>
 #include <signorini/mesh/generators/file_part.h>
 
 #include <deal.II/grid/tria.h>
@@ -8,8 +9,8 @@ namespace Signorini
 {
   struct Rounding
   {
-    std::vector<std::string> notes;    ///< a line for each surface that was recognised
-    std::vector<double>      sagittas; ///< CoarseMesh::sagittas of what keeps its facets
+    std::vector<std::string> notes;  ///< a line for each surface that was recognised
+    std::vector<FacetHeight> facets; ///< CoarseMesh::facets
   };
 
   /// Recognise round surfaces in the boundary of a mesh from a file, see find_round_faces().

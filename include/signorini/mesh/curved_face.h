@@ -1,0 +1,70 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/grid/manifold.h>
+
+#include <array>
+
+namespace Signorini
+{
+  /// A cubic curve from one point to another, with given directions there (Hermite). The lengths of
+  /// the tangents are those with which an arc of a circle of angle t is met up to t^6.
+  template <int dim>
+  class CubicCurve
+  {
+  public:
+    /// Straight.
+    CubicCurve(const dealii::Point<dim> &from, const dealii::Point<dim> &to);
+
+    /// @param start, end directions, unit vectors, along from - to
+    CubicCurve(const dealii::Point<dim>     &from,
+               const dealii::Point<dim>     &to,
+               const dealii::Tensor<1, dim> &start,
+               const dealii::Tensor<1, dim> &end);
+
+    /// @param t from 0 to 1
+    dealii::Point<dim>
+    value(double t) const;
+
+    dealii::Tensor<1, dim>
+    derivative(double t) const;
+
+  private:
+    dealii::Point<dim>     from, to;
+    dealii::Tensor<1, dim> start, end;
+  };
+
+  /// A curved face: in 2D a curve; in 3D what lies between four curves, the Coons patch.
+  template <int dim>
+  class CurvedFace : public dealii::ChartManifold<dim, dim, dim - 1>
+  {
+  public:
+    /// In 3D in deal.II's order of the lines of a quadrilateral: x = 0, x = 1 (along y), y = 0, y =
+    /// 1 (along x).
+    using Edges = std::array<CubicCurve<dim>, dim == 2 ? 1 : 4>;
+
+    explicit CurvedFace(const Edges &edges)
+      : edges(edges)
+    {}
+
+    std::unique_ptr<dealii::Manifold<dim>>
+    clone() const override
+    {
+      return std::make_unique<CurvedFace<dim>>(edges);
+    }
+
+    /// That of the closest point.
+    dealii::Point<dim - 1>
+    pull_back(const dealii::Point<dim> &x) const override;
+
+    dealii::Point<dim>
+    push_forward(const dealii::Point<dim - 1> &xi) const override;
+
+    dealii::DerivativeForm<1, dim - 1, dim>
+    push_forward_gradient(const dealii::Point<dim - 1> &xi) const override;
+
+  private:
+    const Edges edges;
+  };
+} // namespace Signorini
