@@ -97,9 +97,9 @@ namespace Signorini
     class Samples
     {
     public:
-      Samples(const Point<dim> &x, const FacePatch<dim> &face)
-        : per_line(
-            (face.bend() < least_stretch(face) ? 1 : (dim == 2 ? 4 : 3)) * face.get_degree() + 1)
+      /// @param stretch see least_stretch()
+      Samples(const Point<dim> &x, const FacePatch<dim> &face, const double stretch)
+        : per_line((face.bend() < stretch ? 1 : (dim == 2 ? 4 : 3)) * face.get_degree() + 1)
         , count(dim == 3 ? per_line * per_line : per_line)
       {
         for (unsigned int n = 0; n < count; ++n)
@@ -150,11 +150,11 @@ namespace Signorini
     /// the face: there is one minimum, which Newton's method finds from everywhere.
     template <int dim>
     bool
-    is_convex(const Point<dim> &x, const FacePatch<dim> &face)
+    is_convex(const Point<dim> &x, const FacePatch<dim> &face, const double least_stretch)
     {
       const double farthest = x.distance(face.center()) + face.diameter();
       // From the middle, tangents change by at most the bend times the half of a diagonal.
-      const double stretch = least_stretch(face) - 0.71 * face.bend();
+      const double stretch = least_stretch - 0.71 * face.bend();
       return stretch > 0 && farthest * face.bend() < stretch * stretch;
     }
 
@@ -180,11 +180,12 @@ namespace Signorini
   Projection<dim>
   project(const Point<dim> &x, const FacePatch<dim> &face)
   {
+    const double stretch = least_stretch(face);
     if (Point<dim - 1> xi = middle_of_square<dim - 1>();
-        is_convex(x, face) && descend_to_minimum(x, face, xi))
+        is_convex(x, face, stretch) && descend_to_minimum(x, face, xi))
       return result_at(x, face, xi);
 
-    const Samples<dim> samples(x, face);
+    const Samples<dim> samples(x, face, stretch);
     Point<dim - 1>     best;
     double             best_value = std::numeric_limits<double>::max();
     bool               converged  = false;

@@ -28,8 +28,8 @@ namespace Signorini
         , made(graph.made)
         , known(known)
         , around(graph.vertices.size())
-        , patches(graph.faces.size())
       {
+        Connected patches(graph.faces.size());
         for (unsigned int f = 0; f < graph.faces.size(); ++f)
           {
             for (const unsigned int v : graph.faces[f].vertices)
@@ -38,9 +38,8 @@ namespace Signorini
               if (known[f] == known[n.face])
                 patches.connect(f, n.face);
           }
-        patch_of.resize(graph.faces.size());
         for (unsigned int f = 0; f < graph.faces.size(); ++f)
-          patch_of[f] = patches.first_of(f);
+          patch_of.push_back(patches.first_of(f));
       }
 
       SmoothFaces<dim>
@@ -253,7 +252,6 @@ namespace Signorini
       const FacetGraph<dim>                 &graph;
       const std::vector<bool>               &made, &known;
       std::vector<std::vector<unsigned int>> around; ///< faces at vertices
-      Connected                              patches;
       std::vector<unsigned int>              patch_of;
       std::map<Corner, LocalSurface<dim>>    fits;
     };
