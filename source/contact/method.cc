@@ -53,42 +53,4 @@ namespace Signorini
     AssertThrow(false, ExcMessage("unknown contact method " + name));
     return nullptr;
   }
-
-
-
-  unsigned int
-  find_active(const GapOperator &contact,
-              const LA::Vector  &gap,
-              const LA::Vector  &predicted,
-              LA::Vector        &active)
-  {
-    unsigned int n_active = 0;
-    for (const auto i : contact.weight.locally_owned_elements())
-      {
-        const bool pushes  = predicted(i) - contact.epsilon(i) * gap(i) > 0;
-        const bool touches = (pushes || contact.permanent(i) > 0) && contact.weight(i) > 0;
-        active(i)          = touches ? 1. : 0.;
-        n_active += touches;
-      }
-    active.compress(VectorOperation::insert);
-    return Utilities::MPI::sum(n_active, active.get_mpi_communicator());
-  }
-
-
-
-  void
-  set_pressure(const ContactMethod &method,
-               const GapOperator   &contact,
-               const LA::Vector    &gap,
-               const LA::Vector    &predicted,
-               const LA::Vector    &active,
-               LA::Vector          &pressure)
-  {
-    for (const auto i : contact.weight.locally_owned_elements())
-      if (!(active(i) > 0))
-        pressure(i) = 0;
-      else if (!method.has_multipliers())
-        pressure(i) = predicted(i) - contact.epsilon(i) * gap(i);
-    pressure.compress(VectorOperation::insert);
-  }
 } // namespace Signorini

@@ -86,15 +86,14 @@ namespace Signorini
                  TimerOutput                            &timer,
                  FreeMotions                             free_motions)
     : settings(settings)
-    , method(method)
     , K(stiffness)
     , constraints(constraints)
     , contact(contact)
-    , system(stiffness, contact, method, std::move(free_motions))
+    , law(method, contact)
+    , system(stiffness, law, std::move(free_motions))
     , linear_solver(linear_settings, system, modes, dim, timer)
     , bodies(bodies)
     , active_set(contact)
-    , augmented(contact.zero())
   {
     const auto last = std::max_element(bodies.begin(), bodies.end());
     n_bodies =
@@ -188,11 +187,12 @@ namespace Signorini
     terms.scale(u);
     constraints.set_zero(terms);
     const double of_bodies = 2 * epsilon * terms.l2_norm();
-    if (contact.empty() || method.has_multipliers())
+    if (contact.empty() || law.is_mixed())
       return of_bodies;
-    LA::Vector springs = contact.weight;
-    springs.scale(contact.epsilon);
-    springs.scale(active_set.values());
+    LA::Vector springs = contact.zero();
+    for (const auto i : springs.locally_owned_elements())
+      springs(i) = contact.weight(i) * law.response(i, {}, active_set.values()(i) > 0).dp_dg;
+    springs.compress(VectorOperation::insert);
     const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
     return of_bodies + epsilon * length * springs.l2_norm();
   }
@@ -207,9 +207,9 @@ namespace Signorini
     reduction     = settings.reduction;
     largest_force = 0;
     is_cold       = has_no_pressure(p);
-    softness      = is_cold ? soft_start() : 1;
-    if (augments())
-      augmented = p;
+    law.soften(is_cold ? law.softest() : 1);
+    if (law.augments())
+      law.augment(p);
 
     NewtonReport report;
     const auto   record = [&](const NewtonStep &step) {
@@ -223,11 +223,16 @@ namespace Signorini
     for (unsigned int n = 0;; ++n)
       {
         NewtonStep step;
-        step.damping               = damping;
-        gap                        = contact.gap(u);
-        const double last_softness = softness;
-        stress                     = contact.stress(u);
-        update_active_set(gap, stress, p, n, step);
+        step.damping        = damping;
+        gap                 = contact.gap(u);
+        stress              = contact.stress(u);
+        const bool was_soft = law.is_soft();
+        if (!contact.empty())
+          {
+            const bool was_idle = n > 0 && report.steps.back().krylov_iterations == 0;
+            update_active_set({gap, stress, p}, n, was_idle, step);
+            p = law.pressure({gap, stress, p}, active_set.values());
+          }
 
         LA::Vector r = residual(f, u, p, stress);
         if (!factorised)
@@ -240,9 +245,9 @@ namespace Signorini
         step.residual_of_bodies = residual_of_bodies(r);
         const double least =
           force_scale > 0 ? *std::min_element(at_work.begin(), at_work.end()) : 1.;
-        if (system.is_saddle_point() || augments())
+        if (system.is_saddle_point() || law.augments())
           {
-            const LA::Vector defect = gap_defect(gap, p);
+            const LA::Vector defect = law.defect({gap, stress, p}, active_set.values());
             step.gap_residual       = defect.l2_norm() / least;
             if (system.is_saddle_point())
               rhs.block(1) = defect;
@@ -252,7 +257,7 @@ namespace Signorini
         if (is_balanced(step, before, scale))
           {
             report.converged = is_closed(step, least);
-            if (!report.converged && augments() && n < settings.maximum_steps)
+            if (!report.converged && law.augments() && n < settings.maximum_steps)
               {
                 augment(p);
                 step.augments = true;
@@ -284,10 +289,10 @@ namespace Signorini
         // As long as the active set or the penalty changes, the next one throws away what goes
         // beyond a good guess.
         const bool is_settled = contact.empty() || (n > 0 && step.changes == 0 && !step.withholds &&
-                                                    softness == last_softness);
+                                                    law.is_soft() == was_soft);
         step.krylov_iterations =
           solve_linear(x, rhs, is_settled ? 0. : reduction, 0.5 * settings.tolerance * least, out);
-        damping = cautious && has_energy() ? line_search(r, gap, stress, p, x.block(0)) : 1.;
+        damping = cautious && has_energy() ? line_search(r, {gap, stress, p}, x.block(0)) : 1.;
         u.add(damping, x.block(0));
         if (system.is_saddle_point())
           p += x.block(1);
@@ -303,7 +308,7 @@ namespace Signorini
         record(step);
         if (!report.reason.empty())
           return report;
-        if (n > 0 && step.krylov_iterations == 0 && step.residual == before)
+        if (n > 0 && step.krylov_iterations == 0 && step.residual == before && !step.withholds)
           {
             report.reason =
               "Newton's method stagnates above its tolerance: the linear solver cannot "
@@ -311,14 +316,6 @@ namespace Signorini
             return report;
           }
       }
-  }
-
-
-
-  bool
-  Newton::augments() const
-  {
-    return method.predictor() == Predictor::last_pressure;
   }
 
 
@@ -334,8 +331,8 @@ namespace Signorini
   void
   Newton::augment(const LA::Vector &p)
   {
-    augmented = p;
-    cautious  = false;
+    law.augment(p);
+    cautious = false;
     active_set.restart();
   }
 
@@ -355,7 +352,7 @@ namespace Signorini
     const bool is_small =
       of_all <= settings.tolerance && (step.changes == 0 || step.residual <= largest_undecided);
     return (is_small || at_bottom || is_over) && !step.follows && !step.withholds &&
-           (softness == 1 || step.active == 0);
+           (!law.is_soft() || step.active == 0);
   }
 
 
@@ -365,7 +362,7 @@ namespace Signorini
   {
     // What an augmentation changes is known up to the residual that the last solution left.
     return step.gap_residual <=
-           (augments() ? 10 : 1) * std::max(settings.tolerance, force_rounding / scale);
+           (law.augments() ? 10 : 1) * std::max(settings.tolerance, force_rounding / scale);
   }
 
 
@@ -379,7 +376,7 @@ namespace Signorini
   {
     if (!factorised)
       {
-        system.set_active(active_set.values(), softness);
+        system.set_active(active_set.values());
         linear_solver.update();
         factorised = true;
       }
@@ -412,47 +409,29 @@ namespace Signorini
 
 
 
-  double
-  Newton::soft_start() const
-  {
-    // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.
-    // The sign of the gap, which decides, knows nothing of the penalty.
-    if (contact.empty() || method.has_multipliers() || contact.has_stress())
-      return 1;
-    double stiffest = 1;
-    for (const auto i : contact.epsilon.locally_owned_elements())
-      stiffest = std::max(stiffest, contact.epsilon(i) / contact.stiffness(i));
-    return 1 / Utilities::MPI::max(stiffest, contact.epsilon.get_mpi_communicator());
-  }
-
-
-
   void
-  Newton::update_active_set(const LA::Vector  &gap,
-                            const LA::Vector  &stress,
-                            LA::Vector        &p,
+  Newton::update_active_set(const LawInputs   &in,
                             const unsigned int n,
+                            const bool         was_idle,
                             NewtonStep        &step)
   {
-    if (contact.empty())
-      return;
-    const LA::Vector  &start  = predicted(p, stress);
+    const LA::Vector   trial  = law.trial(in);
     const unsigned int before = active_set.size();
-    active_set.update(gap, start);
+    active_set.update(law.pushes(trial));
     const unsigned int all = active_set.size();
-    // From a zone that is too small bodies overlap far around it.
-    const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before;
+    // From a zone that is too small bodies overlap far around it, until they rest on it.
+    const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before && !was_idle;
     if (is_cold && (n <= 1 || grows))
       {
         const bool         falls  = n == 0 && !system.free_motions().empty();
-        const bool         stands = falls && touches_where_it_can(gap);
-        const unsigned int kept   = stands ? active_set.add_touching(gap) :
-                                    falls  ? active_set.drop_touching(gap) :
-                                             active_set.keep_deepest(gap, grows);
+        const bool         stands = falls && touches_where_it_can(in.gap);
+        const unsigned int kept   = stands ? active_set.add_touching(in.gap) :
+                                    falls  ? active_set.drop_touching(in.gap) :
+                                             active_set.keep_deepest(in.gap, grows);
         step.withholds            = kept < all;
       }
     if (!cautious && n > 0)
-      active_set.open_pulling_regions(gap, start);
+      active_set.open_pulling_regions(trial);
     if (!cautious && active_set.seen_before())
       {
         // The linear solves may have been too rough to tell where there is pressure.
@@ -462,22 +441,22 @@ namespace Signorini
           cautious = true;
         active_set.restart();
       }
-    if (cautious && method.has_multipliers())
-      active_set.keep_all_but_the_worst(gap, p);
+    if (cautious && law.is_mixed())
+      active_set.keep_all_but_the_worst(trial);
     // An obstacle that retreats has lost all contact before the bodies follow: let them first.
     step.follows = n == 0 && active_set.keep_last_if_any();
     step.active  = active_set.size();
     step.changes = active_set.count_changes();
-    if (softness < 1 &&
+    // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.
+    // The sign of the gap, which decides, knows nothing of the penalty.
+    if (law.is_soft() &&
         (cautious || (step.active > 0 && step.changes <= 0.2 * active_set.size_of_separating())))
       {
-        softness   = 1;
+        law.soften(1);
         factorised = false;
       }
     if (step.changes > 0)
       factorised = false;
-    set_pressure(method, contact, gap, start, active_set.values(), p);
-    p *= softness;
   }
 
 
@@ -495,44 +474,8 @@ namespace Signorini
 
 
 
-  const LA::Vector &
-  Newton::predicted(const LA::Vector &p, const LA::Vector &stress) const
-  {
-    switch (method.predictor())
-      {
-        case Predictor::multiplier:
-          return p;
-        case Predictor::normal_stress:
-          return stress;
-        default:
-          return augmented; // zero for methods that do not augment
-      }
-  }
-
-
-
-  LA::Vector
-  Newton::gap_defect(const LA::Vector &gap, const LA::Vector &p) const
-  {
-    LA::Vector defect    = contact.zero();
-    const bool compliant = method.has_multipliers() && method.predictor() == Predictor::none;
-    const bool augments  = method.predictor() == Predictor::last_pressure;
-    for (const auto i : defect.locally_owned_elements())
-      if (active_set.values()(i) > 0)
-        defect(i) = contact.weight(i) * (augments ? contact.epsilon(i) : contact.stiffness(i)) *
-                    (gap(i) + (compliant ? p(i) / contact.epsilon(i) : 0.));
-    defect.compress(VectorOperation::insert);
-    return defect;
-  }
-
-
-
   double
-  Newton::line_search(const LA::Vector &r,
-                      const LA::Vector &gap,
-                      const LA::Vector &stress,
-                      const LA::Vector &p,
-                      const LA::Vector &du) const
+  Newton::line_search(const LA::Vector &r, const LawInputs &in, const LA::Vector &du) const
   {
     // The energy along u + a du is convex; its derivative is minus the residual there:
     //   phi'(a) = -r.du + a du.K du - [B du].W (p(a) - p(0)) - [S du].W/eps (a S du - p(a) + p(0)),
@@ -544,21 +487,20 @@ namespace Signorini
     LA::Vector S_du = contact.zero();
     if (contact.has_stress())
       contact.S_free.vmult(S_du, du);
-    const double      slope = -(r * du), curvature = K_du * du;
-    const double      theta = contact.theta;
-    const LA::Vector &start = predicted(p, stress);
-
-    const MPI_Comm comm       = gap.get_mpi_communicator();
+    const double   slope = -(r * du), curvature = K_du * du;
+    const double   theta      = contact.theta;
+    const MPI_Comm comm       = du.get_mpi_communicator();
     const auto     derivative = [&](const double a) {
       double sum = 0;
-      for (const auto i : gap.locally_owned_elements())
+      for (const auto i : B_du.locally_owned_elements())
         {
-          const double epsilon = contact.epsilon(i);
-          const double law     = start(i) + a * S_du(i) - epsilon * (gap(i) + a * B_du(i));
-          const double p_new   = contact.permanent(i) > 0 ? law : std::max(0., law);
-          const double dp      = p_new - p(i);
-          sum +=
-            contact.weight(i) * (dp * B_du(i) + theta / epsilon * S_du(i) * (a * S_du(i) - dp));
+          LawInput there = in(i);
+          there.gap += a * B_du(i);
+          there.stress += a * S_du(i);
+          const bool   pushes = law.pushes(i, law.trial(i, there));
+          const double dp     = law.response(i, there, pushes).pressure - in.pressure(i);
+          sum += contact.weight(i) *
+                 (dp * B_du(i) + theta / contact.epsilon(i) * S_du(i) * (a * S_du(i) - dp));
         }
       return slope + a * curvature - Utilities::MPI::sum(sum, comm);
     };
@@ -577,7 +519,4 @@ namespace Signorini
       }
     return (low + high) / 2;
   }
-
-
-
 } // namespace Signorini

@@ -25,15 +25,9 @@ namespace Signorini
     double bound;     ///< of the normal stress, see NormalStress::bound() [force/length^3]
   };
 
-  /// How contact is imposed. All methods share one law at the contact points (pressure positive in
-  /// compression, gap positive when open):
-  ///
-  ///   p = max(0, p^ - eps g),
-  ///
-  /// the active set being where the maximum is not zero; at points of pairs that never separate
-  /// p = p^ - eps g, and they are always active. A method says only what p^ is, how large
-  /// eps, and at which points the law holds: one file pair under contact/methods and one line in
-  /// the registry.
+  /// How contact is imposed. All methods share one law, p = max(0, p^ - eps g), see ContactLaw. A
+  /// method says only what p^ is, how large eps, and at which points the law holds: one file pair
+  /// under contact/methods and one line in the registry.
   class ContactMethod
   {
   public:
@@ -93,22 +87,4 @@ namespace Signorini
 
   const std::vector<std::string> &
   method_names();
-
-  /// Where the law has a pressure: active = 1, else 0; pairs that never separate have one
-  /// everywhere. Returns the number of active points.
-  unsigned int
-  find_active(const GapOperator &contact,
-              const LA::Vector  &gap,
-              const LA::Vector  &predicted,
-              LA::Vector        &active);
-
-  /// The pressure p^ - eps g where `active` is, whatever its sign, and zero elsewhere. An unknown
-  /// pressure is left as it is where active.
-  void
-  set_pressure(const ContactMethod &method,
-               const GapOperator   &contact,
-               const LA::Vector    &gap,
-               const LA::Vector    &predicted,
-               const LA::Vector    &active,
-               LA::Vector          &pressure);
 } // namespace Signorini

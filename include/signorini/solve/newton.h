@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/method.h>
+#include <signorini/contact/law/contact_law.h>
 #include <signorini/solve/active_set.h>
 #include <signorini/solve/linear_solver.h>
 
@@ -105,8 +105,6 @@ namespace Signorini
     }
 
   private:
-    bool
-    augments() const;
     /// True if solutions are minima of an energy in the displacement.
     bool
     has_energy() const;
@@ -129,26 +127,13 @@ namespace Signorini
     bool
     has_no_pressure(const LA::Vector &p) const;
 
-    /// What a cold start multiplies the penalties by, until the active set is nearly found.
-    double
-    soft_start() const;
+    /// @param was_idle the last step changed nothing
     void
-    update_active_set(const LA::Vector &gap,
-                      const LA::Vector &stress,
-                      LA::Vector       &p,
-                      unsigned int      n,
-                      NewtonStep       &step);
+    update_active_set(const LawInputs &in, unsigned int n, bool was_idle, NewtonStep &step);
     /// What touches at the start holds all that contact could hold: so does a stack of blocks, a
     /// ball on a plane does not.
     bool
     touches_where_it_can(const LA::Vector &gap);
-    /// p^ of the law
-    const LA::Vector &
-    predicted(const LA::Vector &p, const LA::Vector &stress) const;
-    /// What the active points lack to obey the law, as a force: of the gap times E/h, or the change
-    /// of the force by the next augmentation.
-    LA::Vector
-    gap_defect(const LA::Vector &gap, const LA::Vector &p) const;
     LA::Vector
     residual(const LA::Vector &f,
              const LA::Vector &u,
@@ -170,17 +155,13 @@ namespace Signorini
     double
     rounding(const LA::Vector &u) const;
     double
-    line_search(const LA::Vector &r,
-                const LA::Vector &gap,
-                const LA::Vector &stress,
-                const LA::Vector &p,
-                const LA::Vector &du) const;
+    line_search(const LA::Vector &r, const LawInputs &in, const LA::Vector &du) const;
 
     const NewtonSettings                     settings;
-    const ContactMethod                     &method;
     const LA::SparseMatrix                  &K;
     const dealii::AffineConstraints<double> &constraints;
     const GapOperator                       &contact;
+    ContactLaw                               law;
     ContactSystem                            system;
     LinearSolver                             linear_solver;
 
@@ -189,11 +170,9 @@ namespace Signorini
 
     ActiveSet           active_set;
     LA::Vector          stiffness_diagonal;
-    LA::Vector          augmented; ///< pressure of the last solution, for methods that augment
     bool                is_cold     = true; ///< without a pressure to start from
     bool                cautious    = false;
-    double              reduction   = 1e-2; ///< by linear solves while the active set changes
-    double              softness    = 1;
+    double              reduction   = 1e-2;  ///< by linear solves while the active set changes
     bool                factorised  = false; ///< the system is that of the active set
     double              force_scale = 0, largest_force = 0, force_rounding = 0;
     std::vector<double> at_work; ///< forces_at_work() now
