@@ -39,14 +39,18 @@ namespace Signorini
 
 
 
-  void
+  bool
   ActiveSet::set(const LA::Vector &values)
   {
-    now = values;
+    unsigned int n_changes = 0;
     for (const auto i : now.locally_owned_elements())
-      if (contact.permanent(i) > 0)
-        now(i) = 1;
+      {
+        const double value = contact.permanent(i) > 0 || values(i) > 0 ? 1. : 0.;
+        n_changes += value != now(i);
+        now(i) = value;
+      }
     now.compress(VectorOperation::insert);
+    return Utilities::MPI::max(n_changes, now.get_mpi_communicator()) > 0;
   }
 
 

@@ -1,4 +1,4 @@
-#include <signorini/contact/method.h>
+#include <signorini/contact/methods/method.h>
 #include <signorini/solve/linear_reference.h>
 
 #include <deal.II/base/timer.h>

@@ -200,8 +200,11 @@ namespace Signorini
 
 
   NewtonReport
-  Newton::solve(const LA::Vector &f, LA::Vector &u, LA::Vector &p, ConditionalOStream &out)
+  Newton::solve(
+    const LA::Vector &f, LA::Vector &u, LA::Vector &p, LA::Vector &active, ConditionalOStream &out)
   {
+    if (active_set.set(active))
+      factorised = false;
     active_set.restart();
     cautious      = false;
     reduction     = settings.reduction;
@@ -231,7 +234,8 @@ namespace Signorini
           {
             const bool was_idle = n > 0 && report.steps.back().krylov_iterations == 0;
             update_active_set({gap, stress, p}, n, was_idle, step);
-            p = law.pressure({gap, stress, p}, active_set.values());
+            active = active_set.values();
+            p      = law.pressure({gap, stress, p}, active);
           }
 
         LA::Vector r = residual(f, u, p, stress);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/gap_operator.h>
+#include <signorini/contact/discretisation/gap_operator.h>
 
 #include <set>
 #include <string>
@@ -33,8 +33,8 @@ namespace Signorini
     void
     restart();
 
-    /// Start from another set, and what is always in it.
-    void
+    /// Start from that set, and what is always in it. True if it is another one. Collective.
+    bool
     set(const LA::Vector &values);
 
     /// The set that the contact law asks for; what was the present one becomes the last one.

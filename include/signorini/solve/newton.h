@@ -80,28 +80,18 @@ namespace Signorini
     /// @param f load vector with prescribed displacements eliminated
     /// @param u in: start, with the prescribed displacements of this step; out: solution
     /// @param p pressure at the contact points, in: start, out: solution
+    /// @param active the points that carry it, 1 or 0, likewise
     NewtonReport
-    solve(const LA::Vector &f, LA::Vector &u, LA::Vector &p, dealii::ConditionalOStream &out);
+    solve(const LA::Vector           &f,
+          LA::Vector                 &u,
+          LA::Vector                 &p,
+          LA::Vector                 &active,
+          dealii::ConditionalOStream &out);
 
     unsigned int
     multigrid_cycles() const
     {
       return linear_solver.multigrid_cycles();
-    }
-
-    /// Start the next solution from that set.
-    void
-    set_active(const LA::Vector &active)
-    {
-      active_set.set(active);
-      factorised = false;
-    }
-
-    /// The active set that belongs to the last solution: 1 or 0.
-    const LA::Vector &
-    active() const
-    {
-      return active_set.values();
     }
 
   private:

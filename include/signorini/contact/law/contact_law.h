@@ -1,6 +1,7 @@
 #pragma once
 
-#include <signorini/contact/method.h>
+#include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/methods/method.h>
 
 namespace Signorini
 {
