@@ -222,6 +222,7 @@ namespace Signorini
     mesh_clock.restart();
     contact->build();
     rows_of_places(state.contact, contact->gap_operator(), pressure, active);
+    active = contact->gap_operator().zero(); // the law finds it better: there may be more points
     mesh_clock.stop();
   }
 
@@ -305,7 +306,7 @@ namespace Signorini
     }
     elasticity->distribute(state.displacement);
     contact->set_time(t);
-    report = newton->solve(f, state.displacement, pressure, active, out);
+    report = newton->solve(f, state.displacement, pressure, active, print_steps(out));
     elasticity->distribute(state.displacement);
     state.contact = places_of_rows(contact->gap_operator(), pressure, active, dim);
     mesh_clock.stop();

@@ -4,6 +4,7 @@
 #include <signorini/exit_code.h>
 #include <signorini/output/recorder.h>
 #include <signorini/scene/scene.h>
+#include <signorini/solve/newton.h>
 #include <signorini/state/state.h>
 
 #include <deal.II/base/conditional_ostream.h>

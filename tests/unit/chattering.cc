@@ -91,7 +91,7 @@ namespace
     u                         = 0.;
     p                         = 1e-3; // not a cold start, which would choose a better first set
     LA::Vector         active = circle.contact.zero();
-    const NewtonReport report = newton.solve(circle.load, u, p, active, out);
+    const NewtonReport report = newton.solve(circle.load, u, p, active, print_steps(out));
     CAPTURE(log.str());
     CHECK(report.converged);
     CHECK(report.steps.size() > 3);

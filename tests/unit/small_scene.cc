@@ -97,7 +97,8 @@ namespace TestScene
     u                         = elasticity->lift();
     p                         = gap_operator().zero();
     LA::Vector         active = p;
-    const NewtonReport report = newton.solve(elasticity->load(), u, p, active, silence);
+    const NewtonReport report =
+      newton.solve(elasticity->load(), u, p, active, [](const NewtonStep &) {});
     elasticity->distribute(u);
     return report;
   }

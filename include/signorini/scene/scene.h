@@ -12,7 +12,8 @@
 #include <signorini/output/settings.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/scene/expected_result.h>
-#include <signorini/solve/newton.h>
+#include <signorini/solve/linear_solver_settings.h>
+#include <signorini/solve/newton_settings.h>
 
 namespace Signorini
 {

@@ -102,6 +102,25 @@ namespace Signorini
 
 
   LA::Vector
+  ContactLaw::trial_from_pressure(const LawInputs &in) const
+  {
+    if (predictor == Predictor::multiplier || predictor == Predictor::normal_stress)
+      return trial(in);
+    LA::Vector result = contact.zero();
+    for (const auto i : result.locally_owned_elements())
+      {
+        const LawInput at         = in(i);
+        const double   compliance = predictor == Predictor::none ? 1 / epsilon(i) : 0;
+        const double   c          = std::min(epsilon(i), contact.stiffness(i));
+        result(i)                 = at.pressure - c * (at.gap + compliance * at.pressure);
+      }
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  LA::Vector
   ContactLaw::pushes(const LA::Vector &trial) const
   {
     LA::Vector result = contact.zero();

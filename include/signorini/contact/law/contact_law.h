@@ -80,11 +80,14 @@ namespace Signorini
     void
     augment(const LA::Vector &pressure);
 
-    /// Multiply eps by that, for a start far from the solution. Only where p^ is zero.
-    void
+    /// Multiply eps by that, for a start far from the solution. Only where p^ is zero. True if that
+    /// changes it.
+    bool
     soften(const double factor)
     {
-      softness = factor;
+      const bool changes = factor != softness;
+      softness           = factor;
+      return changes;
     }
 
     bool
@@ -115,6 +118,12 @@ namespace Signorini
 
     LA::Vector
     trial(const LawInputs &in) const;
+
+    /// The same where the pressure of a former mesh is known, to find the set that a stiff penalty,
+    /// under which gaps are mere noise at first, would not show: p - c (g + p/eps) with c at most
+    /// E/h, whose sign at a solution is that of p^ - eps g for any c.
+    LA::Vector
+    trial_from_pressure(const LawInputs &in) const;
 
     /// 1 where the point is active by itself, else 0.
     LA::Vector
