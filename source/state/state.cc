@@ -58,25 +58,29 @@ namespace Signorini
       wanted.push_back(face.id);
     const SurfaceField known = field.known_at(wanted, comm);
 
-    // Faces around a node all know it.
-    LA::Vector count = contact.zero();
+    // Faces around a node all know it. A copy of another vector would bring along what that one had
+    // for other ranks.
+    const IndexSet          owned = contact.weight.locally_owned_elements();
+    std::vector<LA::Vector> sums(3); // number, pressure, active
+    for (LA::Vector &sum : sums)
+      sum.reinit(owned, comm);
     for (const FacePlaces &face : contact.places)
       for (const auto &[place, rows] : face.places)
         if (rows.size() == 1)
           if (const auto value = known.at(face.id, place))
             {
               const auto row = rows.front().first;
-              count(row) += 1;
-              pressure(row) += value->pressure;
-              active(row) += value->active;
+              sums[0](row) += 1;
+              sums[1](row) += value->pressure;
+              sums[2](row) += value->active;
             }
-    for (LA::Vector *v : {&count, &pressure, &active})
-      v->compress(VectorOperation::add);
-    for (const auto i : count.locally_owned_elements())
-      if (const double n = count(i); n > 0)
+    for (LA::Vector &sum : sums)
+      sum.compress(VectorOperation::add);
+    for (const auto i : owned)
+      if (const double n = sums[0](i); n > 0)
         {
-          pressure(i) = pressure(i) / n;
-          active(i)   = active(i) > 0.5 * n ? 1. : 0.;
+          pressure(i) = sums[1](i) / n;
+          active(i)   = sums[2](i) > 0.5 * n ? 1. : 0.;
         }
     pressure.compress(VectorOperation::insert);
     active.compress(VectorOperation::insert);
