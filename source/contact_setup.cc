@@ -1,7 +1,7 @@
-#include <signorini/contact/deep_overlap.h>
-#include <signorini/contact/find_pairs.h>
-#include <signorini/contact/method.h>
-#include <signorini/contact/reach.h>
+#include <signorini/contact/geometry/deep_overlap.h>
+#include <signorini/contact/geometry/find_pairs.h>
+#include <signorini/contact/geometry/reach.h>
+#include <signorini/contact/methods/method.h>
 #include <signorini/contact_setup.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/parameters/text.h>

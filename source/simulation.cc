@@ -131,8 +131,8 @@ namespace Signorini
     TimerOutput::Scope scope(timer, "setup");
     elasticity = make_elasticity(scene, *mesh);
     elasticity->setup();
-    displacement = elasticity->zero_vector();
-    contact      = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, out);
+    state.displacement = elasticity->zero_vector();
+    contact            = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, out);
 
     if (elasticity->has_free_motions() && scene.output.linear_reference)
       throw SceneError("Output/Linear reference: without contact nothing holds the bodies");
@@ -176,12 +176,12 @@ namespace Signorini
     if (scene.expected.empty())
       return;
     const LA::Vector nothing = contact->gap_operator().zero(),
-                     gap     = contact->gap_operator().gap(displacement);
+                     gap     = contact->gap_operator().gap(state.displacement);
     const Snapshot<dim> start{*elasticity,
                               scene.pairs,
                               contact->surfaces(),
                               contact->gap_operator(),
-                              displacement,
+                              state.displacement,
                               gap,
                               nothing,
                               nothing,
@@ -221,22 +221,9 @@ namespace Signorini
     newton.reset(); // it refers to what is replaced here
     mesh_clock.restart();
     contact->build();
-    // What a former mesh knew of the pressure.
-    LA::Vector start = contact->gap_operator().zero();
-    if (pressure.size() == elasticity->owned().size())
-      contact->gap_operator().gather(pressure, start);
-    pressure = start;
+    rows_of_places(state.contact, contact->gap_operator(), pressure, active);
+    active = contact->gap_operator().zero(); // the law finds it better: there may be more points
     mesh_clock.stop();
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::rebuild_contact()
-  {
-    pressure = nodal_pressure();
-    build_contact();
   }
 
 
@@ -248,10 +235,10 @@ namespace Signorini
     for (;;)
       {
         solve_with_candidates(t, tolerance);
-        if (report.converged ? !contact->needs_more(displacement) :
+        if (report.converged ? !contact->needs_more(state.displacement) :
                                !report.is_loose || !contact->look_farther())
           return report.converged;
-        rebuild_contact();
+        build_contact();
       }
   }
 
@@ -271,7 +258,7 @@ namespace Signorini
     FreeMotions motions = make();
     while (!motions.never_held().empty() && contact->look_farther())
       {
-        rebuild_contact();
+        build_contact();
         motions = make();
       }
     if (!motions.never_held().empty() && scene.newton.undetermined == "refuse")
@@ -317,23 +304,12 @@ namespace Signorini
       TimerOutput::Scope scope(timer, "assembly");
       f = elasticity->load();
     }
-    elasticity->distribute(displacement);
+    elasticity->distribute(state.displacement);
     contact->set_time(t);
-    report = newton->solve(f, displacement, pressure, out);
-    elasticity->distribute(displacement);
+    report = newton->solve(f, state.displacement, pressure, active, print_steps(out));
+    elasticity->distribute(state.displacement);
+    state.contact = places_of_rows(contact->gap_operator(), pressure, active, dim);
     mesh_clock.stop();
-  }
-
-
-
-  template <int dim>
-  LA::Vector
-  Simulation<dim>::nodal_pressure() const
-  {
-    LA::Vector nodal = elasticity->zero_vector();
-    contact->gap_operator().scatter(pressure, nodal);
-    elasticity->hanging_nodes().distribute(nodal);
-    return nodal;
   }
 
 
@@ -343,12 +319,10 @@ namespace Signorini
   Simulation<dim>::refine_mesh()
   {
     TimerOutput::Scope scope(timer, "estimate");
-    LA::Vector         nodal = nodal_pressure();
     newton.reset();
     assembled = false;
     const double estimate =
-      refine(scene.refinement, *mesh, *elasticity, displacement, {&displacement, &nodal});
-    pressure = nodal;
+      refine(scene.refinement, *mesh, *elasticity, state.displacement, {&state.displacement});
     recorder->add_cycle(n_steps, estimate);
   }
 
@@ -370,10 +344,9 @@ namespace Signorini
     if (report.is_loose || scene.load_steps.cut_backs == 0)
       return false;
     out << "  not solved at once (" << report.reason << "): step by step" << std::endl;
-    displacement = elasticity->zero_vector();
-    pressure     = contact->gap_operator().zero();
-    if (newton)
-      newton->set_active(pressure);
+    state.displacement = elasticity->zero_vector();
+    state.contact      = SurfaceField(dim);
+    pressure = active = contact->gap_operator().zero();
     return follow_loads(tolerance, end / 2, [&](auto, auto) { n_steps += report.steps.size(); });
   }
 
@@ -431,8 +404,7 @@ namespace Signorini
   bool
   Simulation<dim>::attempt(const double t, const double tolerance)
   {
-    const LA::Vector u = displacement, p = pressure, nodal = nodal_pressure();
-    const LA::Vector active = newton ? newton->active() : contact->gap_operator().zero();
+    const State before = state;
     try
       {
         if (solve(t, tolerance))
@@ -442,16 +414,10 @@ namespace Signorini
       {
         report        = NewtonReport();
         report.reason = failure.what();
-        if (newton)
-          report.reason += contact->pressed_twice(newton->active());
+        report.reason += contact->pressed_twice(active);
       }
-    displacement         = u;
-    const bool same_size = p.size() == pressure.size();
-    pressure             = same_size ? p : contact->gap_operator().zero();
-    if (!same_size)
-      contact->gap_operator().gather(nodal, pressure);
-    if (newton)
-      newton->set_active(same_size ? active : contact->gap_operator().zero());
+    state = before;
+    rows_of_places(state.contact, contact->gap_operator(), pressure, active);
     return false;
   }
 
@@ -462,15 +428,15 @@ namespace Signorini
   Simulation<dim>::record_step(const unsigned int step, const double t)
   {
     TimerOutput::Scope scope(timer, "output");
-    const LA::Vector   gap = contact->gap_operator().gap(displacement);
+    const LA::Vector   gap = contact->gap_operator().gap(state.displacement);
     recorder->add_step({*elasticity,
                         scene.pairs,
                         contact->surfaces(),
                         contact->gap_operator(),
-                        displacement,
+                        state.displacement,
                         gap,
                         pressure,
-                        newton->active(),
+                        active,
                         t,
                         step},
                        report,

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/contact/gap_operator.h>
-#include <signorini/contact/surface.h>
+#include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/discretisation/surface.h>
 #include <signorini/scene/scene.h>
 
 #include <deal.II/base/conditional_ostream.h>

@@ -4,6 +4,8 @@
 #include <signorini/exit_code.h>
 #include <signorini/output/recorder.h>
 #include <signorini/scene/scene.h>
+#include <signorini/solve/newton.h>
+#include <signorini/state/state.h>
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
@@ -41,9 +43,6 @@ namespace Signorini
     check_wanted();
     void
     build_contact();
-    /// Once more, on the same mesh and with the pressure that there is.
-    void
-    rebuild_contact();
     bool
     solve(double t, double tolerance);
     void
@@ -51,9 +50,6 @@ namespace Signorini
     /// Throws SceneError for motions that nothing can stop.
     FreeMotions
     make_free_motions();
-    /// As a field, to be carried over to other candidates or another mesh.
-    LA::Vector
-    nodal_pressure() const;
     void
     refine_mesh();
     /// The end of the load history, on a mesh that is still to be refined.
@@ -92,8 +88,8 @@ namespace Signorini
     bool                               assembled   = false;
     unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
 
-    LA::Vector displacement, pressure;
-
+    State      state;
+    LA::Vector pressure, active;             ///< state.contact at the rows of the gap operator
     std::unique_ptr<Recorder<dim>> recorder; ///< none where nothing is to be written
     NewtonReport                   report;
   };

@@ -1,4 +1,4 @@
-#include <signorini/contact/lagrange.h>
+#include <signorini/contact/geometry/lagrange.h>
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/fields/surface_gradient.h>

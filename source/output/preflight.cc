@@ -1,5 +1,5 @@
-#include <signorini/contact/boundary_faces.h>
-#include <signorini/contact/face_patches.h>
+#include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/contact/geometry/face_patches.h>
 #include <signorini/output/preflight.h>
 #include <signorini/parameters/raw.h>
 

@@ -3,6 +3,7 @@
 #include <signorini/scene/descriptions.h>
 #include <signorini/scene/reference.h>
 #include <signorini/scene/scene.h>
+#include <signorini/solve/preconditioner.h>
 #include <signorini/solve/preconditioners/schur_complement.h>
 
 #include <algorithm>

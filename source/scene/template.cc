@@ -3,6 +3,7 @@
 #include <signorini/parameters/text.h>
 #include <signorini/scene/scene.h>
 #include <signorini/scene/template.h>
+#include <signorini/solve/preconditioner.h>
 
 #include <algorithm>
 #include <set>

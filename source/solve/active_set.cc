@@ -1,4 +1,3 @@
-#include <signorini/contact/method.h>
 #include <signorini/solve/active_set.h>
 
 #include <algorithm>
@@ -40,23 +39,27 @@ namespace Signorini
 
 
 
-  void
+  bool
   ActiveSet::set(const LA::Vector &values)
   {
-    now = values;
+    unsigned int n_changes = 0;
     for (const auto i : now.locally_owned_elements())
-      if (contact.permanent(i) > 0)
-        now(i) = 1;
+      {
+        const double value = contact.permanent(i) > 0 || values(i) > 0 ? 1. : 0.;
+        n_changes += value != now(i);
+        now(i) = value;
+      }
     now.compress(VectorOperation::insert);
+    return Utilities::MPI::max(n_changes, now.get_mpi_communicator()) > 0;
   }
 
 
 
   void
-  ActiveSet::update(const LA::Vector &gap, const LA::Vector &predicted)
+  ActiveSet::update(const LA::Vector &pushes)
   {
     last = now;
-    find_active(contact, gap, predicted, now);
+    now  = pushes;
   }
 
 
@@ -157,7 +160,7 @@ namespace Signorini
 
 
   void
-  ActiveSet::open_pulling_regions(const LA::Vector &gap, const LA::Vector &predicted)
+  ActiveSet::open_pulling_regions(const LA::Vector &trial)
   {
     if (contact.regions.empty())
       return;
@@ -165,7 +168,7 @@ namespace Signorini
     for (const auto i : now.locally_owned_elements())
       {
         either(i) = std::max(now(i), last(i));
-        force(i)  = last(i) * contact.weight(i) * (predicted(i) - contact.epsilon(i) * gap(i));
+        force(i)  = last(i) * contact.weight(i) * trial(i);
       }
     either.compress(VectorOperation::insert);
     force.compress(VectorOperation::insert);
@@ -230,16 +233,16 @@ namespace Signorini
 
 
   void
-  ActiveSet::keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p)
+  ActiveSet::keep_all_but_the_worst(const LA::Vector &trial)
   {
     const auto violation = [&](const auto i) {
-      return now(i) == last(i) ? 0. : std::abs(p(i) - contact.epsilon(i) * gap(i));
+      return now(i) == last(i) ? 0. : std::abs(trial(i));
     };
     double worst = 0;
-    for (const auto i : gap.locally_owned_elements())
+    for (const auto i : trial.locally_owned_elements())
       worst = std::max(worst, violation(i));
-    worst = Utilities::MPI::max(worst, gap.get_mpi_communicator());
-    for (const auto i : gap.locally_owned_elements())
+    worst = Utilities::MPI::max(worst, trial.get_mpi_communicator());
+    for (const auto i : trial.locally_owned_elements())
       if (const double v = violation(i); v > 0 && v < worst)
         now(i) = last(i);
     now.compress(VectorOperation::insert);

@@ -15,15 +15,13 @@ namespace Signorini
   using namespace dealii;
 
   ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
-                               const GapOperator      &contact,
-                               const bool              saddle,
-                               const double            factor,
-                               const bool              compliant)
+                               const ContactLaw       &law,
+                               FreeMotions             free_motions)
     : K(stiffness)
-    , contact(contact)
-    , saddle(saddle)
-    , factor(factor)
-    , compliant(compliant)
+    , law(law)
+    , contact(law.gap_operator())
+    , saddle(law.is_mixed())
+    , motions(std::move(free_motions))
     , D(contact.zero())
     , X(contact.zero())
     , Y(contact.zero())
@@ -33,29 +31,6 @@ namespace Signorini
     if (!saddle && !contact.empty())
       make_surface_pattern();
   }
-
-
-
-  ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
-                               const GapOperator      &contact,
-                               const ContactMethod    &method,
-                               FreeMotions             free_motions)
-    : ContactSystem(stiffness,
-                    contact,
-                    method.has_multipliers() && !contact.empty(),
-                    0,
-                    method.predictor() == Predictor::none)
-  {
-    motions = std::move(free_motions);
-  }
-
-
-
-  ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
-                               const GapOperator      &contact,
-                               const double            factor)
-    : ContactSystem(stiffness, contact, false, factor, false)
-  {}
 
 
 
@@ -157,17 +132,18 @@ namespace Signorini
 
 
   void
-  ContactSystem::set_active(const LA::Vector &active, const double softness)
+  ContactSystem::set_active(const LA::Vector &active)
   {
     for (const auto i : active.locally_owned_elements())
       {
-        const bool   touches = active(i) > 0;
-        const double W = contact.weight(i), k = contact.stiffness(i), epsilon = contact.epsilon(i);
-        D(i) = saddle || !touches ? 0. : factor > 0 ? factor * k * W : softness * epsilon * W;
-        X(i) = contact.has_stress() && touches ? W : 0.;
-        Y(i) = contact.has_stress() && !touches ? W / epsilon : 0.;
+        const bool        touches  = active(i) > 0;
+        const LawResponse response = law.response(i, {}, touches);
+        const double      W = contact.weight(i), k = contact.stiffness(i);
+        D(i) = -response.dp_dg * W;
+        X(i) = response.dp_ds * W;
+        Y(i) = contact.has_stress() ? (1 - response.dp_ds) / contact.epsilon(i) * W : 0.;
         A(i) = saddle && touches ? k * W : 0.;
-        I(i) = !saddle ? 0. : !touches ? k * W : compliant ? k * k / epsilon * W : 0.;
+        I(i) = !saddle ? 0. : touches ? k * k * response.d_defect_d_p * W : k * W;
       }
     for (LA::Vector *v : {&D, &X, &Y, &A, &I})
       v->compress(VectorOperation::insert);

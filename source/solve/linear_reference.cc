@@ -1,4 +1,4 @@
-#include <signorini/contact/method.h>
+#include <signorini/contact/methods/method.h>
 #include <signorini/solve/linear_reference.h>
 
 #include <deal.II/base/timer.h>
@@ -44,7 +44,8 @@ namespace Signorini
       result.seconds_assembly = lap();
 
       const GapOperator   contact = nothing(elasticity.owned(), comm);
-      const ContactSystem system(elasticity.stiffness(), contact, 0.);
+      const ContactLaw    law     = ContactLaw::springs(contact, 0);
+      const ContactSystem system(elasticity.stiffness(), law);
       LinearSolver        solver(settings, system, elasticity.rigid_body_modes(), dim, timer);
       solver.update();
       result.seconds_preconditioner = lap();

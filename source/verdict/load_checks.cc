@@ -1,4 +1,4 @@
-#include <signorini/contact/boundary_faces.h>
+#include <signorini/contact/geometry/boundary_faces.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/verdict/checks.h>
 

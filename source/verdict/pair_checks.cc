@@ -1,4 +1,4 @@
-#include <signorini/contact/reach.h>
+#include <signorini/contact/geometry/reach.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/fields/point_values.h>
 #include <signorini/parameters/text.h>

@@ -54,7 +54,22 @@ def found_soon(scene, sets, most=MOST, mirrored=False):
     return body
 
 
+def starts_warm(scene, sets, ranks, most=4):
+    """On the last of three meshes, from what the second one knew of the pressure."""
+    def body(test):
+        results = test.results(SCENES / f"{scene}.prm", sets + ["Accuracy/Refinement cycles=2"], ranks)
+        counts = newton_steps(results["load_steps"][0])
+        test.print(f"Newton steps: {[cycle['newton_iterations'] for cycle in results['cycles']]}, at last {counts}")
+        test.check(max(counts) <= most, f"more than {most} Newton steps: {counts}")
+    return body
+
+
 def cases():
+    for name, sets in METHODS.items():
+        for ranks in (1, 2):
+            yield Case("active-set/warm", f"hertz-2d/{name}/np{ranks}", starts_warm("hertz-2d", sets, ranks), ranks, labels={"full"})
+    for name in ("multiplier", "penalty", "penalty-pointwise", "nitsche-theta=1"):
+        yield Case("active-set/warm", f"hertz-3d/{name}/np2", starts_warm("hertz-3d", METHODS[name], 2), 2, labels={"full"})
     for scene in ("gap-wall-2d", "tube-clearance", "hertz-2d", "hertz-3d"):
         for name, sets in METHODS.items():
             yield Case("active-set/cold", f"{scene}/{name}", found_soon(scene, sets), labels={"full"})

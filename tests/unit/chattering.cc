@@ -90,7 +90,8 @@ namespace
     LA::Vector         u = circle.load, p = circle.contact.zero();
     u                         = 0.;
     p                         = 1e-3; // not a cold start, which would choose a better first set
-    const NewtonReport report = newton.solve(circle.load, u, p, out);
+    LA::Vector         active = circle.contact.zero();
+    const NewtonReport report = newton.solve(circle.load, u, p, active, print_steps(out));
     CAPTURE(log.str());
     CHECK(report.converged);
     CHECK(report.steps.size() > 3);

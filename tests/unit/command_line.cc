@@ -7,6 +7,7 @@
 #include <signorini/scene/reference.h>
 #include <signorini/scene/scene.h>
 #include <signorini/scene/template.h>
+#include <signorini/solve/preconditioner.h>
 
 #include <doctest/doctest.h>
 #include <unistd.h>

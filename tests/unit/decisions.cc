@@ -1,6 +1,7 @@
 // What Newton's method decides: which points are active, which motions are loose, what overlaps
 // count; on contact points without bodies.
 
+#include <signorini/contact/law/contact_law.h>
 #include <signorini/solve/active_set.h>
 #include <signorini/solve/free_motions.h>
 
@@ -70,6 +71,22 @@ namespace
     GapOperator contact;
   };
 
+  /// p - eps g
+  LA::Vector
+  trial(const GapOperator &contact, const LA::Vector &gap, const LA::Vector &p)
+  {
+    const LA::Vector none = contact.zero();
+    return ContactLaw(*ContactMethod::create("Lagrange multiplier"), contact).trial({gap, none, p});
+  }
+
+  /// The set where that pushes.
+  LA::Vector
+  pushes(const GapOperator &contact, const LA::Vector &gap, const LA::Vector &p)
+  {
+    return ContactLaw(*ContactMethod::create("Lagrange multiplier"), contact)
+      .pushes(trial(contact, gap, p));
+  }
+
   Values
   values_of(const ActiveSet &set)
   {
@@ -85,22 +102,20 @@ TEST_CASE("the law: p^ - eps g where that pushes, at permanent points always")
   points.contact.permanent = points.vector({0, 0, 0, 0, 1, 1});
   const LA::Vector gap     = points.vector({-1, 1, 1, -1, 1, -1}),
                    p       = points.vector({0, 0, 11, -11, 5, 5});
-  LA::Vector active        = points.contact.zero();
-  CHECK(find_active(points.contact, gap, p, active) == 4);
-  CHECK(everywhere(active) == Values({1, 0, 1, 0, 1, 1}));
+  CHECK(everywhere(pushes(points.contact, gap, p)) == Values({1, 0, 1, 0, 1, 1}));
 
   // A node without area is never active.
   points.contact.weight = points.vector({0, 2, 2, 2, 2, 2});
-  CHECK(find_active(points.contact, gap, p, active) == 3);
+  CHECK(everywhere(pushes(points.contact, gap, p)) == Values({0, 0, 1, 0, 1, 1}));
 
-  LA::Vector pressure   = points.vector({7, 7, 7, 7, 7, 7});
-  active                = points.vector({1, 0, 1, 0, 1, 1});
-  const auto penalty    = ContactMethod::create("penalty"),
-             multiplier = ContactMethod::create("Lagrange multiplier");
-  set_pressure(*multiplier, points.contact, gap, p, active, pressure);
-  CHECK(everywhere(pressure) == Values({7, 0, 7, 0, 7, 7}));
-  set_pressure(*penalty, points.contact, gap, p, active, pressure);
-  CHECK(everywhere(pressure) == Values({10, 0, 1, 0, -5, 15}));
+  const LA::Vector active = points.vector({1, 0, 1, 0, 1, 1}),
+                   sevens = points.vector({7, 7, 7, 7, 7, 7}), none = points.contact.zero();
+  const LawInputs  in{gap, none, sevens};
+  const ContactLaw multiplier(*ContactMethod::create("Lagrange multiplier"), points.contact);
+  CHECK(everywhere(multiplier.pressure(in, active)) == Values({7, 0, 7, 0, 7, 7}));
+  ContactLaw augmented(*ContactMethod::create("augmented Lagrangian"), points.contact);
+  augmented.augment(p);
+  CHECK(everywhere(augmented.pressure(in, active)) == Values({10, 0, 1, 0, -5, 15}));
 }
 
 
@@ -124,13 +139,13 @@ TEST_CASE("of overlapping points the deepest half of each pair comes first")
   const Points     points({-1, -0.4, -8, -5, -3, 1});
   ActiveSet        set(points.contact);
   const LA::Vector gap = points.contact.initial_gap;
-  set.update(gap, points.contact.zero());
+  set.update(pushes(points.contact, gap, points.contact.zero()));
   CHECK(set.size() == 5);
   CHECK(set.keep_deepest(gap) == 4);
   CHECK(values_of(set) == Values({1, 0, 1, 1, 1, 0}));
   CHECK(set.count_changes() == 4);
   // What was active stays.
-  set.update(gap, points.contact.zero());
+  set.update(pushes(points.contact, gap, points.contact.zero()));
   CHECK(set.keep_deepest(gap) == 4);
   CHECK(set.count_changes() == 0);
 }
@@ -142,7 +157,7 @@ TEST_CASE("points that only touch do not count at first, those that never separa
   Points points({0, -1e-13, 3, 0, 0, 0});
   points.contact.permanent = points.vector({0, 0, 0, 0, 1, 1});
   ActiveSet set(points.contact);
-  set.update(points.contact.initial_gap, points.contact.zero());
+  set.update(pushes(points.contact, points.contact.initial_gap, points.contact.zero()));
   CHECK(set.size() == 3);
   CHECK(set.drop_touching(points.contact.initial_gap) == 2);
   CHECK(set.size_of_separating() == 0);
@@ -161,9 +176,9 @@ TEST_CASE("one at a time: the point that violates the law most")
   // Two pull, one overlaps; the law: p - 10 g.
   const LA::Vector gap = points.vector({0, 0, 0, -0.3, 0.1, 0}),
                    p   = points.vector({-2, -1, 4, 0, 0, 0});
-  set.update(gap, p);
+  set.update(pushes(points.contact, gap, p));
   CHECK(values_of(set) == Values({0, 0, 1, 1, 0, 0}));
-  set.keep_all_but_the_worst(gap, p);
+  set.keep_all_but_the_worst(trial(points.contact, gap, p));
   CHECK(values_of(set) == Values({1, 1, 1, 1, 0, 0}));
   CHECK(set.count_changes() == 1);
 }
@@ -175,7 +190,7 @@ TEST_CASE("sets that come up again are seen, but not those that stay")
   const Points points({0, 0, 0, 0, 0, 0});
   ActiveSet    set(points.contact);
   const auto   seen = [&](const Values &gap) {
-    set.update(points.vector(gap), points.contact.zero());
+    set.update(pushes(points.contact, points.vector(gap), points.contact.zero()));
     return set.seen_before();
   };
   CHECK(!seen({-1, 1, 1, 1, 1, 1}));
@@ -194,7 +209,7 @@ TEST_CASE("a set that is left at the first step is kept for one more")
   const Points points({0, 0, 0, 0, 0, 0});
   ActiveSet    set(points.contact);
   set.set(points.vector({1, 1, 0, 0, 0, 0}));
-  set.update(points.vector({1, 1, 1, 1, 1, 1}), points.contact.zero());
+  set.update(pushes(points.contact, points.vector({1, 1, 1, 1, 1, 1}), points.contact.zero()));
   CHECK(set.size() == 0);
   CHECK(set.keep_last_if_any());
   CHECK(values_of(set) == Values({1, 1, 0, 0, 0, 0}));

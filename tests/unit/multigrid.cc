@@ -59,7 +59,8 @@ namespace
     const Hierarchy      hierarchy(scene.elasticity.stiffness(),
                               scene.elasticity.rigid_body_modes(),
                               dim);
-    ContactSystem        system(scene.elasticity.stiffness(), *scene.contact, factor);
+    const ContactLaw     law = ContactLaw::springs(*scene.contact, factor);
+    ContactSystem        system(scene.elasticity.stiffness(), law);
     LA::Vector           active = scene.contact->zero();
     active                      = 1.;
     system.set_active(active);

@@ -1,7 +1,7 @@
 // Normal stresses of the bodies at contact points, as Nitsche's method takes them; and the forces
 // of a pressure.
 
-#include <signorini/contact/normal_stress.h>
+#include <signorini/contact/discretisation/normal_stress.h>
 #include <signorini/elasticity/kernel.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,6 +1,7 @@
 // Regions of contact points that hang together, against a search over all pairs of points; and what
 // the active set makes of them.
 
+#include <signorini/contact/law/contact_law.h>
 #include <signorini/solve/active_set.h>
 
 #include <doctest/doctest.h>
@@ -178,8 +179,11 @@ TEST_CASE("a region that pulls as a whole is opened, with what overlaps beside i
     const double r = radius(x, y);
     return r < 0.16 ? -1. : r < 0.3 ? 1. : r < 0.36 ? 2. : r < 0.5 ? -0.01 : 0.1;
   });
-  set.update(gap, surface.contact->zero());
-  set.open_pulling_regions(gap, surface.contact->zero());
+  const ContactLaw law(*ContactMethod::create("penalty"), *surface.contact);
+  const LA::Vector none  = surface.contact->zero();
+  const auto       trial = [&](const LA::Vector &gaps) { return law.trial({gaps, none, none}); };
+  set.update(law.pushes(trial(gap)));
+  set.open_pulling_regions(trial(gap));
   const LA::Vector expected =
     surface.vector([&](double x, double y) { return radius(x, y) < 0.16 ? 1. : 0.; });
   for (const auto i : gap.locally_owned_elements())
@@ -190,9 +194,9 @@ TEST_CASE("a region that pulls as a whole is opened, with what overlaps beside i
   alone.set(surface.vector([&](double x, double y) { return radius(x, y) < 0.3 ? 1. : 0.; }));
   const LA::Vector pulls =
     surface.vector([&](double x, double y) { return radius(x, y) < 0.1 ? -0.1 : 1.; });
-  alone.update(pulls, surface.contact->zero());
+  alone.update(law.pushes(trial(pulls)));
   const unsigned int before = alone.size();
-  alone.open_pulling_regions(pulls, surface.contact->zero());
+  alone.open_pulling_regions(trial(pulls));
   CHECK(before > 0);
   CHECK(alone.size() == before);
 }

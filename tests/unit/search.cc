@@ -1,4 +1,4 @@
-#include <signorini/contact/search.h>
+#include <signorini/contact/geometry/search.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>

@@ -1,5 +1,5 @@
-#include <signorini/contact/pairing.h>
-#include <signorini/contact/segments.h>
+#include <signorini/contact/discretisation/pairing.h>
+#include <signorini/contact/geometry/segments.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

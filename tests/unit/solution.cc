@@ -108,20 +108,18 @@ namespace
             const LA::Vector      &active)
   {
     const GapOperator &contact = scene.gap_operator();
-    ContactSystem      system(scene.elasticity->stiffness(), contact, scene.method());
+    const ContactLaw   law(scene.method(), contact);
+    ContactSystem      system(scene.elasticity->stiffness(), law);
     system.set_active(active);
     LA::BlockVector  right = system.zero(), x = system.zero();
-    const LA::Vector gap      = contact.gap(u);
-    LA::Vector       pressure = p;
-    set_pressure(scene.method(), contact, gap, contact.zero(), active, pressure);
+    const LA::Vector gap = contact.gap(u), none = contact.zero(),
+                     pressure = law.pressure({gap, none, p}, active);
     scene.elasticity->stiffness().vmult(right.block(0), u);
     right.block(0).sadd(-1, 1, scene.elasticity->load());
     right.block(0) += contact.force(pressure, contact.zero());
     scene.elasticity->constraints().set_zero(right.block(0));
     if (system.is_saddle_point())
-      for (const auto i : active.locally_owned_elements())
-        right.block(1)(i) = active(i) * contact.weight(i) * contact.stiffness(i) *
-                            (gap(i) + pressure(i) / contact.epsilon(i));
+      right.block(1) = law.defect({gap, none, pressure}, active);
     right.compress(VectorOperation::insert);
     Direct solver(system, Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? "KLU" : "MUMPS");
     solver.update();
@@ -149,9 +147,10 @@ namespace
         scene.use({"Method=perturbed Lagrangian",
                    "perturbed Lagrangian/Factor=7",
                    "perturbed Lagrangian/Form=" + form});
-        LA::Vector active = scene.gap_operator().zero(), p = active;
-        find_active(scene.gap_operator(), scene.gap_operator().gap(u), p, active);
-        p = active; // any pressure: the system is linear in it
+        const ContactLaw law(scene.method(), scene.gap_operator());
+        const LA::Vector gap = scene.gap_operator().gap(u), none = scene.gap_operator().zero(),
+                         active = law.pushes(law.trial({gap, none, none})),
+                         p      = active; // any pressure: the system is linear in it
         results.push_back(direction(scene, u, p, active));
       }
     const double size = results[0].l2_norm();

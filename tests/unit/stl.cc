@@ -1,4 +1,4 @@
-#include <signorini/contact/obstacle.h>
+#include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/obstacles/triangle_surface.h>
 
 #include <cstdint>

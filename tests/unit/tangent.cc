@@ -141,13 +141,14 @@ namespace
     const Law start = residual(0), end = residual(1);
 
     // The program's law and force.
-    const LA::Vector   gap = contact.gap(state.u), stress = contact.stress(state.u);
-    const LA::Vector   law_start = scene.method().predictor() == Predictor::normal_stress ? stress :
-                                   scene.method().predictor() == Predictor::none ? contact.zero() :
-                                                                                   predicted;
-    LA::Vector         active = contact.zero(), p = contact.zero();
-    const unsigned int n_active = find_active(contact, gap, law_start, active);
-    set_pressure(scene.method(), contact, gap, law_start, active, p);
+    const LA::Vector gap = contact.gap(state.u), stress = contact.stress(state.u);
+    const LA::Vector none = contact.zero();
+    ContactLaw       contact_law(scene.method(), contact);
+    contact_law.augment(predicted);
+    const LawInputs  in{gap, stress, none};
+    const LA::Vector active     = contact_law.pushes(contact_law.trial(in)),
+                     p          = contact_law.pressure(in, active);
+    const unsigned int n_active = active.l1_norm() + 0.5;
     CHECK(size_of(sum(everywhere(p), -1, start.pressure)) < 1e-12 * size_of(start.pressure));
     if (scene.scene.pairs[0].separates)
       {
@@ -160,10 +161,7 @@ namespace
     CHECK(std::abs(force * state.w + work) < 1e-13 * size);
 
     // Its derivative.
-    ContactSystem   system(scene.elasticity->stiffness(),
-                         contact,
-                         scene.method(),
-                         scene.free_motions());
+    ContactSystem   system(scene.elasticity->stiffness(), contact_law, scene.free_motions());
     LA::BlockVector direction = system.zero(), change = system.zero(), whole = system.zero();
     REQUIRE(!system.is_saddle_point());
     system.set_active(active);
@@ -202,15 +200,12 @@ namespace
     const GapOperator &contact = scene.gap_operator();
     const Law          start   = law(scene, reference, state.all_u, everywhere(p)),
               end = law(scene, reference, sum(state.all_u, 1, state.all_du), everywhere(p));
-    ContactSystem system(scene.elasticity->stiffness(),
-                         contact,
-                         scene.method(),
-                         scene.free_motions());
+    const ContactLaw contact_law(scene.method(), contact);
+    ContactSystem    system(scene.elasticity->stiffness(), contact_law, scene.free_motions());
     REQUIRE(system.is_saddle_point());
-    const LA::Vector law_start = scene.method().predictor() == Predictor::none ? contact.zero() : p;
-    LA::Vector       active    = contact.zero();
-    find_active(contact, contact.gap(state.u), law_start, active);
-    const Values is_active = everywhere(active);
+    const LA::Vector gap = contact.gap(state.u), none = contact.zero();
+    const LA::Vector active    = contact_law.pushes(contact_law.trial({gap, none, p}));
+    const Values     is_active = everywhere(active);
     for (unsigned int i = 0; i < is_active.size(); ++i)
       CHECK((is_active[i] > 0) == (start.argument[i] > 0 || !scene.scene.pairs[0].separates));
     system.set_active(active);

@@ -1,5 +1,6 @@
 // Thermal strain against closed forms: free bodies, held bodies, normal stresses at contact points.
 
+#include <signorini/contact/law/contact_law.h>
 #include <signorini/elasticity/stress.h>
 #include <signorini/mesh/mesh_file.h>
 
@@ -436,10 +437,10 @@ namespace
     REQUIRE(p > 0);
     for (const auto i : s.locally_owned_elements())
       CHECK(std::abs(s(i) - p) < 1e-12 * p); // the difference of stresses ten times as large
-    LA::Vector pressure = scene.contact->zero(), active = pressure,
-               r = scene.elasticity.zero_vector();
-    active       = 1.;
-    set_pressure(*method, *scene.contact, scene.contact->gap(u), s, active, pressure);
+    LA::Vector active = scene.contact->zero(), r = scene.elasticity.zero_vector();
+    active                    = 1.;
+    const LA::Vector gap      = scene.contact->gap(u),
+                     pressure = ContactLaw(*method, *scene.contact).pressure({gap, s, s}, active);
     scene.elasticity.stiffness().vmult(r, u);
     const LA::Vector f = scene.elasticity.load();
     r -= f;

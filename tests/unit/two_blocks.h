@@ -2,8 +2,8 @@
 // occur.
 #pragma once
 
-#include <signorini/contact/gap_operator.h>
-#include <signorini/contact/method.h>
+#include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/methods/method.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/function.h>

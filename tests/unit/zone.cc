@@ -100,7 +100,8 @@ TEST_CASE("systems of all methods are those of their definitions, the symmetric 
       const std::string how = join(method);
       CAPTURE(how);
       scene.use(method);
-      ContactSystem system(scene.elasticity->stiffness(), scene.gap_operator(), scene.method());
+      const ContactLaw law(scene.method(), scene.gap_operator());
+      ContactSystem    system(scene.elasticity->stiffness(), law);
       system.set_active(every_other(scene.gap_operator()));
       const Eigen::MatrixXd A =
         dense_matrix(system, [&](auto &dst, const auto &src) { system.vmult(dst, src); });
@@ -127,7 +128,8 @@ TEST_CASE("the zone solver is the inverse of its part of the system")
         {
           CAPTURE(method[0]);
           scene.use(method);
-          ContactSystem system(scene.elasticity->stiffness(), scene.gap_operator(), scene.method());
+          const ContactLaw law(scene.method(), scene.gap_operator());
+          ContactSystem    system(scene.elasticity->stiffness(), law);
           system.set_active(every_other(scene.gap_operator()));
           const LA::Vector zone = contact_zone(system);
           ZoneSolver       solver(system, zone, direct_solver());
@@ -180,7 +182,8 @@ TEST_CASE("the contact filter keeps all constraints")
   SmallScene<2> scene(small("2"));
   scene.use({"Method=Lagrange multiplier"});
   const Hierarchy hierarchy(scene.elasticity->stiffness(), scene.elasticity->rigid_body_modes(), 2);
-  ContactSystem   system(scene.elasticity->stiffness(), scene.gap_operator(), scene.method());
+  const ContactLaw law(scene.method(), scene.gap_operator());
+  ContactSystem    system(scene.elasticity->stiffness(), law);
   system.set_active(every_other(scene.gap_operator()));
   ContactFilter filter(system, hierarchy, direct_solver());
   filter.update();
@@ -207,10 +210,11 @@ TEST_CASE("Schur complements are those of their definitions")
     {
       CAPTURE(method[0]);
       scene.use(method);
-      const Hierarchy hierarchy(scene.elasticity->stiffness(),
+      const Hierarchy  hierarchy(scene.elasticity->stiffness(),
                                 scene.elasticity->rigid_body_modes(),
                                 2);
-      ContactSystem   system(scene.elasticity->stiffness(), scene.gap_operator(), scene.method());
+      const ContactLaw law(scene.method(), scene.gap_operator());
+      ContactSystem    system(scene.elasticity->stiffness(), law);
       system.set_active(every_other(scene.gap_operator()));
       const AMG             amg(hierarchy, nullptr);
       const Eigen::MatrixXd A =

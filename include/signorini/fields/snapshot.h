@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/gap_operator.h>
+#include <signorini/contact/discretisation/gap_operator.h>
 
 #include <vector>
 

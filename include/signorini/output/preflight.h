@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/surface.h>
+#include <signorini/contact/discretisation/surface.h>
 #include <signorini/output/prediction.h>
 #include <signorini/scene/scene.h>
 

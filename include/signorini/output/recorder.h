@@ -6,7 +6,7 @@
 #include <signorini/output/results.h>
 #include <signorini/output/writer.h>
 #include <signorini/solve/linear_reference.h>
-#include <signorini/solve/newton.h>
+#include <signorini/solve/newton_report.h>
 #include <signorini/verdict/verdict.h>
 
 #include <deal.II/base/timer.h>

@@ -2,8 +2,8 @@
 
 #include <signorini/accuracy/known_solution.h>
 #include <signorini/accuracy/refinement.h>
-#include <signorini/contact/method.h>
-#include <signorini/contact/obstacle.h>
+#include <signorini/contact/methods/method.h>
+#include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/pair.h>
 #include <signorini/elasticity/boundary_conditions.h>
 #include <signorini/elasticity/model.h>
@@ -12,7 +12,8 @@
 #include <signorini/output/settings.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/scene/expected_result.h>
-#include <signorini/solve/newton.h>
+#include <signorini/solve/linear_solver_settings.h>
+#include <signorini/solve/newton_settings.h>
 
 namespace Signorini
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/gap_operator.h>
+#include <signorini/contact/discretisation/gap_operator.h>
 
 #include <set>
 #include <string>
@@ -33,13 +33,13 @@ namespace Signorini
     void
     restart();
 
-    /// Start from another set, and what is always in it.
-    void
+    /// Start from that set, and what is always in it. True if it is another one. Collective.
+    bool
     set(const LA::Vector &values);
 
     /// The set that the contact law asks for; what was the present one becomes the last one.
     void
-    update(const LA::Vector &gap, const LA::Vector &predicted);
+    update(const LA::Vector &pushes);
 
     /// Where smooth bodies overlap, they are pushed apart on a part of that area only: Hertz' is
     /// where they are at least half as deep as at the deepest point. Of each pair no other points
@@ -51,8 +51,9 @@ namespace Signorini
     /// A region of points that pulls as a whole does not stay, nor do the points beside it that
     /// overlap because it was turned about: left to themselves, they would wander along a lever
     /// that lifts off, a point a step. Of each pair something must be left.
+    /// @param trial of the law: the pressure that points would have
     void
-    open_pulling_regions(const LA::Vector &gap, const LA::Vector &predicted);
+    open_pulling_regions(const LA::Vector &trial);
 
     /// Bodies that stand on each other do not fall. Returns the number of active points.
     unsigned int
@@ -66,7 +67,7 @@ namespace Signorini
 
     /// Of all changes, make the one that violates the law most.
     void
-    keep_all_but_the_worst(const LA::Vector &gap, const LA::Vector &p);
+    keep_all_but_the_worst(const LA::Vector &trial);
 
     /// Take back all changes if there was an active point that may separate. Returns true if that
     /// changes anything.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/method.h>
+#include <signorini/contact/law/contact_law.h>
 #include <signorini/linear_algebra.h>
 #include <signorini/solve/free_motions.h>
 
@@ -17,8 +17,9 @@ namespace Signorini
 {
   /// The linear system of one Newton step, for a given active set, in two forms.
   ///
-  /// Condensed (the pressure follows from the gap): (K + B^T D B) du = r, D = eps W on the active
-  /// points. With Nitsche's method also the normal stress S u of the points takes part:
+  /// Condensed (the pressure follows from the gap): (K + B^T D B) du = r, D = -dp/dg W, which is
+  /// eps W on the active points. With Nitsche's method also the normal stress S u of the points
+  /// takes part:
   ///
   ///     K + [B; S]^T [ D   -X             ] [B; S],   X = W on active points,
   ///                  [ -theta X  -theta Y ]           Y = W/eps on inactive ones.
@@ -35,19 +36,16 @@ namespace Signorini
   class ContactSystem
   {
   public:
+    /// Refers to both, which must live as long.
     ContactSystem(const LA::SparseMatrix &stiffness,
-                  const GapOperator      &contact,
-                  const ContactMethod    &method,
+                  const ContactLaw       &law,
                   FreeMotions             free_motions = FreeMotions());
-
-    /// Condensed, with the springs D = factor k W on active points, whatever the method.
-    ContactSystem(const LA::SparseMatrix &stiffness, const GapOperator &contact, double factor);
 
     ~ContactSystem();
 
-    /// @param softness multiplies the penalties
+    /// Linearise the law, whose derivatives are constant where it is active.
     void
-    set_active(const LA::Vector &active, double softness = 1);
+    set_active(const LA::Vector &active);
 
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
@@ -130,12 +128,6 @@ namespace Signorini
     }
 
   private:
-    ContactSystem(const LA::SparseMatrix &stiffness,
-                  const GapOperator      &contact,
-                  bool                    saddle,
-                  double                  factor,
-                  bool                    compliant);
-
     void
     make_surface_pattern();
     /// B and S have a row a point, and often dozens of points between two faces: summing them up
@@ -146,10 +138,9 @@ namespace Signorini
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
 
     const LA::SparseMatrix &K;
+    const ContactLaw       &law;
     const GapOperator      &contact;
     const bool              saddle;
-    const double            factor;    ///< of springs; 0: they are those of the contact law
-    const bool              compliant; ///< multipliers whose law is g + p/eps = 0
     FreeMotions             motions;
     LA::Vector              D, X, Y, A, I;
     mutable LA::Vector      workspace;

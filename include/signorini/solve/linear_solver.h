@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/solve/linear_solver_settings.h>
 #include <signorini/solve/preconditioner.h>
 
 #include <deal.II/base/timer.h>
@@ -8,27 +9,11 @@
 
 namespace Signorini
 {
-  class Section;
-
   /// The solution could not be found. All ranks throw it alike.
   class SolverFailure : public std::runtime_error
   {
   public:
     using std::runtime_error::runtime_error;
-  };
-
-  struct LinearSolverSettings
-  {
-    std::string  preconditioner     = "contact filter";
-    std::string  krylov             = "auto";
-    std::string  schur_complement   = "zone";
-    double       augmentation       = 0;
-    std::string  direct_solver      = "auto";
-    std::string  near_null_space    = "rigid body modes";
-    unsigned int maximum_iterations = 1000;
-
-    void
-    declare(Section &section);
   };
 
   /// Solves the contact systems of one mesh. The multigrid hierarchy is built once; what changes

@@ -22,9 +22,10 @@ namespace Signorini
     schur = SchurComplement::create(settings, system, amg);
     if (augmentation > 0)
       {
-        augmented =
-          std::make_unique<ContactSystem>(system.stiffness(), system.gap_operator(), augmentation);
-        filter = std::make_unique<ContactFilter>(*augmented, hierarchy, settings.direct_solver);
+        springs =
+          std::make_unique<ContactLaw>(ContactLaw::springs(system.gap_operator(), augmentation));
+        augmented = std::make_unique<ContactSystem>(system.stiffness(), *springs);
+        filter    = std::make_unique<ContactFilter>(*augmented, hierarchy, settings.direct_solver);
       }
     if (form == simple)
       {

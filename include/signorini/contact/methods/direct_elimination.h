@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/method.h>
+#include <signorini/contact/methods/method.h>
 
 namespace Signorini
 {

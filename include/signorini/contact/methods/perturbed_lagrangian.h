@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/penalty_factor.h>
+#include <signorini/contact/methods/penalty_factor.h>
 
 namespace Signorini
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/obstacle.h>
+#include <signorini/contact/obstacles/obstacle.h>
 
 namespace Signorini
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/obstacle.h>
+#include <signorini/contact/obstacles/obstacle.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>

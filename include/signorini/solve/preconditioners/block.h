@@ -67,6 +67,7 @@ namespace Signorini
     LA::Vector           inverse_diagonal; ///< of K
 
     std::unique_ptr<SchurComplement> schur;
+    std::unique_ptr<ContactLaw>      springs;
     std::unique_ptr<ContactSystem>   augmented;
     std::unique_ptr<ContactFilter>   filter;
     LA::Vector                       extra; ///< gamma/(k W) on active points

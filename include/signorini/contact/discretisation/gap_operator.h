@@ -1,0 +1,124 @@
+#pragma once
+
+#include <signorini/contact/discretisation/contact_rows.h>
+#include <signorini/contact/discretisation/regions.h>
+#include <signorini/linear_algebra.h>
+
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+  class ContactMethod;
+
+  /// The discrete gap g = B u + g_0 at the points where the method imposes contact, one row a
+  /// point: a quadrature point, or a slave node A with g_A = int psi_A g dA / int psi_A dA. A
+  /// pressure p on the points exerts the force B^T W p, where W are the points' areas. Positive
+  /// pressure is compression. Knows nothing of the dimension, so that what uses it is compiled
+  /// once.
+  ///
+  /// With Nitsche's method there is also the normal stress s = S u + s_0 of the bodies at the
+  /// points, positive in compression, and p exerts B^T W p + theta S^T W (s - p)/eps. s_0 comes
+  /// with thermal strain.
+  struct GapOperator
+  {
+    dealii::IndexSet dofs; ///< locally owned degrees of freedom
+    LA::SparseMatrix B;    ///< columns: all degrees of freedom (hanging nodes resolved)
+    /// The same for changes of free degrees of freedom: without the columns of prescribed
+    /// displacements, those of tied components added to the ones that move them.
+    LA::SparseMatrix B_free;
+    LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
+    LA::SparseMatrix S_thermal; ///< s_0 by ThermalStrain::coefficients(); empty: no body expands
+    LA::Vector       thermal_stress; ///< s_0; empty: zero
+    double           theta = 0;      ///< see above
+    bool       tied = false; ///< B refers to components that supports tie to others, see B_free
+    LA::Vector weight;       ///< area of each point; sums up to the slave area that has a partner
+    LA::Vector rest_gap;     ///< from the geometry
+    LA::Vector initial_gap;  ///< g_0: the same with the share of overlaps that counts now
+    std::vector<double>     interference; ///< that share of each pair; empty: all
+    LA::Vector              permanent;    ///< 1 at points of pairs that never separate, else 0
+    LA::Vector              stiffness;    ///< E/h [force/length^3]
+    LA::Vector              epsilon;  ///< of the contact law, ContactMethod::penalty(), likewise
+    std::vector<LA::Vector> position; ///< dim vectors
+    std::vector<LA::Vector>
+      normal; ///< dim vectors: mean normal, not of unit length on curved faces
+    std::vector<LA::Vector>
+      moment; ///< of a unit force along the normal: x cross n; 1 (2D) or 3 (3D)
+    std::vector<unsigned int> pair; ///< contact pair of each locally owned point
+    ContactRegions            regions;
+
+    /// Degree of freedom (first component) of the slave node of each locally owned point; empty for
+    /// quadrature points.
+    std::vector<dealii::types::global_dof_index> node;
+
+    /// Where on the slave faces of this rank the rows are, and these rows, with those of other
+    /// ranks.
+    std::vector<FacePlaces> places;
+    dealii::IndexSet        readable;
+
+    /// @param shares of initial overlaps that count, pair by pair
+    void
+    set_interference(const std::vector<double> &shares);
+
+    /// @param rises ThermalStrain::coefficients(); ignored without S_thermal
+    void
+    set_rises(const LA::Vector &rises);
+
+    /// B u + g_0; u must satisfy its constraints.
+    LA::Vector
+    gap(const LA::Vector &u) const;
+
+    /// S u + s_0, the normal stress of the bodies; zero if there is no S.
+    LA::Vector
+    stress(const LA::Vector &u) const;
+
+    /// The force on the free degrees of freedom. @param s normal stress; ignored without theta
+    LA::Vector
+    force(const LA::Vector &p, const LA::Vector &s) const;
+
+    /// The same on prescribed degrees of freedom too.
+    LA::Vector
+    total_force(const LA::Vector &p, const LA::Vector &s) const;
+
+    LA::Vector
+    zero() const
+    {
+      LA::Vector v;
+      v.reinit(weight);
+      return v;
+    }
+
+    bool
+    empty() const
+    {
+      return weight.size() == 0;
+    }
+
+    /// One more than the largest number of a pair that has points, on any rank. Collective.
+    unsigned int
+    n_pairs() const;
+
+    /// Bytes of its matrices and vectors on this rank.
+    std::size_t
+    memory() const;
+
+    bool
+    has_stress() const
+    {
+      return S.m() > 0;
+    }
+
+  private:
+    LA::Vector
+    transposed(const LA::SparseMatrix &B_or_free,
+               const LA::SparseMatrix &S_or_free,
+               const LA::Vector       &p,
+               const LA::Vector       &s) const;
+  };
+
+  template <int dim>
+  std::unique_ptr<GapOperator>
+  make_gap_operator(const Elasticity<dim>                  &elasticity,
+                    const std::vector<ContactSurface<dim>> &surfaces,
+                    const ContactMethod                    &method);
+} // namespace Signorini

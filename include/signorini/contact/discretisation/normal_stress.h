@@ -1,0 +1,69 @@
+#pragma once
+
+#include <signorini/contact/discretisation/trace.h>
+#include <signorini/elasticity/kernel.h>
+
+#include <array>
+#include <vector>
+
+namespace Signorini
+{
+  /// The stress of a body at its boundary, seen from the cell behind a face. Keeps a reference to
+  /// its argument.
+  template <int dim>
+  class NormalStress
+  {
+  public:
+    using Cell = typename Trace<dim>::Cell;
+
+    NormalStress(const Elasticity<dim> &elasticity);
+
+    void
+    reinit(const Cell &cell);
+
+    /// n . sigma(u) m at a point of the reference cell, in terms of degrees of freedom (hanging
+    /// nodes resolved).
+    SparseRow
+    row(const dealii::Point<dim>     &unit_point,
+        const dealii::Tensor<1, dim> &n,
+        const dealii::Tensor<1, dim> &m) const;
+
+    /// The same of the stress that belongs to the rises of the temperature alone, - n . (C : alpha)
+    /// m (T - T_0), in terms of ThermalStrain::coefficients(). Empty if the body does not expand.
+    SparseRow
+    thermal_row(const dealii::Point<dim>     &unit_point,
+                const dealii::Tensor<1, dim> &n,
+                const dealii::Tensor<1, dim> &m) const;
+
+    /// The smallest C with
+    ///
+    ///   int_F (n . sigma(u) n)^2 dA <= C int_T sigma(u) : eps(u) dV
+    ///
+    /// for all displacements u of the cell T, n being the normal of its face F: the largest
+    /// eigenvalue of the generalised problem, which is of the order of E/h [force/length^3]
+    /// (thesis 3.5; Griebel, Schweitzer, Geometric Analysis and Nonlinear PDE (2002) 519-542).
+    double
+    bound(unsigned int face);
+
+  private:
+    /// The entries of row(), for each degree of freedom of the cell.
+    std::vector<double>
+    coefficients(const dealii::Point<dim>     &unit_point,
+                 const dealii::Tensor<1, dim> &n,
+                 const dealii::Tensor<1, dim> &m) const;
+
+    dealii::Point<dim>
+    position(const dealii::Point<dim> &unit_point) const;
+
+    dealii::Tensor<2, dim>
+    jacobian(const dealii::Point<dim> &unit_point) const;
+
+    const Elasticity<dim>                       &elasticity;
+    const unsigned int                           geometry_degree;
+    StiffnessKernel<dim>                         kernel;
+    std::vector<std::array<unsigned int, dim>>   lattice; ///< places of the geometry's nodes
+    Cell                                         cell;
+    std::vector<dealii::Point<dim>>              nodes; ///< of the geometry
+    std::vector<dealii::types::global_dof_index> indices;
+  };
+} // namespace Signorini

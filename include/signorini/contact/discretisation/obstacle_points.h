@@ -1,0 +1,21 @@
+#pragma once
+
+#include <signorini/contact/discretisation/pairing.h>
+#include <signorini/contact/obstacles/obstacle.h>
+#include <signorini/elasticity/elasticity.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// The points of slave faces that have a partner on a rigid obstacle: no mesh, no search, no
+  /// segments.
+  /// @param limit farther partners than that are none
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  obstacle_points(const Elasticity<dim>             &elasticity,
+                  const std::vector<FacePatch<dim>> &slave,
+                  const Obstacle<dim>               &obstacle,
+                  const Integration                 &integration,
+                  double                             limit);
+} // namespace Signorini

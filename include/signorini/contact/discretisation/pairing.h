@@ -1,0 +1,74 @@
+#pragma once
+
+#include <signorini/contact/discretisation/pressure_basis.h>
+#include <signorini/contact/geometry/search.h>
+
+#include <deal.II/base/quadrature.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// The points on a whole slave face (no segments).
+  template <int dim>
+  dealii::Quadrature<dim - 1>
+  face_rule(const Integration &integration);
+
+  /// A point of a slave face and its partner on the master.
+  template <int dim>
+  struct PairedPoint
+  {
+    unsigned int           face;   ///< number of the slave face on this rank
+    dealii::Point<dim - 1> xi;     ///< its parameter there
+    double                 weight; ///< area of the slave that it stands for
+    Partner<dim>           partner;
+    bool is_beside = false; ///< of the partner: not above it, but above another face
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      serialize_bytes(ar, face);
+      serialize_bytes(ar, xi);
+      serialize_bytes(ar, weight);
+      serialize_bytes(ar, is_beside);
+      ar &partner;
+    }
+  };
+
+  /// The points of quadrature on slave faces that have a partner. `nodes`: Gauss-Lobatto points,
+  /// which are the nodes of the finite element; `quadrature`: Gauss points; `segments`: Gauss
+  /// points on each segment (see segment_points()), with the partner on the segment's master face.
+  /// Where surfaces are curved and far from each other, the closest place may be on the next face:
+  /// it is the partner then, for the rim of the first one would be that of many points.
+  ///
+  /// A slave face that more than one layer of master faces lies opposite to, within the limit, is
+  /// covered more than once by segments; it is paired by Gauss points, which take the nearest
+  /// layer.
+  ///
+  /// Points come face by face. Faces take part as a whole, or not at all if no point of theirs has
+  /// a partner within the limit. Collective.
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  pair_points(const std::vector<FacePatch<dim>> &slave,
+              const MasterFaces<dim>            &master,
+              const Integration                 &integration,
+              double                             limit,
+              MPI_Comm                           comm,
+              SearchStatistics                  &statistics);
+
+  /// Distances change by no more than its diameter on a face: this finds all points of a face that
+  /// has one within the limit.
+  template <int dim>
+  double
+  reach(const FacePatch<dim> &slave, const double limit)
+  {
+    return limit + slave.diameter();
+  }
+
+  /// Drop the points of faces whose nearest partner is beyond the limit. A shape function on a part
+  /// of a face would be a weight that changes its sign.
+  template <int dim>
+  void
+  keep_near_faces(double limit, std::vector<PairedPoint<dim>> &points);
+} // namespace Signorini

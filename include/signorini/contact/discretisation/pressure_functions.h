@@ -1,0 +1,20 @@
+#pragma once
+
+#include <signorini/contact/discretisation/surface.h>
+#include <signorini/contact/geometry/boundary_faces.h>
+
+namespace Signorini
+{
+  /// Sets the functions of the pressure at the points of a surface (`shape` and `interpolation`).
+  /// Nodes that cannot move along the normal carry none if the pressure is an unknown of its own;
+  /// their neighbours take over. Returns the number of faces that can carry none at all.
+  /// @param paired_points and points: the same ones, face by face
+  template <int dim>
+  unsigned int
+  set_pressure_functions(const Elasticity<dim>               &elasticity,
+                         const ContactMethod                 &method,
+                         Basis                                basis,
+                         const BoundaryFaces<dim>            &slave,
+                         const std::vector<PairedPoint<dim>> &paired_points,
+                         std::vector<ContactPoint<dim>>      &points);
+} // namespace Signorini

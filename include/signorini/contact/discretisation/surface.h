@@ -1,0 +1,93 @@
+#pragma once
+
+#include <signorini/contact/discretisation/pairing.h>
+#include <signorini/contact/discretisation/pressure_basis.h>
+#include <signorini/contact/discretisation/sides.h>
+#include <signorini/contact/obstacles/obstacle.h>
+#include <signorini/contact/pair.h>
+#include <signorini/elasticity/elasticity.h>
+
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  class ContactMethod;
+
+  /// A point of integration on a slave face with its partner on the master, ready for assembly.
+  template <int dim>
+  struct ContactPoint
+  {
+    dealii::Point<dim>     position;
+    dealii::Tensor<1, dim> normal;    ///< unit, out of the master
+    double                 weight;    ///< area that the point stands for
+    double                 facing;    ///< minus the product of both surfaces' unit normals
+    double                 gap;       ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
+    double                 stiffness; ///< E/h of slave and master in series [force/length^3]
+    double                 depth;     ///< of the slave's cell behind the face: h
+    SparseRow              row;       ///< (u^S - u^M).n = sum row . d, hanging nodes resolved
+    /// The functions of the pressure at the point: (first degree of freedom of the node, value),
+    /// hanging nodes resolved. For point-wise methods the trace shape functions.
+    SparseRow              shape;
+    SparseRow              interpolation; ///< of a pressure in the dual basis; empty: `shape`
+    unsigned int           face;          ///< number of the slave face on this rank
+    dealii::Point<dim - 1> xi;            ///< the parameter there
+
+    // For methods that predict the pressure by the stress of the bodies:
+    SparseRow stress;         ///< normal stress, positive in compression, a mean of both bodies
+    SparseRow thermal_stress; ///< likewise that of rises, of ThermalStrain::coefficients()
+    double    bound = 0;      ///< of its square by the energy of the cells [force/length^3]
+  };
+
+  /// The nodes of a slave face, lexicographic in its parameter; hanging ones as they are.
+  template <int dim>
+  struct SlaveFace
+  {
+    dealii::CellId                               cell;
+    unsigned int                                 face   = 0; ///< of the cell
+    unsigned int                                 degree = 0; ///< 0: the face has no points
+    std::vector<dealii::types::global_dof_index> nodes;      ///< first degrees of freedom
+    std::vector<dealii::Point<dim>>              positions;
+  };
+
+  /// The contact points of one pair on this rank (of locally owned slave faces) that have a
+  /// partner.
+  template <int dim>
+  struct ContactSurface
+  {
+    std::vector<ContactPoint<dim>> points; ///< face by face
+    /// (shape, weight) at points of whole slave faces, with or without partners: what the nodes
+    /// would have if the master were everywhere.
+    std::vector<std::pair<SparseRow, double>> whole;
+    std::vector<SlaveFace<dim>>               slave_faces; ///< by their numbers
+    SearchStatistics                          statistics;
+    unsigned int                              faces     = 0;
+    bool                                      separates = true; ///< as its pair says
+    double reach         = 0;     ///< faces with larger gaps are no candidates
+    bool   is_apart      = false; ///< none is one
+    double largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]
+    bool   sees_nothing  = false; ///< no point has a partner within the search distance
+    double face_size     = 0;     ///< of slave faces with points, the mean over their areas
+    double off_nodes     = 0;     ///< share of the area whose partners are not at master nodes
+    Sides  sides;                 ///< alike if the master is an obstacle
+  };
+
+  /// Share of the slave's area that has a partner. Collective.
+  template <int dim>
+  double
+  covered_share(const ContactSurface<dim> &surface, MPI_Comm comm);
+
+  /// Integrate the slave and find the partners. Collective. Unbiased methods get both surfaces, as
+  /// slaves of each other with half their areas; all normals point out of the pair's master.
+  /// @param obstacle null if the master is a boundary of a body
+  /// @param reach the gap up to which faces are candidates, unless the pair has a search distance;
+  /// at least twice the deepest initial overlap
+  template <int dim>
+  ContactSurface<dim>
+  make_contact_surface(const Elasticity<dim>  &elasticity,
+                       const ContactPair<dim> &pair,
+                       const Obstacle<dim>    *obstacle,
+                       const ContactMethod    &method,
+                       const Integration      &integration,
+                       double                  reach = 0);
+} // namespace Signorini

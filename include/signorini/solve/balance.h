@@ -1,0 +1,85 @@
+#pragma once
+
+#include <signorini/solve/contact_system.h>
+#include <signorini/solve/newton_report.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// Forces out of balance, and what they have to be small beside: when Newton's method may stop.
+  class Balance
+  {
+  public:
+    /// Refers to all but the numbers.
+    /// @param bodies that of each locally owned degree of freedom, Elasticity::bodies_of_dofs()
+    Balance(const ContactSystem                     &system,
+            const ContactLaw                        &law,
+            const dealii::AffineConstraints<double> &constraints,
+            const std::vector<unsigned int>         &bodies,
+            double                                   tolerance);
+
+    /// Forget the forces that there were.
+    void
+    restart();
+
+    /// f + B^T W p - K u, zero where the displacement is prescribed.
+    LA::Vector
+    residual(const LA::Vector &f,
+             const LA::Vector &u,
+             const LA::Vector &p,
+             const LA::Vector &stress,
+             const LA::Vector &active);
+
+    // Of the last one:
+
+    /// The forces at work; 1 if there are none.
+    double
+    scale() const
+    {
+      return force_scale > 0 ? force_scale : 1.;
+    }
+
+    /// Those at work in the body where they are smallest.
+    double
+    least() const;
+    /// Relative to the forces at work, that of the body where it is largest.
+    double
+    residual_of_bodies(const LA::Vector &r) const;
+
+    /// Forces and the active set are those of a solution; with augmentations, of the present one.
+    /// @param before residual of the last step, to see that it does not fall any more
+    bool
+    is_balanced(const NewtonStep &step, double before) const;
+    /// So are the gaps.
+    bool
+    is_closed(const NewtonStep &step) const;
+
+  private:
+    /// Body by body, what residuals have to be small beside. That of all, which a support that
+    /// moves a stiff body makes large though the body is free of stress in the end, is not what
+    /// acts on a soft one; so it counts up to a thousand times the contact force.
+    std::vector<double>
+    forces_at_work(const LA::Vector &contact_force, double scale) const;
+    /// Of the parts of a vector.
+    std::vector<double>
+    norms_of_bodies(const LA::Vector &force) const;
+    /// Of the bodies' forces, and of penalties, which multiply that of the gap; in the norm of the
+    /// residual.
+    double
+    rounding(const LA::Vector &u, const LA::Vector &active) const;
+
+    const ContactSystem                     &system;
+    const ContactLaw                        &law;
+    const GapOperator                       &contact;
+    const dealii::AffineConstraints<double> &constraints;
+    const std::vector<unsigned int>          bodies;
+    const double                             tolerance;
+    unsigned int                             n_bodies = 0;
+    LA::Vector                               stiffness_diagonal;
+    double                                   force_scale = 0, largest_force = 0, force_rounding = 0;
+    std::vector<double>                      at_work; ///< forces_at_work() now
+  };
+} // namespace Signorini

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+namespace Signorini
+{
+  class Section;
+
+  struct NewtonSettings
+  {
+    unsigned int maximum_steps = 40;
+    double       tolerance     = 1e-10;
+    double       reduction     = 1e-2;
+    double       stabilisation = 0.25;
+    std::string  undetermined  = "refuse";
+
+    /// What to do about motions that nothing determines, for messages.
+    static std::string
+    how_to_hold();
+
+    void
+    declare(Section &section);
+  };
+} // namespace Signorini

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <signorini/contact/discretisation/face_places.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+  /// What is known of contact at a place.
+  struct PlaceValue
+  {
+    FacePlace place{};
+    double    pressure = 0; ///< positive in compression [force/length^2]
+    double    active   = 0; ///< 1 if the place carries pressure, else 0
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &place[0] & place[1] & pressure &active;
+    }
+  };
+
+  /// Pressure and active set by slave face and place on it. It refers to no mesh, to no rows and no
+  /// degrees of freedom: it outlives them. Each rank has the faces of some cells.
+  class SurfaceField
+  {
+  public:
+    /// @param dim that of the cells
+    explicit SurfaceField(unsigned int dim = 3)
+      : dim(dim)
+    {}
+
+    bool
+    empty() const
+    {
+      return faces.empty();
+    }
+
+    void
+    set(const FaceId &face, std::vector<PlaceValue> values)
+    {
+      faces[face] = std::move(values);
+    }
+
+    /// What ranks have to know to ask at() for the faces that they want, whoever knew it before:
+    /// these faces, and those of their cells' parents and children. Collective.
+    SurfaceField
+    known_at(const std::vector<FaceId> &wanted, MPI_Comm comm) const;
+
+    /// The values at a place: as they were set, if they were set there; else the polynomial through
+    /// those of the face (where they are on a lattice), or a plane that weighs them by their
+    /// distance. Of a face that is not known, those of its parent or of its children. Empty if they
+    /// are not known either.
+    std::optional<PlaceValue>
+    at(const FaceId &face, const FacePlace &place) const;
+
+  private:
+    unsigned int                              dim;
+    std::map<FaceId, std::vector<PlaceValue>> faces;
+  };
+} // namespace Signorini

@@ -1,0 +1,425 @@
+#include <signorini/contact/discretisation/contact_rows.h>
+#include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/discretisation/thermal_stress.h>
+#include <signorini/contact/discretisation/tied_columns.h>
+#include <signorini/contact/methods/method.h>
+#include <signorini/elasticity/cell_nodes.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Indices = std::vector<types::global_dof_index>;
+
+    /// The rows of B and S that some points of one slave face contribute to, as dense matrices:
+    /// adding them at once costs a fraction of adding point by point.
+    struct FaceMatrix
+    {
+      Indices            rows, columns;
+      FullMatrix<double> displacement, stress;
+    };
+
+    void
+    sort_and_unite(Indices &indices)
+    {
+      std::sort(indices.begin(), indices.end());
+      indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    }
+
+    unsigned int
+    position_in(const Indices &indices, const types::global_dof_index i)
+    {
+      return std::lower_bound(indices.begin(), indices.end(), i) - indices.begin();
+    }
+
+    template <int dim>
+    void
+    append_columns(const ContactPoint<dim> &point, Indices &columns)
+    {
+      for (const SparseRow *row : {&point.row, &point.stress})
+        for (const auto &entry : *row)
+          columns.push_back(entry.first);
+    }
+
+    template <int dim>
+    bool
+    same_columns(const ContactPoint<dim> &a, const ContactPoint<dim> &b)
+    {
+      Indices of_a, of_b;
+      append_columns(a, of_a);
+      append_columns(b, of_b);
+      sort_and_unite(of_a);
+      sort_and_unite(of_b);
+      return of_a == of_b;
+    }
+
+    template <int dim>
+    FaceMatrix
+    face_matrix(const ContactSurface<dim>             &surface,
+                const std::vector<std::vector<Share>> &shares,
+                const unsigned int                     first,
+                const unsigned int                     last)
+    {
+      FaceMatrix matrix;
+      for (unsigned int q = first; q < last; ++q)
+        {
+          for (const Share &share : shares[q])
+            matrix.rows.push_back(share.row);
+          append_columns(surface.points[q], matrix.columns);
+        }
+      sort_and_unite(matrix.rows);
+      sort_and_unite(matrix.columns);
+      const auto fill = [&](FullMatrix<double> &values, SparseRow ContactPoint<dim>::*member) {
+        values.reinit(matrix.rows.size(), matrix.columns.size());
+        for (unsigned int q = first; q < last; ++q)
+          for (const auto &[column, value] : surface.points[q].*member)
+            {
+              const unsigned int j = position_in(matrix.columns, column);
+              for (const auto &[row, weight] : shares[q])
+                values(position_in(matrix.rows, row), j) += weight * value;
+            }
+      };
+      fill(matrix.displacement, &ContactPoint<dim>::row);
+      if (!surface.points[first].stress.empty())
+        fill(matrix.stress, &ContactPoint<dim>::stress);
+      return matrix;
+    }
+
+    template <int dim>
+    std::vector<FaceMatrix>
+    face_matrices(const ContactRows                      &rows,
+                  const std::vector<ContactSurface<dim>> &surfaces,
+                  const Sampling                          sampling)
+    {
+      std::vector<FaceMatrix> matrices;
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        {
+          const auto &points = surfaces[p].points;
+          for (unsigned int first = 0, last = 0; first < points.size(); first = last)
+            {
+              // Rows of points have the columns of their own partner only.
+              while (last < points.size() && points[last].face == points[first].face &&
+                     (sampling == Sampling::nodes || same_columns(points[first], points[last])))
+                ++last;
+              matrices.push_back(face_matrix(surfaces[p], rows.shares[p], first, last));
+            }
+        }
+      return matrices;
+    }
+
+    template <int dim>
+    void
+    assemble_matrices(GapOperator                            &contact,
+                      const ContactRows                      &rows,
+                      const std::vector<ContactSurface<dim>> &surfaces,
+                      const ContactMethod                    &method,
+                      const MPI_Comm                          comm)
+    {
+      const std::vector<FaceMatrix>     matrices = face_matrices(rows, surfaces, method.sampling());
+      TrilinosWrappers::SparsityPattern pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
+      for (const FaceMatrix &matrix : matrices)
+        for (const auto row : matrix.rows)
+          pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
+      pattern.compress();
+      contact.B.reinit(pattern);
+      for (const FaceMatrix &matrix : matrices)
+        contact.B.add(matrix.rows, matrix.columns, matrix.displacement);
+      contact.B.compress(VectorOperation::add);
+      if (method.predictor() != Predictor::normal_stress)
+        return;
+      contact.theta = method.theta();
+      contact.S.reinit(pattern);
+      for (const FaceMatrix &matrix : matrices)
+        contact.S.add(matrix.rows, matrix.columns, matrix.stress);
+      contact.S.compress(VectorOperation::add);
+    }
+
+    template <int dim>
+    void
+    assemble_vectors(GapOperator                            &contact,
+                     const ContactRows                      &rows,
+                     const std::vector<ContactSurface<dim>> &surfaces,
+                     const ContactMethod                    &method,
+                     const double                            size,
+                     const MPI_Comm                          comm)
+    {
+      const unsigned int n_moments = dim == 2 ? 1 : 3;
+      contact.weight.reinit(rows.owned, comm);
+      contact.rest_gap.reinit(contact.weight);
+      contact.stiffness.reinit(contact.weight);
+      contact.permanent.reinit(contact.weight);
+      contact.epsilon.reinit(contact.weight);
+      contact.position.assign(dim, contact.zero());
+      contact.normal.assign(dim, contact.zero());
+      contact.moment.assign(n_moments, contact.zero());
+
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        for (unsigned int q = 0; q < surfaces[p].points.size(); ++q)
+          {
+            const ContactPoint<dim> &point  = surfaces[p].points[q];
+            const Tensor<1, 3>       moment = moment_of(point.position, point.normal);
+            const double             epsilon =
+              method.penalty({point.stiffness, size / point.depth, point.bound});
+            for (const auto &[row, weight] : rows.shares[p][q])
+              {
+                contact.weight(row) += weight;
+                contact.rest_gap(row) += weight * point.gap;
+                contact.stiffness(row) += weight * point.stiffness;
+                contact.epsilon(row) += weight * epsilon;
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    contact.position[d](row) += weight * point.position[d];
+                    contact.normal[d](row) += weight * point.normal[d];
+                  }
+                for (unsigned int d = 0; d < n_moments; ++d)
+                  contact.moment[d](row) += weight * moment[d];
+              }
+          }
+    }
+
+    /// Put the points of nodes where the nodes are, instead of the weighted mean of their
+    /// surroundings.
+    template <int dim>
+    void
+    move_to_nodes(GapOperator &contact, const Elasticity<dim> &elasticity)
+    {
+      // A node that is slave in two pairs has two rows.
+      std::multimap<types::global_dof_index, types::global_dof_index> rows_of;
+      auto                                                            row = contact.node.begin();
+      for (const auto i : contact.weight.locally_owned_elements())
+        rows_of.emplace(*row++, i);
+
+      CellNodes<dim> nodes_of(elasticity.mesh(), elasticity.finite_elements());
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            read_indices<dim>(cell, indices);
+            if (std::none_of(indices.begin(), indices.end(), [&](const auto i) {
+                  return rows_of.count(i);
+                }))
+              continue;
+            const std::vector<Point<dim>> &nodes = nodes_of(cell);
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              for (auto [at, last] = rows_of.equal_range(indices[i]); at != last; ++at)
+                for (unsigned int d = 0; d < dim; ++d)
+                  contact.position[d](at->second) = nodes[i][d];
+          }
+      for (LA::Vector &v : contact.position)
+        v.compress(VectorOperation::insert);
+    }
+
+    /// From sums over the points' weights to means.
+    void
+    normalise(GapOperator &contact)
+    {
+      contact.weight.compress(VectorOperation::add);
+      LA::Vector inverse = contact.zero();
+      for (const auto i : inverse.locally_owned_elements())
+        inverse(i) = 1 / contact.weight(i);
+      inverse.compress(VectorOperation::insert);
+
+      std::vector<LA::Vector *> means = {&contact.rest_gap, &contact.stiffness, &contact.epsilon};
+      for (auto *group : {&contact.position, &contact.normal, &contact.moment})
+        for (LA::Vector &v : *group)
+          means.push_back(&v);
+      for (LA::Vector *v : means)
+        {
+          v->compress(VectorOperation::add);
+          v->scale(inverse);
+        }
+      LA::scale_rows(contact.B, inverse);
+      if (contact.has_stress())
+        LA::scale_rows(contact.S, inverse);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<GapOperator>
+  make_gap_operator(const Elasticity<dim>                  &elasticity,
+                    const std::vector<ContactSurface<dim>> &surfaces,
+                    const ContactMethod                    &method)
+  {
+    const MPI_Comm comm    = elasticity.mesh().communicator();
+    ContactRows    rows    = make_contact_rows(elasticity, surfaces, method.sampling());
+    auto           result  = std::make_unique<GapOperator>();
+    GapOperator   &contact = *result;
+    contact.dofs           = elasticity.owned();
+    contact.pair           = rows.pair;
+    contact.node           = rows.node;
+    contact.places         = std::move(rows.places);
+    contact.readable       = rows.writable;
+    contact.regions        = ContactRegions(elasticity, surfaces, rows, method.sampling());
+    assemble_matrices(contact, rows, surfaces, method, comm);
+    assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), comm);
+    normalise(contact);
+    if (contact.has_stress())
+      assemble_thermal_stress(elasticity.thermal(), rows, surfaces, contact);
+    auto pair = rows.pair.begin();
+    for (const auto i : rows.owned)
+      {
+        const bool stays     = !surfaces[*pair++].separates && contact.weight(i) > 0;
+        contact.permanent(i) = stays ? 1. : 0.;
+      }
+    contact.permanent.compress(VectorOperation::insert);
+    if (method.sampling() == Sampling::nodes)
+      move_to_nodes(contact, elasticity);
+
+    LA::Vector free = elasticity.zero_vector();
+    free            = 1.;
+    elasticity.constraints().set_zero(free);
+    contact.B_free.copy_from(contact.B);
+    LA::scale_columns(contact.B_free, free);
+    if (contact.has_stress())
+      {
+        contact.S_free.copy_from(contact.S);
+        LA::scale_columns(contact.S_free, free);
+      }
+    contact.initial_gap = contact.rest_gap;
+    contact.tied        = elasticity.has_inclined_supports();
+    if (contact.tied)
+      add_tied_columns(elasticity, contact);
+    return result;
+  }
+
+
+
+  void
+  GapOperator::set_interference(const std::vector<double> &shares)
+  {
+    interference = shares;
+    auto which   = pair.begin();
+    for (const auto i : rest_gap.locally_owned_elements())
+      {
+        const double share  = shares[*which++];
+        const bool   counts = rest_gap(i) < 0 || permanent(i) > 0;
+        initial_gap(i)      = counts ? share * rest_gap(i) : rest_gap(i);
+      }
+    initial_gap.compress(VectorOperation::insert);
+  }
+
+
+
+  void
+  GapOperator::set_rises(const LA::Vector &rises)
+  {
+    if (S_thermal.m() == 0)
+      return;
+    thermal_stress = zero();
+    S_thermal.vmult(thermal_stress, rises);
+  }
+
+
+
+  LA::Vector
+  GapOperator::gap(const LA::Vector &u) const
+  {
+    LA::Vector g = zero();
+    if (!empty())
+      B.vmult(g, u);
+    g += initial_gap;
+    return g;
+  }
+
+
+
+  unsigned int
+  GapOperator::n_pairs() const
+  {
+    const unsigned int own = pair.empty() ? 0 : 1 + *std::max_element(pair.begin(), pair.end());
+    return Utilities::MPI::max(own, weight.get_mpi_communicator());
+  }
+
+
+
+  LA::Vector
+  GapOperator::stress(const LA::Vector &u) const
+  {
+    LA::Vector s = zero();
+    if (has_stress() && !empty())
+      S.vmult(s, u);
+    if (thermal_stress.size() > 0)
+      s += thermal_stress;
+    return s;
+  }
+
+
+
+  LA::Vector
+  GapOperator::transposed(const LA::SparseMatrix &B_or_free,
+                          const LA::SparseMatrix &S_or_free,
+                          const LA::Vector       &p,
+                          const LA::Vector       &s) const
+  {
+    // Not the communicator of p: an empty vector may have been assigned without one.
+    LA::Vector result(dofs, weight.get_mpi_communicator());
+    if (empty())
+      return result;
+    LA::Vector weighted = p;
+    weighted.scale(weight);
+    B_or_free.Tvmult(result, weighted);
+    if (theta == 0)
+      return result;
+    for (const auto i : weighted.locally_owned_elements())
+      weighted(i) = theta * weight(i) / epsilon(i) * (s(i) - p(i));
+    weighted.compress(VectorOperation::insert);
+    LA::Vector of_stress;
+    of_stress.reinit(result);
+    S_or_free.Tvmult(of_stress, weighted);
+    result += of_stress;
+    return result;
+  }
+
+
+
+  LA::Vector
+  GapOperator::force(const LA::Vector &p, const LA::Vector &s) const
+  {
+    return transposed(B_free, S_free, p, s);
+  }
+
+
+
+  LA::Vector
+  GapOperator::total_force(const LA::Vector &p, const LA::Vector &s) const
+  {
+    return transposed(B, S, p, s);
+  }
+
+
+
+  std::size_t
+  GapOperator::memory() const
+  {
+    std::size_t bytes = 0;
+    for (const LA::SparseMatrix *matrix : {&B, &B_free, &S, &S_free, &S_thermal})
+      if (matrix->m() > 0)
+        bytes += matrix->trilinos_matrix().NumMyNonzeros() * (sizeof(double) + sizeof(int));
+    const std::size_t n_vectors = 5 + position.size() + normal.size() + moment.size();
+    return bytes + weight.locally_owned_size() * n_vectors * sizeof(double);
+  }
+
+
+
+  template std::unique_ptr<GapOperator>
+  make_gap_operator(const Elasticity<2> &,
+                    const std::vector<ContactSurface<2>> &,
+                    const ContactMethod &);
+  template std::unique_ptr<GapOperator>
+  make_gap_operator(const Elasticity<3> &,
+                    const std::vector<ContactSurface<3>> &,
+                    const ContactMethod &);
+} // namespace Signorini

@@ -1,0 +1,212 @@
+#include <signorini/contact/discretisation/normal_stress.h>
+#include <signorini/contact/geometry/face_patch.h>
+#include <signorini/contact/geometry/lagrange.h>
+#include <signorini/elasticity/cell_nodes.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  NormalStress<dim>::NormalStress(const Elasticity<dim> &elasticity)
+    : elasticity(elasticity)
+    , geometry_degree(elasticity.mesh().geometry_degree())
+    , kernel(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
+  {
+    const unsigned int n = geometry_degree + 1;
+    for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i)
+      {
+        lattice.emplace_back();
+        for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
+          lattice.back()[d] = rest % n;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  NormalStress<dim>::reinit(const Cell &new_cell)
+  {
+    if (cell.state() == IteratorState::valid && cell == new_cell)
+      return;
+    cell = new_cell;
+    read_indices<dim>(cell, indices);
+    nodes.clear();
+    for (const auto &place : lattice)
+      {
+        Point<dim> p;
+        for (unsigned int d = 0; d < dim; ++d)
+          p[d] = double(place[d]) / geometry_degree;
+        nodes.push_back(elasticity.mesh().mapping().transform_unit_to_real_cell(cell, p));
+      }
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  NormalStress<dim>::jacobian(const Point<dim> &unit_point) const
+  {
+    std::array<LagrangeBasis, dim> basis;
+    for (unsigned int d = 0; d < dim; ++d)
+      basis[d] = lagrange(geometry_degree, unit_point[d]);
+    Tensor<2, dim> J;
+    auto           node = nodes.begin();
+    for (const auto &place : lattice)
+      {
+        Tensor<1, dim> gradient;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            gradient[d] = 1;
+            for (unsigned int e = 0; e < dim; ++e)
+              gradient[d] *= basis[e][place[e]][d == e ? 1 : 0];
+          }
+        J += outer_product(Tensor<1, dim>(*node++), gradient);
+      }
+    return J;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  NormalStress<dim>::position(const Point<dim> &unit_point) const
+  {
+    std::array<LagrangeBasis, dim> basis;
+    for (unsigned int d = 0; d < dim; ++d)
+      basis[d] = lagrange(geometry_degree, unit_point[d]);
+    Point<dim> x;
+    auto       node = nodes.begin();
+    for (const auto &place : lattice)
+      {
+        double value = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+          value *= basis[d][place[d]][0];
+        x += value * *node++;
+      }
+    return x;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  NormalStress<dim>::coefficients(const Point<dim>     &unit_point,
+                                  const Tensor<1, dim> &n,
+                                  const Tensor<1, dim> &m) const
+  {
+    const Material      &material = elasticity.material(cell->material_id());
+    const auto          &fe       = cell->get_fe();
+    const Tensor<2, dim> to_real  = transpose(invert(jacobian(unit_point)));
+    const double         lambda   = in_plane_lambda(elasticity.model(), material);
+    const double         r        = position(unit_point)[0];
+    std::vector<double>  result(indices.size());
+    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+      {
+        // u = N e_d: n . sigma m = lambda div u n.m + mu (n_d grad N . m + m_d grad N . n)
+        const Tensor<1, dim> gradient   = to_real * fe.base_element(0).shape_grad(i, unit_point);
+        Tensor<1, dim>       divergence = gradient; // of N e_d
+        if (elasticity.model() == Model::axisymmetric)
+          divergence[0] += r > 0 ? fe.base_element(0).shape_value(i, unit_point) / r : gradient[0];
+        for (unsigned int d = 0; d < dim; ++d)
+          result[fe.component_to_system_index(d, i)] =
+            lambda * divergence[d] * (n * m) +
+            material.mu() * (n[d] * (gradient * m) + m[d] * (gradient * n));
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  NormalStress<dim>::row(const Point<dim>     &unit_point,
+                         const Tensor<1, dim> &n,
+                         const Tensor<1, dim> &m) const
+  {
+    const std::vector<double> values = coefficients(unit_point, n, m);
+    SparseRow                 result;
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (values[i] != 0)
+        result.emplace_back(indices[i], values[i]);
+    resolve(elasticity.hanging_nodes(), result);
+    return result;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  NormalStress<dim>::thermal_row(const Point<dim>     &unit_point,
+                                 const Tensor<1, dim> &n,
+                                 const Tensor<1, dim> &m) const
+  {
+    const ThermalStrain<dim> &thermal = elasticity.thermal();
+    const unsigned int        body    = cell->material_id();
+    if (!thermal.expands(body))
+      return {};
+    const Tensor<1, 3> of_unit_rise = thermal.stress_of_unit_rise(elasticity.material(body), body);
+    double             normal       = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      normal += n[d] * of_unit_rise[d] * m[d];
+    SparseRow result = thermal.row(*cell, position(unit_point));
+    for (auto &entry : result)
+      entry.second *= -normal;
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  NormalStress<dim>::bound(const unsigned int face)
+  {
+    const unsigned int n = indices.size();
+    FullMatrix<double> stiffness;
+    kernel.assemble(cell, elasticity.material(cell->material_id()), stiffness);
+    Eigen::MatrixXd K(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        K(i, j) = stiffness(i, j);
+
+    const QGauss<dim - 1> rule(cell->get_fe().degree + 2);
+    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
+    Eigen::MatrixXd       stress(rule.size(), n); // times the square roots of the areas
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const Tensor<1, dim>      normal = patch.normal(rule.point(q));
+        const std::vector<double> row =
+          coefficients(unit_point<dim>(face, rule.point(q)), normal, normal);
+        const double root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
+                                      measure(elasticity.model(), patch.position(rule.point(q))));
+        for (unsigned int i = 0; i < n; ++i)
+          stress(q, i) = root * row[i];
+      }
+
+    // Rigid-body modes, on which both sides vanish, are left out.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
+    const double    smallest = 1e-10 * modes.eigenvalues().maxCoeff();
+    Eigen::VectorXd scale    = modes.eigenvalues();
+    for (unsigned int i = 0; i < n; ++i)
+      scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
+    const Eigen::MatrixXd scaled = stress * modes.eigenvectors() * scale.asDiagonal();
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled * scaled.transpose(),
+                                                          Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+  }
+
+
+
+  template class NormalStress<2>;
+  template class NormalStress<3>;
+} // namespace Signorini

@@ -1,0 +1,129 @@
+#include <signorini/contact/discretisation/pressure_functions.h>
+#include <signorini/contact/methods/method.h>
+#include <signorini/elasticity/cell_nodes.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// True if the displacement of the node in direction n is prescribed, or nearly so.
+    template <int dim>
+    bool
+    is_prescribed(const Elasticity<dim>        &elasticity,
+                  const types::global_dof_index first,
+                  const Tensor<1, dim>         &n)
+    {
+      const auto node = elasticity.held_nodes().find(first);
+      return node != elasticity.held_nodes().end() && node->second.free_part(n).norm() < 0.1;
+    }
+
+    /// On the axis of an axisymmetric body, the function of a node of degree 2 has no area:
+    /// int N r dr = 0.
+    template <int dim>
+    bool
+    has_no_area(const Elasticity<dim> &elasticity, const unsigned int degree, const Point<dim> &x)
+    {
+      return elasticity.model() == Model::axisymmetric && degree == 2 &&
+             x[0] < 1e-10 * elasticity.lever();
+    }
+
+    template <int dim>
+    std::vector<FaceNode>
+    face_nodes(const Elasticity<dim>   &elasticity,
+               const CellIterator<dim> &cell,
+               const unsigned int       face,
+               const FacePatch<dim>    &patch)
+    {
+      const FiniteElement<dim>            &fe = cell->get_fe();
+      std::vector<types::global_dof_index> indices;
+      read_indices<dim>(cell, indices);
+      std::vector<FaceNode> nodes;
+      for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+        {
+          const unsigned int first = fe.component_to_system_index(0, i);
+          if (!fe.has_support_on_face(first, face))
+            continue;
+          FaceNode   node{indices[first], {{0, 0}}, false};
+          const auto xi = face_parameter<dim>(face, fe.base_element(0).unit_support_point(i));
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            node.xi[d] = xi[d];
+          node.prescribed = is_prescribed(elasticity, node.index, patch.normal(xi)) ||
+                            has_no_area(elasticity, fe.degree, patch.position(xi));
+          nodes.push_back(node);
+        }
+      return nodes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  unsigned int
+  set_pressure_functions(const Elasticity<dim>               &elasticity,
+                         const ContactMethod                 &method,
+                         const Basis                          kind,
+                         const BoundaryFaces<dim>            &slave,
+                         const std::vector<PairedPoint<dim>> &paired_points,
+                         std::vector<ContactPoint<dim>>      &points)
+  {
+    // Otherwise a law says what the pressure is, even where nothing can move.
+    const bool must_balance =
+      method.predictor() == Predictor::multiplier || method.predictor() == Predictor::last_pressure;
+    Trace<dim>             trace(elasticity);
+    std::vector<SparseRow> shapes;
+    std::vector<double>    weights;
+    unsigned int           n_prescribed = 0;
+    for (unsigned int first = 0, last = 0; first < points.size(); first = last)
+      {
+        const auto &[cell, face] = slave.faces[points[first].face];
+        trace.reinit(cell, face);
+        shapes.clear();
+        weights.clear();
+        for (; last < points.size() && points[last].face == points[first].face; ++last)
+          {
+            shapes.push_back(trace.unresolved_shape(unit_point<dim>(face, paired_points[last].xi)));
+            weights.push_back(points[last].weight);
+          }
+        auto       nodes = face_nodes(elasticity, cell, face, slave.patches[points[first].face]);
+        const bool all_prescribed =
+          std::all_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.prescribed; });
+        if (all_prescribed && !must_balance)
+          for (FaceNode &node : nodes)
+            node.prescribed = false;
+        const PressureBasis basis(nodes, shapes, weights, kind);
+        const PressureBasis standard(nodes, shapes, weights, Basis::standard);
+        n_prescribed += basis.empty();
+        for (unsigned int q = first; q < last; ++q)
+          {
+            points[q].shape = basis.at(shapes[q - first]);
+            resolve(elasticity.hanging_nodes(), points[q].shape);
+            if (kind == Basis::standard)
+              continue;
+            points[q].interpolation = standard.at(shapes[q - first]);
+            resolve(elasticity.hanging_nodes(), points[q].interpolation);
+          }
+      }
+    return n_prescribed;
+  }
+
+
+
+  template unsigned int
+  set_pressure_functions(const Elasticity<2> &,
+                         const ContactMethod &,
+                         Basis,
+                         const BoundaryFaces<2> &,
+                         const std::vector<PairedPoint<2>> &,
+                         std::vector<ContactPoint<2>> &);
+  template unsigned int
+  set_pressure_functions(const Elasticity<3> &,
+                         const ContactMethod &,
+                         Basis,
+                         const BoundaryFaces<3> &,
+                         const std::vector<PairedPoint<3>> &,
+                         std::vector<ContactPoint<3>> &);
+} // namespace Signorini

@@ -1,0 +1,223 @@
+#include <signorini/contact/geometry/face_patch.h>
+#include <signorini/contact/geometry/face_patches.h>
+#include <signorini/contact/geometry/find_pairs.h>
+#include <signorini/contact/geometry/search.h>
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A face of the surface of a body, seen from far.
+    template <int dim>
+    struct Face
+    {
+      Point<dim>     center;
+      Tensor<1, dim> normal; ///< outward
+      double         size;
+      unsigned int   boundary, body; ///< numbers
+
+      BoundingBox<dim>
+      box(const double margin) const
+      {
+        BoundingBox<dim> result(std::make_pair(center, center));
+        result.extend(size / 2 + margin);
+        return result;
+      }
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        serialize_bytes(ar, *this);
+      }
+    };
+
+    template <int dim>
+    std::vector<Face<dim>>
+    all_faces(const Mesh<dim> &mesh)
+    {
+      // Of a face with several names, the first counts.
+      std::map<types::boundary_id, unsigned int> number_of;
+      for (unsigned int i = 0; i < mesh.boundaries().size(); ++i)
+        for (const types::boundary_id id : mesh.boundary_ids(mesh.boundaries()[i]))
+          number_of.insert({id, i});
+      std::vector<Face<dim>> own, all;
+      FacePatches<dim>       patch_of(mesh);
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary())
+              {
+                const FacePatch<dim> patch = patch_of(cell, f);
+                Point<dim - 1>       middle;
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  middle[d] = 0.5;
+                own.push_back({patch.position(middle),
+                               patch.normal(middle),
+                               patch.diameter(),
+                               number_of.at(cell->face(f)->boundary_id()),
+                               cell->material_id()});
+              }
+      for (const auto &some : Utilities::MPI::all_gather(mesh.communicator(), own))
+        all.insert(all.end(), some.begin(), some.end());
+      return all;
+    }
+
+    /// Two faces of different bodies that look at each other along their normals.
+    template <int dim>
+    bool
+    may_meet(const Face<dim> &a, const Face<dim> &b, const double distance)
+    {
+      const Tensor<1, dim> across  = b.center - a.center;
+      const double         height  = across * a.normal;
+      const double         lateral = (across - height * a.normal).norm();
+      return a.body != b.body && faces_each_other<dim>(a.normal, b.normal) &&
+             std::abs(height) <= distance + (a.size + b.size) / 4 &&
+             lateral <= (a.size + b.size) / 2;
+    }
+
+    using BoundaryPair = std::pair<unsigned int, unsigned int>;
+
+    template <int dim>
+    std::set<BoundaryPair>
+    meeting_boundaries(const std::vector<Face<dim>> &faces, const double distance)
+    {
+      std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
+      for (unsigned int i = 0; i < faces.size(); ++i)
+        boxes.emplace_back(faces[i].box(0), i);
+      const auto             tree = pack_rtree(boxes);
+      std::set<BoundaryPair> result;
+      for (const Face<dim> &face : faces)
+        for (const auto &[box, i] :
+             tree | boost::geometry::index::adaptors::queried(
+                      boost::geometry::index::intersects(face.box(distance))))
+          if (may_meet(face, faces[i], distance))
+            result.insert(std::minmax(face.boundary, faces[i].boundary));
+      return result;
+    }
+
+    /// Boundaries that may meet an obstacle.
+    template <int dim>
+    std::set<unsigned int>
+    boundaries_at(const std::vector<Face<dim>> &faces,
+                  const ObstacleShape<dim>     &shape,
+                  const double                  distance)
+    {
+      std::set<unsigned int> result;
+      for (const Face<dim> &face : faces)
+        {
+          const ObstaclePlace<dim> place = shape.closest(face.center);
+          if (std::abs(place.gap) <= distance + face.size / 2 &&
+              faces_each_other(face.normal, place.normal))
+            result.insert(face.boundary);
+        }
+      return result;
+    }
+
+    /// Of each boundary.
+    struct Fineness
+    {
+      double       size = 0; ///< mean over its faces
+      unsigned int body = 0;
+    };
+
+    template <int dim>
+    std::vector<Fineness>
+    fineness(const std::vector<Face<dim>> &faces, const unsigned int n_boundaries)
+    {
+      std::vector<Fineness>     result(n_boundaries);
+      std::vector<unsigned int> n(n_boundaries, 0);
+      for (const Face<dim> &face : faces)
+        {
+          result[face.boundary].size += face.size;
+          result[face.boundary].body = face.body;
+          ++n[face.boundary];
+        }
+      for (unsigned int i = 0; i < n_boundaries; ++i)
+        result[i].size /= std::max(1u, n[i]);
+      return result;
+    }
+
+    /// A face in two pairs would be in contact twice.
+    template <int dim>
+    void
+    check_names(const std::vector<ContactPair<dim>> &pairs, const Mesh<dim> &mesh)
+    {
+      std::map<types::boundary_id, std::string> name_of;
+      for (const ContactPair<dim> &pair : pairs)
+        for (const types::boundary_id id : mesh.boundary_ids(pair.slave))
+          if (const auto &name = name_of.insert({id, pair.slave}).first->second; name != pair.slave)
+            throw SceneError("Contact pairs/Names = auto: '" + name + "' and '" + pair.slave +
+                             "' are names of the same faces; list the pairs by their names, or the "
+                             "boundaries that count by the key 'Boundaries' of the body");
+    }
+
+    bool
+    first_is_slave(const Fineness &a, const Fineness &b, const std::vector<double> &moduli)
+    {
+      constexpr double about_as_fine = 1.2;
+      if (a.size * about_as_fine < b.size || b.size * about_as_fine < a.size)
+        return a.size < b.size;
+      return moduli[a.body] <= moduli[b.body];
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<ContactPair<dim>>
+  find_pairs(const Mesh<dim>                  &mesh,
+             const std::vector<Obstacle<dim>> &obstacles,
+             const std::vector<double>        &moduli,
+             const ContactPair<dim>           &pattern,
+             const double                      distance)
+  {
+    const std::vector<Face<dim>>  faces = all_faces(mesh);
+    const auto                   &names = mesh.boundaries();
+    const std::vector<Fineness>   fine  = fineness(faces, names.size());
+    std::vector<ContactPair<dim>> result;
+    const auto                    add = [&](const std::string &slave, const std::string &master) {
+      ContactPair<dim> pair = pattern;
+      pair.name             = slave + " on " + master;
+      pair.slave            = slave;
+      pair.master           = master;
+      pair.found            = true;
+      result.push_back(pair);
+    };
+    for (const auto &[a, b] : meeting_boundaries(faces, distance))
+      if (first_is_slave(fine[a], fine[b], moduli))
+        add(names[a], names[b]);
+      else
+        add(names[b], names[a]);
+    for (const Obstacle<dim> &obstacle : obstacles)
+      for (const unsigned int boundary : boundaries_at(faces, *obstacle.shape, distance))
+        add(names[boundary], obstacle.name);
+    check_names(result, mesh);
+    return result;
+  }
+
+
+
+  template std::vector<ContactPair<2>>
+  find_pairs(const Mesh<2> &,
+             const std::vector<Obstacle<2>> &,
+             const std::vector<double> &,
+             const ContactPair<2> &,
+             double);
+  template std::vector<ContactPair<3>>
+  find_pairs(const Mesh<3> &,
+             const std::vector<Obstacle<3>> &,
+             const std::vector<double> &,
+             const ContactPair<3> &,
+             double);
+} // namespace Signorini

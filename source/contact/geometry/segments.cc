@@ -1,0 +1,298 @@
+#include <signorini/contact/geometry/segments.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    void
+    set_plane(Facet<dim> &facet)
+    {
+      const auto &x = facet.corners;
+      auto       &t = facet.axes;
+      if constexpr (dim == 2)
+        {
+          facet.center = (x[0] + x[1]) / 2.;
+          t[0]         = (x[1] - x[0]) / x[0].distance(x[1]);
+        }
+      else
+        {
+          facet.center          = (x[0] + x[1] + x[2] + x[3]) / 4.;
+          Tensor<1, dim> normal = cross_product_3d(x[3] - x[0], x[2] - x[1]);
+          normal /= normal.norm();
+          t[0] = x[1] - x[0];
+          t[0] -= (t[0] * normal) * normal;
+          t[0] /= t[0].norm();
+          t[1] = cross_product_3d(normal, t[0]);
+        }
+    }
+
+    template <int dim>
+    Tensor<1, dim>
+    normal(const Facet<dim> &facet)
+    {
+      if constexpr (dim == 2)
+        return cross_product_2d(facet.axes[0]);
+      else
+        return cross_product_3d(facet.axes[0], facet.axes[1]);
+    }
+
+    template <int n>
+    using Flat = std::array<Point<n>, (1 << n)>; // a facet in a plane
+
+    // A facet in the plane of another, seen along its normal.
+    template <int dim>
+    Flat<dim - 1>
+    project(const Facet<dim> &facet, const Facet<dim> &plane)
+    {
+      Flat<dim - 1> corners;
+      for (unsigned int c = 0; c < corners.size(); ++c)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          corners[c][d] = (facet.corners[c] - plane.center) * plane.axes[d];
+      return corners;
+    }
+
+    // The parameter of a point of a flat facet, and the Jacobian |dx/ds| there. Newton's method;
+    // one step for parallelograms.
+    template <int n>
+    std::pair<Point<n>, double>
+    invert(const Flat<n> &x, const Point<n> &y)
+    {
+      Point<n> s;
+      double   jacobian = 0;
+      if constexpr (n == 1)
+        {
+          jacobian = x[1][0] - x[0][0];
+          s[0]     = (y[0] - x[0][0]) / jacobian;
+        }
+      else
+        {
+          s                       = Point<n>(0.5, 0.5);
+          const Tensor<1, n> edge = x[1] - x[0], other = x[2] - x[0],
+                             warp = (x[3] - x[2]) - (x[1] - x[0]);
+          for (unsigned int step = 0; step < 30; ++step)
+            {
+              const Tensor<1, n> a = edge + s[1] * warp, b = other + s[0] * warp,
+                                 r = (y - x[0]) - s[0] * edge - s[1] * other - s[0] * s[1] * warp;
+              jacobian             = a[0] * b[1] - a[1] * b[0];
+              const Tensor<1, n> step_to(
+                {(r[0] * b[1] - r[1] * b[0]) / jacobian, (a[0] * r[1] - a[1] * r[0]) / jacobian});
+              s += step_to;
+              if (step_to.norm() < 1e-14)
+                break;
+            }
+        }
+      return {s, std::abs(jacobian)};
+    }
+
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+    using Polygon = std::vector<Point<2>>;
+
+    double
+    signed_area(const Polygon &p)
+    {
+      double area = 0;
+      for (std::size_t i = 0; i + 1 < p.size(); ++i)
+        area += cross(p[i] - p[0], p[i + 1] - p[0]) / 2;
+      return area;
+    }
+
+    Polygon
+    counterclockwise(const Flat<2> &x)
+    {
+      Polygon p = {x[0], x[1], x[3], x[2]};
+      if (signed_area(p) < 0)
+        std::reverse(p.begin(), p.end());
+      return p;
+    }
+
+    // Sutherland and Hodgman: keep what is left of each edge of the convex window in turn.
+    Polygon
+    clip(Polygon polygon, const Polygon &window)
+    {
+      for (std::size_t i = 0; i < window.size() && !polygon.empty(); ++i)
+        {
+          const Point<2>    &start = window[i];
+          const Tensor<1, 2> edge  = window[(i + 1) % window.size()] - start;
+          Polygon            kept;
+          for (std::size_t j = 0; j < polygon.size(); ++j)
+            {
+              const Point<2> &a = polygon[j], &b = polygon[(j + 1) % polygon.size()];
+              const double    left_a = cross(edge, a - start), left_b = cross(edge, b - start);
+              if (left_a >= 0)
+                kept.push_back(a);
+              if ((left_a > 0 && left_b < 0) || (left_a < 0 && left_b > 0))
+                kept.push_back(a + left_a / (left_a - left_b) * (b - a));
+            }
+          polygon = std::move(kept);
+        }
+      return polygon;
+    }
+
+    // The common part of two flat facets as simplices.
+    std::vector<std::array<Point<1>, 2>>
+    intersection(const Flat<1> &a, const Flat<1> &b)
+    {
+      const double lower = std::max(std::min(a[0][0], a[1][0]), std::min(b[0][0], b[1][0])),
+                   upper = std::min(std::max(a[0][0], a[1][0]), std::max(b[0][0], b[1][0]));
+      if (lower >= upper)
+        return {};
+      return {{{Point<1>(lower), Point<1>(upper)}}};
+    }
+
+    bool
+    apart(const Flat<2> &a, const Flat<2> &b)
+    {
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const auto [a0, a1] = std::minmax({a[0][d], a[1][d], a[2][d], a[3][d]});
+          const auto [b0, b1] = std::minmax({b[0][d], b[1][d], b[2][d], b[3][d]});
+          if (a1 < b0 || b1 < a0)
+            return true;
+        }
+      return false;
+    }
+
+    std::vector<std::array<Point<2>, 3>>
+    intersection(const Flat<2> &a, const Flat<2> &b)
+    {
+      if (apart(a, b))
+        return {};
+      const Polygon                        p = clip(counterclockwise(b), counterclockwise(a));
+      std::vector<std::array<Point<2>, 3>> triangles;
+      for (std::size_t i = 1; i + 1 < p.size(); ++i)
+        triangles.push_back({{p[0], p[i], p[i + 1]}});
+      return triangles;
+    }
+
+    double
+    volume(const std::array<Point<1>, 2> &x)
+    {
+      return x[1][0] - x[0][0];
+    }
+
+    double
+    volume(const std::array<Point<2>, 3> &x) // twice the area, as the reference triangle has 1/2
+    {
+      return cross(x[1] - x[0], x[2] - x[0]);
+    }
+
+    template <int n>
+    Point<n>
+    in_simplex(const std::array<Point<n>, n + 1> &x, const Point<n> &s)
+    {
+      Point<n> y = x[0];
+      for (unsigned int d = 0; d < n; ++d)
+        y += s[d] * (x[d + 1] - x[0]);
+      return y;
+    }
+
+    // From a facet's parameter to that of its face, without the rounding that leads outside.
+    template <int dim>
+    Point<dim - 1>
+    of_face(const Facet<dim> &facet, const Point<dim - 1> &s, const unsigned int per_line)
+    {
+      Point<dim - 1> xi;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        xi[d] = std::clamp((facet.place[d] + s[d]) / per_line, 0., 1.);
+      return xi;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FacetedFace<dim>::FacetedFace(const FacePatch<dim> &patch)
+    : patch(patch)
+  {
+    const unsigned int per_line = patch.get_degree(), n = Utilities::fixed_power<dim - 1>(per_line);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        Facet<dim> facet;
+        for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= per_line)
+          facet.place[d] = rest % per_line;
+        for (unsigned int c = 0; c < facet.n_corners; ++c)
+          {
+            Point<dim - 1> xi;
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              xi[d] = double(facet.place[d] + ((c >> d) & 1)) / per_line;
+            facet.corners[c] = patch.position(xi);
+          }
+        set_plane(facet);
+        facets.push_back(facet);
+      }
+  }
+
+
+
+  template <int dim>
+  BoundingBox<dim>
+  FacetedFace<dim>::extruded_box(const double reach) const
+  {
+    BoundingBox<dim> box = patch.box();
+    for (const Facet<dim> &facet : facets)
+      {
+        const Tensor<1, dim> step = reach * normal(facet);
+        for (const Point<dim> &corner : facet.corners)
+          for (const Point<dim> &x : {corner + step, corner - step})
+            box.merge_with(BoundingBox<dim>({x, x}));
+      }
+    return box;
+  }
+
+
+
+  template <int dim>
+  std::vector<SegmentPoint<dim>>
+  segment_points(const FacetedFace<dim>    &slave,
+                 const FacetedFace<dim>    &master,
+                 const Quadrature<dim - 1> &rule)
+  {
+    std::vector<SegmentPoint<dim>> points;
+    const unsigned int n_slave = slave.patch.get_degree(), n_master = master.patch.get_degree();
+    const double       parameters = 1. / Utilities::fixed_power<dim - 1>(n_slave); // of a facet
+    for (const Facet<dim> &ours : slave.facets)
+      {
+        const auto ours_flat = project(ours, ours);
+        for (const Facet<dim> &theirs : master.facets)
+          {
+            const auto theirs_flat = project(theirs, ours);
+            for (const auto &simplex : intersection(ours_flat, theirs_flat))
+              for (unsigned int q = 0; q < rule.size(); ++q)
+                {
+                  const Point<dim - 1> y   = in_simplex<dim - 1>(simplex, rule.point(q));
+                  const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
+                  const Point<dim - 1> xi  = of_face(ours, s, n_slave);
+                  points.push_back(
+                    {xi,
+                     of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
+                     rule.weight(q) * volume(simplex) / jacobian * parameters *
+                       slave.patch.jacobian(xi)});
+                }
+          }
+      }
+    return points;
+  }
+
+
+
+  template struct FacetedFace<2>;
+  template struct FacetedFace<3>;
+  template std::vector<SegmentPoint<2>>
+  segment_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, const Quadrature<1> &);
+  template std::vector<SegmentPoint<3>>
+  segment_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, const Quadrature<2> &);
+} // namespace Signorini

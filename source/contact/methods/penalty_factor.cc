@@ -1,0 +1,29 @@
+#include <signorini/contact/methods/penalty_factor.h>
+#include <signorini/parameters/section.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  void
+  PenaltyFactor::declare(Section &section, const std::string &help)
+  {
+    const double usual = factor;
+    if (section.reading())
+      factor = std::numeric_limits<double>::quiet_NaN();
+    if (section.reading() || !is_absolute())
+      section.add("Factor", factor, help, Range{0, 1e12, false});
+    const bool is_set = !std::isnan(factor);
+    if (!is_set)
+      factor = usual;
+    section.add(
+      "Stiffness",
+      stiffness,
+      "pressure over penetration, instead of a Factor; the result does not depend on the "
+      "mesh then, as with contact stiffnesses of other programs; 0: none [force/length^3]",
+      non_negative);
+    if (section.reading() && is_set && is_absolute())
+      section.fail("Stiffness", "and a Factor exclude each other; set one of them");
+  }
+} // namespace Signorini

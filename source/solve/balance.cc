@@ -1,0 +1,170 @@
+#include <signorini/solve/balance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  Balance::Balance(const ContactSystem             &system,
+                   const ContactLaw                &law,
+                   const AffineConstraints<double> &constraints,
+                   const std::vector<unsigned int> &bodies,
+                   const double                     tolerance)
+    : system(system)
+    , law(law)
+    , contact(law.gap_operator())
+    , constraints(constraints)
+    , bodies(bodies)
+    , tolerance(tolerance)
+  {
+    const LA::SparseMatrix &K    = system.stiffness();
+    const auto              last = std::max_element(bodies.begin(), bodies.end());
+    n_bodies = Utilities::MPI::max(last == bodies.end() ? 0u : *last + 1, K.get_mpi_communicator());
+    stiffness_diagonal = system.zero().block(0);
+    for (const auto i : stiffness_diagonal.locally_owned_elements())
+      stiffness_diagonal(i) = K.diag_element(i);
+    stiffness_diagonal.compress(VectorOperation::insert);
+  }
+
+
+
+  void
+  Balance::restart()
+  {
+    largest_force = 0;
+  }
+
+
+
+  LA::Vector
+  Balance::residual(const LA::Vector &f,
+                    const LA::Vector &u,
+                    const LA::Vector &p,
+                    const LA::Vector &stress,
+                    const LA::Vector &active)
+  {
+    LA::Vector r;
+    r.reinit(f);
+    system.internal_force(r, u);
+    r.sadd(-1, 1, f);
+    double largest = f.l2_norm();
+    at_work.assign(n_bodies, largest);
+    if (!contact.empty())
+      {
+        const LA::Vector force = contact.force(p, stress);
+        r += force;
+        largest = std::max(largest, force.l2_norm());
+        at_work = forces_at_work(force, largest);
+      }
+    constraints.set_zero(r);
+    force_scale = largest;
+    // The forces of a cold start may be far larger, as penalties of bodies that overlap; their
+    // rounding is all that they leave behind.
+    largest_force = std::max(largest_force, largest);
+    // What that leaves is an answer only if it is little.
+    force_rounding = std::max(1e-15 * largest_force, std::min(rounding(u, active), 1e-4 * largest));
+    return r;
+  }
+
+
+
+  std::vector<double>
+  Balance::norms_of_bodies(const LA::Vector &force) const
+  {
+    std::vector<double> squares(n_bodies, 0.);
+    auto                body = bodies.begin();
+    for (const double x : force)
+      squares[*body++] += x * x;
+    Utilities::MPI::sum(squares, force.get_mpi_communicator(), squares);
+    for (double &x : squares)
+      x = std::sqrt(x);
+    return squares;
+  }
+
+
+
+  std::vector<double>
+  Balance::forces_at_work(const LA::Vector &contact_force, const double scale) const
+  {
+    // Below the last, rounding of the largest forces would be all that is asked for.
+    constexpr double    most = 1e3, least = 1e-4;
+    std::vector<double> forces = norms_of_bodies(contact_force);
+    for (double &force : forces)
+      force = force > 0 ? std::clamp(most * force, least * scale, scale) : scale;
+    return forces;
+  }
+
+
+
+  double
+  Balance::residual_of_bodies(const LA::Vector &r) const
+  {
+    const std::vector<double> norms   = norms_of_bodies(r);
+    double                    largest = 0;
+    for (unsigned int body = 0; body < n_bodies; ++body)
+      if (at_work[body] > 0)
+        largest = std::max(largest, norms[body] / at_work[body]);
+    return largest;
+  }
+
+
+
+  double
+  Balance::least() const
+  {
+    return force_scale > 0 ? *std::min_element(at_work.begin(), at_work.end()) : 1.;
+  }
+
+
+
+  double
+  Balance::rounding(const LA::Vector &u, const LA::Vector &active) const
+  {
+    // The terms of K u cancel where bodies move far and are strained little, as in bending.
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    LA::Vector       terms   = stiffness_diagonal;
+    terms.scale(u);
+    constraints.set_zero(terms);
+    const double of_bodies = 2 * epsilon * terms.l2_norm();
+    if (contact.empty() || law.is_mixed())
+      return of_bodies;
+    LA::Vector springs = contact.zero();
+    for (const auto i : springs.locally_owned_elements())
+      springs(i) = contact.weight(i) * law.response(i, {}, active(i) > 0).dp_dg;
+    springs.compress(VectorOperation::insert);
+    const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
+    return of_bodies + epsilon * length * springs.l2_norm();
+  }
+
+
+
+  bool
+  Balance::is_balanced(const NewtonStep &step, const double before) const
+  {
+    // Points that hardly touch may change between any two steps, to no effect.
+    constexpr double largest_undecided = 1e-8;
+    const bool       at_bottom = step.changes == 0 && before > 0 && step.residual > before / 2 &&
+                           step.residual <= force_rounding / scale();
+    const double of_all = std::max(step.residual, step.residual_of_bodies);
+    // Nothing is left of forces that were there before but their rounding.
+    const bool is_over =
+      scale() <= 10 * force_rounding && step.residual * scale() <= 10 * force_rounding;
+    const bool is_small =
+      of_all <= tolerance && (step.changes == 0 || step.residual <= largest_undecided);
+    return (is_small || at_bottom || is_over) && !step.follows && !step.withholds &&
+           (!law.is_soft() || step.active == 0);
+  }
+
+
+
+  bool
+  Balance::is_closed(const NewtonStep &step) const
+  {
+    // What an augmentation changes is known up to the residual that the last solution left.
+    return step.gap_residual <=
+           (law.augments() ? 10 : 1) * std::max(tolerance, force_rounding / least());
+  }
+} // namespace Signorini

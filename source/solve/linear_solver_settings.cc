@@ -1,0 +1,48 @@
+#include <signorini/parameters/section.h>
+#include <signorini/solve/linear_solver_settings.h>
+#include <signorini/solve/preconditioner.h>
+#include <signorini/solve/preconditioners/schur_complement.h>
+
+namespace Signorini
+{
+  void
+  LinearSolverSettings::declare(Section &section)
+  {
+    section.add_choice(
+      "Preconditioner",
+      preconditioner,
+      preconditioner_names(),
+      "contact filter: exact on the contact zone, multigrid elsewhere, and direct where that does not converge and the "
+      "system is not too large (400,000 unknowns in 2D, 60,000 in 3D); block ones and SIMPLE: for "
+      "multipliers, by a Schur complement; direct: small problems");
+    section.add_choice(
+      "Krylov method",
+      krylov,
+      {"auto", "CG", "MINRES", "FGMRES"},
+      "auto: CG; with multipliers and block diagonal MINRES, with block triangular and SIMPLE FGMRES");
+    section.add_choice(
+      "Schur complement",
+      schur_complement,
+      SchurComplement::names(),
+      "of block preconditioners: from the diagonal of the stiffness; multiplier "
+      "mass; from the stiffness of the contact zone; by inner iterations with multigrid");
+    section.add(
+      "Augmentation",
+      augmentation,
+      "of block preconditioners: penalty in units of E/h added to the displacement's block, "
+      "which then takes a contact filter; 0: none",
+      Range{0, 1e12});
+    section.add_choice(
+      "Direct solver",
+      direct_solver,
+      {"auto", "KLU", "MUMPS"},
+      "of the contact zone or the whole system; auto: the quicker one that is there, KLU for contact zones and "
+      "small systems on one rank, else MUMPS");
+    section.add_choice(
+      "Near null space",
+      near_null_space,
+      {"rigid body modes", "translations"},
+      "what the multigrid method knows of elasticity; translations alone: less memory, half as many iterations again");
+    section.add("Maximum iterations", maximum_iterations, "of one linear solve", positive);
+  }
+} // namespace Signorini

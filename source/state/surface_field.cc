@@ -1,0 +1,228 @@
+#include <signorini/contact/geometry/lagrange.h>
+#include <signorini/state/surface_field.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Values = std::vector<PlaceValue>;
+
+    std::vector<std::uint8_t>
+    children_of(const CellId &id)
+    {
+      const auto view = id.get_child_indices();
+      return {view.begin(), view.end()};
+    }
+
+    CellId
+    with_children(const CellId &id, const std::vector<std::uint8_t> &children)
+    {
+      return {id.get_coarse_cell_id(), static_cast<unsigned int>(children.size()), children.data()};
+    }
+
+    /// Where along the axes of a face the child of a cell lies: 0 or 1.
+    std::array<unsigned int, 2>
+    halves(const unsigned int child, const unsigned int face, const unsigned int dim)
+    {
+      std::array<unsigned int, 2> result{};
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        result[d] = (child >> ((face / 2 + 1 + d) % dim)) & 1;
+      return result;
+    }
+
+    /// The child of a cell at that face and those halves of it.
+    unsigned int
+    child_at(const unsigned int                 face,
+             const std::array<unsigned int, 2> &half,
+             const unsigned int                 dim)
+    {
+      unsigned int child = (face % 2) << (face / 2);
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        child |= half[d] << ((face / 2 + 1 + d) % dim);
+      return child;
+    }
+
+    FaceId
+    parent_of(const FaceId &id)
+    {
+      auto children = children_of(id.cell);
+      children.pop_back();
+      return {id.pair, with_children(id.cell, children), id.face};
+    }
+
+    FaceId
+    child_of(const FaceId &id, const unsigned int child)
+    {
+      auto children = children_of(id.cell);
+      children.push_back(child);
+      return {id.pair, with_children(id.cell, children), id.face};
+    }
+
+    double
+    distance_square(const FacePlace &a, const FacePlace &b)
+    {
+      return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+    }
+
+    /// Of what is computed from the same numbers on another way.
+    constexpr double rounding = 1e-9;
+
+    /// Of the polynomials through nodes that lie as face_lattice() says; 0: they do not.
+    unsigned int
+    degree_of_lattice(const Values &values, const unsigned int dim)
+    {
+      const unsigned int n =
+        dim == 2 ? values.size() : std::lround(std::sqrt(double(values.size())));
+      if (n < 2 || n > max_degree + 1 || (dim == 3 && n * n != values.size()))
+        return 0;
+      for (unsigned int i = 0; i < values.size(); ++i)
+        {
+          const FacePlace node = {
+            {double(i % n) / (n - 1), dim == 3 ? double(i / n) / (n - 1) : 0.}};
+          if (distance_square(values[i].place, node) > rounding * rounding)
+            return 0;
+        }
+      return n - 1;
+    }
+
+    double
+    polynomial(const Values      &values,
+               const unsigned int degree,
+               const FacePlace   &place,
+               const unsigned int dim)
+    {
+      const LagrangeBasis x = lagrange(degree, place[0]), y = lagrange(degree, place[1]);
+      double              sum = 0;
+      for (unsigned int i = 0; i < values.size(); ++i)
+        sum +=
+          values[i].pressure * x[i % (degree + 1)][0] * (dim == 3 ? y[i / (degree + 1)][0] : 1.);
+      return sum;
+    }
+
+    /// The value at the place of the plane that fits best near there (moving least squares,
+    /// Lancaster, Salkauskas, Math. Comp. 37 (1981) 141); a mean where places have no plane.
+    double
+    plane(const Values &values, const FacePlace &place)
+    {
+      Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+      Eigen::Vector3d b = Eigen::Vector3d::Zero();
+      for (const PlaceValue &value : values)
+        {
+          const double          square = distance_square(value.place, place) + 1e-6;
+          const double          weight = 1 / (square * square);
+          const Eigen::Vector3d terms(1, value.place[0] - place[0], value.place[1] - place[1]);
+          A += weight * terms * terms.transpose();
+          b += weight * value.pressure * terms;
+        }
+      // What the places do not tell has no slope.
+      const double least = 1e-12 * (A(1, 1) + A(2, 2)) + 1e-15 * A(0, 0);
+      A(1, 1) += least;
+      A(2, 2) += least;
+      return A.ldlt().solve(b)[0];
+    }
+
+    PlaceValue
+    interpolate(const Values &values, const FacePlace &place, const unsigned int dim)
+    {
+      for (const PlaceValue &value : values)
+        if (distance_square(value.place, place) < rounding * rounding)
+          return value;
+      PlaceValue result;
+      result.place = place;
+      if (values.empty())
+        return result;
+      const unsigned int degree = degree_of_lattice(values, dim);
+      result.pressure = degree > 0 ? polynomial(values, degree, place, dim) : plane(values, place);
+      result.active   = result.pressure > 0 ? 1. : 0.;
+      return result;
+    }
+
+    /// The rank that all others ask for a face.
+    unsigned int
+    home(const FaceId &id, const unsigned int n_ranks)
+    {
+      std::uint64_t hash = 14695981039346656037ull; // FNV-1a
+      const auto add = [&](const std::uint64_t part) { hash = (hash ^ part) * 1099511628211ull; };
+      add(id.cell.get_coarse_cell_id());
+      for (const auto child : id.cell.get_child_indices())
+        add(child);
+      return (hash >> 20) % n_ranks;
+    }
+  } // namespace
+
+
+
+  SurfaceField
+  SurfaceField::known_at(const std::vector<FaceId> &wanted, const MPI_Comm comm) const
+  {
+    using Entry                = std::pair<FaceId, Values>;
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm);
+
+    std::map<unsigned int, std::vector<Entry>> told;
+    for (const auto &entry : faces)
+      told[home(entry.first, n_ranks)].emplace_back(entry);
+    std::map<FaceId, Values> directory;
+    for (const auto &[rank, entries] : Utilities::MPI::some_to_some(comm, told))
+      directory.insert(entries.begin(), entries.end());
+
+    std::map<unsigned int, std::vector<FaceId>> asked;
+    const auto ask = [&](const FaceId &id) { asked[home(id, n_ranks)].push_back(id); };
+    for (const FaceId &id : wanted)
+      {
+        ask(id);
+        if (id.cell.get_child_indices().size() > 0)
+          ask(parent_of(id));
+        for (unsigned int half = 0; half < (dim == 3 ? 4u : 2u); ++half)
+          ask(child_of(id, child_at(id.face, {{half % 2, half / 2}}, dim)));
+      }
+    std::map<unsigned int, std::vector<Entry>> answers;
+    for (const auto &[rank, ids] : Utilities::MPI::some_to_some(comm, asked))
+      for (const FaceId &id : ids)
+        if (const auto found = directory.find(id); found != directory.end())
+          answers[rank].emplace_back(*found);
+    SurfaceField result(dim);
+    for (const auto &[rank, entries] : Utilities::MPI::some_to_some(comm, answers))
+      result.faces.insert(entries.begin(), entries.end());
+    return result;
+  }
+
+
+
+  std::optional<PlaceValue>
+  SurfaceField::at(const FaceId &face, const FacePlace &place) const
+  {
+    if (const auto own = faces.find(face); own != faces.end())
+      return interpolate(own->second, place, dim);
+
+    const auto children = children_of(face.cell);
+    if (!children.empty())
+      if (const auto parent = faces.find(parent_of(face)); parent != faces.end())
+        {
+          const auto half = halves(children.back(), face.face, dim);
+          return interpolate(parent->second,
+                             {{(place[0] + half[0]) / 2, dim == 3 ? (place[1] + half[1]) / 2 : 0.}},
+                             dim);
+        }
+
+    std::array<unsigned int, 2> half{};
+    FacePlace                   there{};
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      {
+        half[d]  = place[d] < 0.5 ? 0 : 1;
+        there[d] = 2 * place[d] - half[d];
+      }
+    const auto child = faces.find(child_of(face, child_at(face.face, half, dim)));
+    if (child == faces.end())
+      return {};
+    return interpolate(child->second, there, dim);
+  }
+} // namespace Signorini
