@@ -1,3 +1,4 @@
+#include <signorini/contact/discretisation/geometric_stiffness.h>
 #include <signorini/contact/geometry/deep_overlap.h>
 #include <signorini/contact/geometry/find_pairs.h>
 #include <signorini/contact/geometry/reach.h>
@@ -33,14 +34,20 @@ namespace Signorini
 
   template <int dim>
   ContactSurface<dim>
-  ContactSetup<dim>::surface_of(const ContactPair<dim> &pair, const unsigned int i) const
+  ContactSetup<dim>::surface_of(const Configuration<dim>  &configuration,
+                                const ContactPair<dim>    &pair,
+                                const unsigned int         i,
+                                const double               limit,
+                                const ContactSurface<dim> *former) const
   {
-    return make_contact_surface(elasticity,
+    return make_contact_surface(configuration,
                                 pair,
                                 scene.obstacle_of(pair),
                                 scene.contact.chosen(),
                                 scene.integration_of(pair),
-                                reach[i]);
+                                built_near ? nearby[i] : reach[i],
+                                limit,
+                                former);
   }
 
 
@@ -63,12 +70,12 @@ namespace Signorini
 
   template <int dim>
   void
-  ContactSetup<dim>::exchange_sides(const unsigned int i)
+  ContactSetup<dim>::exchange_sides(const Configuration<dim> &configuration, const unsigned int i)
   {
     const MPI_Comm    comm  = elasticity.mesh().communicator();
     ContactPair<dim> &pair  = scene.pairs[i];
     const Sides       sides = my_surfaces[i].sides;
-    if (pair.sides == "as named" || scene.contact.chosen().unbiased() ||
+    if (!configuration.is_rest() || pair.sides == "as named" || scene.contact.chosen().unbiased() ||
         !sides.better_exchanged() || kept.count(pair.name) > 0)
       return;
     ContactPair<dim> other = pair;
@@ -76,7 +83,7 @@ namespace Signorini
     try
       {
         scene.contact.chosen().check(scene.integration_of(other), scene.degree_of(other.slave));
-        ContactSurface<dim> surface = surface_of(other, i);
+        ContactSurface<dim> surface = surface_of(configuration, other, i, 0);
         if (area_of(surface, comm) < 0.9 * area_of(my_surfaces[i], comm))
           throw SceneError("the other side sees less");
         my_surfaces[i] = std::move(surface);
@@ -95,21 +102,58 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  ContactSetup<dim>::build()
+  std::vector<double>
+  ContactSetup<dim>::possible_overlaps(const Configuration<dim> &configuration) const
   {
-    const ContactMethod &method = scene.contact.chosen();
+    std::vector<double> result;
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      result.push_back(search_limit(elasticity, scene.pairs[i], reach[i]));
+    if (configuration.is_rest() || my_surfaces.empty())
+      return result;
+    const LA::Vector          since         = since_built(configuration.displacement());
+    const std::vector<double> displacements = largest_displacements(elasticity, since);
+    for (unsigned int i = 0; i < result.size(); ++i)
+      result[i] = my_surfaces[i].overlap + largest_approach(elasticity,
+                                                            scene.pairs[i],
+                                                            scene.obstacle_of(scene.pairs[i]),
+                                                            since,
+                                                            displacements);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::build(const Configuration<dim> &configuration,
+                           const bool                is_near,
+                           const bool                keep_rule)
+  {
+    const ContactMethod      &method   = scene.contact.chosen();
+    const std::vector<double> overlaps = possible_overlaps(configuration);
+    built_near                         = is_near;
+    nearby.resize(scene.pairs.size(), 0.);
     {
       TimerOutput::Scope scope(timer, "search");
+      const std::vector<ContactSurface<dim>> former = std::move(my_surfaces);
       my_surfaces.clear();
       for (unsigned int i = 0; i < scene.pairs.size(); ++i)
         {
-          my_surfaces.push_back(surface_of(scene.pairs[i], i));
-          exchange_sides(i);
+          if (is_near)
+            nearby[i] = std::max(nearby[i], former.empty() ? 0. : former[i].face_size / 2);
+          my_surfaces.push_back(surface_of(configuration,
+                                           scene.pairs[i],
+                                           i,
+                                           overlaps[i],
+                                           keep_rule ? &former[i] : nullptr));
+          exchange_sides(configuration, i);
         }
     }
     TimerOutput::Scope scope(timer, "contact");
-    contact           = make_gap_operator(elasticity, my_surfaces, method);
+    rows = std::make_unique<ContactRows>(
+      make_contact_rows(elasticity, my_surfaces, method.sampling()));
+    contact           = make_gap_operator(configuration, my_surfaces, *rows, method);
+    built_at          = configuration.displacement();
     const auto n_rows = [&](const unsigned int i) {
       const auto own = std::count(contact->pair.begin(), contact->pair.end(), i);
       return Utilities::MPI::sum(own, elasticity.mesh().communicator());
@@ -132,16 +176,98 @@ namespace Signorini
 
 
   template <int dim>
+  LA::SparseMatrix
+  ContactSetup<dim>::geometric_stiffness(const LA::Vector &pressure) const
+  {
+    return Signorini::geometric_stiffness(elasticity, my_surfaces, *rows, pressure);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::forget_mesh()
+  {
+    my_surfaces.clear();
+    rows.reset();
+    built_at = LA::Vector();
+    for (double &of_pair : nearby)
+      of_pair /= 2; // as its faces
+  }
+
+
+
+  template <int dim>
+  GeometryChange
+  ContactSetup<dim>::neglected(const LA::Vector &u, const LA::Vector &pressure) const
+  {
+    const Configuration<dim> now(elasticity, u);
+    LA::Vector p(rows->owned, rows->writable, elasticity.mesh().communicator());
+    p = pressure;
+    GeometryChange largest;
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      {
+        std::vector<double> forces;
+        for (const auto &shares : rows->shares[i])
+          {
+            forces.push_back(0);
+            for (const auto &[row, weight] : shares)
+              forces.back() += weight * p(row);
+          }
+        const ContactPair<dim> &pair   = scene.pairs[i];
+        const GeometryChange    change = geometry_change(
+          now, pair, scene.obstacle_of(pair), my_surfaces[i], forces);
+        if (change.pressure > largest.pressure)
+          largest = change;
+      }
+    return largest;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  ContactSetup<dim>::since_built(const LA::Vector &u) const
+  {
+    LA::Vector since = u;
+    if (built_at.size() > 0)
+      since -= built_at;
+    return since;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::has_settled(const LA::Vector &u) const
+  {
+    constexpr double          small         = 0.02; // in face sizes
+    const LA::Vector          since         = since_built(u);
+    const std::vector<double> displacements = largest_displacements(elasticity, since);
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      {
+        const ContactPair<dim> &pair = scene.pairs[i];
+        if (largest_approach(elasticity, pair, scene.obstacle_of(pair), since, displacements) >
+            small * my_surfaces[i].face_size)
+          return false;
+      }
+    return true;
+  }
+
+
+
+  template <int dim>
   bool
   ContactSetup<dim>::needs_more(const LA::Vector &u)
   {
-    const std::vector<double> displacements = largest_displacements(elasticity, u);
+    const LA::Vector          since         = since_built(u);
+    const std::vector<double> displacements = largest_displacements(elasticity, since);
     bool                      too_short     = false;
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
       {
         const ContactPair<dim> &pair = scene.pairs[i];
         const double            approach =
-          largest_approach(elasticity, pair, scene.obstacle_of(pair), u, displacements);
+          largest_approach(elasticity, pair, scene.obstacle_of(pair), since, displacements);
         if (approach <= my_surfaces[i].reach || !pair.separates)
           continue;
         out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
@@ -151,7 +277,7 @@ namespace Signorini
         else
           {
             out << ": searching again" << std::endl;
-            reach[i]  = 2 * approach;
+            (built_near ? nearby : reach)[i] = 2 * approach;
             too_short = true;
           }
       }

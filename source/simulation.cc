@@ -1,6 +1,7 @@
 #include <signorini/body_setup.h>
 #include <signorini/output/directory.h>
 #include <signorini/output/preflight.h>
+#include <signorini/parameters/text.h>
 #include <signorini/simulation.h>
 #include <signorini/solve/linear_reference.h>
 
@@ -77,13 +78,13 @@ namespace Signorini
         set_up();
         for (unsigned int cycle = 0; cycle < scene.refinement.cycles; ++cycle)
           {
-            build_contact();
+            build_contact(follows);
             report_set_up();
             if (!solve_for_estimate())
               return finish();
             refine_mesh();
           }
-        build_contact();
+        build_contact(follows);
         report_set_up();
         run_load_history();
         if (report.converged && scene.output.linear_reference)
@@ -216,11 +217,14 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::build_contact()
+  Simulation<dim>::build_contact(const bool is_near, const bool keep_rule)
   {
-    newton.reset(); // it refers to what is replaced here
-    mesh_clock.restart();
-    contact->build();
+    forget_newton();
+    mesh_clock.start();
+    contact->build(placed.size() > 0 ? Configuration<dim>(*elasticity, placed) :
+                                       Configuration<dim>(*elasticity),
+                   is_near,
+                   keep_rule);
     rows_of_places(state.contact, contact->gap_operator(), pressure, active);
     active = contact->gap_operator().zero(); // the law finds it better: there may be more points
     mesh_clock.stop();
@@ -229,8 +233,92 @@ namespace Signorini
 
 
   template <int dim>
+  void
+  Simulation<dim>::forget_newton()
+  {
+    if (newton)
+      former_cycles += newton->multigrid_cycles();
+    newton.reset(); // it refers to what is replaced
+  }
+
+
+
+  template <int dim>
   bool
   Simulation<dim>::solve(const double t, const double tolerance)
+  {
+    elasticity->set_time(t);
+    elasticity->distribute(state.displacement);
+    steps_before.clear();
+    if (follows && t == state.time)
+      return follow_surfaces(t, tolerance, true); // only the mesh is another
+    if (follows)
+      {
+        placed = state.displacement;
+        build_contact();
+      }
+    if (!solve_in_place(t, tolerance))
+      return false;
+    return follows || leaves_place() ? follow_surfaces(t, tolerance, false) : true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::leaves_place()
+  {
+    if (scene.contact.geometry == "automatic")
+      {
+        TimerOutput::Scope   scope(timer, "contact geometry");
+        const GeometryChange change = contact->neglected(state.displacement, pressure);
+        follows                     = change.pressure > scene.contact.geometry_share;
+        geometry_change             = change;
+        out << "  surfaces as they are now would change the pressure by about "
+            << short_text(100 * change.pressure, 2) << " %"
+            << (follows ? ": contact is found again there" : "") << std::endl;
+      }
+    else
+      follows = scene.contact.geometry == "updated";
+    return follows;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::follow_surfaces(const double t, const double tolerance, const bool is_placed)
+  {
+    constexpr unsigned int most = 20, most_rules = 5;
+    for (unsigned int n = 1; n <= most; ++n)
+      {
+        const bool keep_rule =
+          n > 1 && (n > most_rules || contact->has_settled(state.displacement));
+        if (n > 1 || !is_placed)
+          {
+            placed = state.displacement;
+            build_contact(true, keep_rule);
+            steps_before = report.steps;
+          }
+        if (!solve_in_place(t, tolerance, true))
+          return false;
+        const NewtonStep &first = report.steps[steps_before.size()];
+        if (std::max(first.residual_of_bodies, first.gap_residual) <=
+              std::max(tolerance, scene.newton.of_geometry) &&
+            (keep_rule || contact->has_settled(placed)))
+          return true;
+      }
+    report.converged = false;
+    report.reason = "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load "
+                    "steps/Number), or take Contact method/Contact geometry = reference";
+    return false;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::solve_in_place(const double t, const double tolerance, const bool is_near)
   {
     for (;;)
       {
@@ -238,7 +326,7 @@ namespace Signorini
         if (report.converged ? !contact->needs_more(state.displacement) :
                                !report.is_loose || !contact->look_farther())
           return report.converged;
-        build_contact();
+        build_contact(is_near);
       }
   }
 
@@ -272,41 +360,73 @@ namespace Signorini
 
   template <int dim>
   void
+  Simulation<dim>::make_newton(const double tolerance)
+  {
+    if (!assembled)
+      {
+        mesh_clock.start();
+        TimerOutput::Scope scope(timer, "assembly");
+        elasticity->assemble();
+        assembled = true;
+        mesh_clock.stop();
+      }
+    FreeMotions free_motions = make_free_motions(); // may search farther
+    mesh_clock.start();
+    if (!hierarchy)
+      {
+        TimerOutput::Scope scope(timer, "preconditioner");
+        hierarchy = make_hierarchy(
+          scene.solver, elasticity->stiffness(), elasticity->rigid_body_modes(), dim);
+      }
+    geometric.reset();
+    if (placed.size() > 0)
+      {
+        TimerOutput::Scope scope(timer, "contact");
+        geometric = std::make_unique<LA::SparseMatrix>(contact->geometric_stiffness(pressure));
+      }
+    NewtonSettings settings = scene.newton;
+    settings.tolerance      = tolerance;
+    newton                  = std::make_unique<Newton>(settings,
+                                      scene.solver,
+                                      scene.contact.chosen(),
+                                      elasticity->stiffness(),
+                                      elasticity->constraints(),
+                                      contact->gap_operator(),
+                                      hierarchy,
+                                      elasticity->bodies_of_dofs(),
+                                      dim,
+                                      timer,
+                                      std::move(free_motions),
+                                      geometric.get());
+    mesh_clock.stop();
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::solve_with_candidates(const double t, const double tolerance)
   {
-    mesh_clock.start();
-    elasticity->set_time(t);
     if (!newton)
-      {
-        if (!assembled)
-          {
-            TimerOutput::Scope scope(timer, "assembly");
-            elasticity->assemble();
-            assembled = true;
-          }
-        FreeMotions    free_motions = make_free_motions(); // may search farther
-        NewtonSettings settings     = scene.newton;
-        settings.tolerance          = tolerance;
-        newton                      = std::make_unique<Newton>(settings,
-                                          scene.solver,
-                                          scene.contact.chosen(),
-                                          elasticity->stiffness(),
-                                          elasticity->constraints(),
-                                          contact->gap_operator(),
-                                          elasticity->rigid_body_modes(),
-                                          elasticity->bodies_of_dofs(),
-                                          dim,
-                                          timer,
-                                          std::move(free_motions));
-      }
+      make_newton(tolerance);
+    mesh_clock.start();
     LA::Vector f;
     {
       TimerOutput::Scope scope(timer, "assembly");
       f = elasticity->load();
     }
+    // Forces of contact are linear about where it was looked for.
+    if (geometric)
+      {
+        LA::Vector moved;
+        moved.reinit(f);
+        geometric->vmult(moved, placed);
+        f -= moved;
+      }
     elasticity->distribute(state.displacement);
     contact->set_time(t);
     report = newton->solve(f, state.displacement, pressure, active, print_steps(out));
+    report.steps.insert(report.steps.begin(), steps_before.begin(), steps_before.end());
     elasticity->distribute(state.displacement);
     state.contact = places_of_rows(contact->gap_operator(), pressure, active, dim);
     mesh_clock.stop();
@@ -320,9 +440,15 @@ namespace Signorini
   {
     TimerOutput::Scope scope(timer, "estimate");
     newton.reset();
-    assembled = false;
+    hierarchy.reset();
+    mesh_clock.reset();
+    assembled     = false;
+    former_cycles = 0;
     const double estimate =
       refine(scene.refinement, *mesh, *elasticity, state.displacement, {&state.displacement});
+    if (follows)
+      placed = state.displacement;
+    contact->forget_mesh();
     recorder->add_cycle(n_steps, estimate);
   }
 
@@ -344,6 +470,7 @@ namespace Signorini
     if (report.is_loose || scene.load_steps.cut_backs == 0)
       return false;
     out << "  not solved at once (" << report.reason << "): step by step" << std::endl;
+    state         = State();
     state.displacement = elasticity->zero_vector();
     state.contact      = SurfaceField(dim);
     pressure = active = contact->gap_operator().zero();
@@ -408,7 +535,10 @@ namespace Signorini
     try
       {
         if (solve(t, tolerance))
-          return true;
+          {
+            state.time = t;
+            return true;
+          }
       }
     catch (const SolverFailure &failure)
       {
@@ -440,7 +570,7 @@ namespace Signorini
                         t,
                         step},
                        report,
-                       newton->multigrid_cycles());
+                       former_cycles + newton->multigrid_cycles());
   }
 
 
@@ -450,7 +580,7 @@ namespace Signorini
   Simulation<dim>::compare_with_linear_solve()
   {
     const double          seconds = Utilities::MPI::max(mesh_clock.wall_time(), comm);
-    const double          cycles  = newton->multigrid_cycles();
+    const double          cycles  = former_cycles + newton->multigrid_cycles();
     const LinearReference linear  = [&]() {
       newton.reset(); // looks at the stiffness matrix
       TimerOutput::Scope scope(timer, "linear reference");

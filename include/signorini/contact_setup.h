@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/discretisation/geometry_change.h>
 #include <signorini/contact/discretisation/surface.h>
 #include <signorini/scene/scene.h>
 
@@ -28,9 +29,17 @@ namespace Signorini
 
     /// Search, and assemble the gap operator, which ends all references to the former one and to
     /// the surfaces. Slave and master of pairs are exchanged where their stiffness and their meshes
-    /// ask for it. Throws SceneError where a pair that has to see its partner does not.
+    /// ask for it, while they are at rest. Throws SceneError where a pair that has to see its
+    /// partner does not.
+    /// @param is_near surfaces are about where they will be: few candidates are enough
+    /// @param keep_rule the points of integration are those of the last build(), which was on this
+    /// mesh and not at rest
     void
-    build();
+    build(const Configuration<dim> &configuration, bool is_near = false, bool keep_rule = false);
+
+    /// Before the mesh changes: what was built belongs to it.
+    void
+    forget_mesh();
 
     // After build():
 
@@ -52,8 +61,21 @@ namespace Signorini
       return *contact;
     }
 
-    /// True if surfaces have moved so far with displacement u that others than the candidates may
-    /// touch: then more are, with the next build().
+    /// G of geometric_stiffness(), zero at rest. Collective.
+    LA::SparseMatrix
+    geometric_stiffness(const LA::Vector &pressure) const;
+
+    /// What contact at rest neglects with displacement u: the pair where that is most. Collective.
+    GeometryChange
+    neglected(const LA::Vector &u, const LA::Vector &pressure) const;
+
+    /// True if no surface has moved by more than a small part of its faces since build(), so that
+    /// the points of integration may stay. Collective.
+    bool
+    has_settled(const LA::Vector &u) const;
+
+    /// True if surfaces have moved so far with displacement u, from where they were for build(),
+    /// that others than the candidates may touch: then more are, with the next build().
     bool
     needs_more(const LA::Vector &u);
 
@@ -77,20 +99,37 @@ namespace Signorini
     left_out() const;
 
   private:
+    /// The change of displacements since build().
+    LA::Vector
+    since_built(const LA::Vector &u) const;
+
     ContactSurface<dim>
-    surface_of(const ContactPair<dim> &pair, unsigned int i) const;
+    surface_of(const Configuration<dim>  &configuration,
+               const ContactPair<dim>    &pair,
+               unsigned int               i,
+               double                     limit,
+               const ContactSurface<dim> *former = nullptr) const;
+
+    /// How deep each pair may overlap in a configuration that it has moved to since build().
+    std::vector<double>
+    possible_overlaps(const Configuration<dim> &configuration) const;
+
     /// If the mesh asks for it, and if the other side can be slave.
     void
-    exchange_sides(unsigned int i);
+    exchange_sides(const Configuration<dim> &configuration, unsigned int i);
 
     Scene<dim>                 &scene;
     const Elasticity<dim>      &elasticity;
     dealii::TimerOutput        &timer;
     dealii::ConditionalOStream &out;
 
-    std::vector<double>              reach; ///< of each pair: gaps of candidates
+    std::vector<double>              reach;  ///< of each pair: gaps of candidates
+    std::vector<double>              nearby; ///< the same where surfaces are about in place
+    bool                             built_near = false;
     std::vector<ContactSurface<dim>> my_surfaces;
+    std::unique_ptr<ContactRows>     rows;
     std::unique_ptr<GapOperator>     contact;
+    LA::Vector                       built_at; ///< displacement; empty: at rest
     std::set<std::string>            kept; ///< pairs whose master cannot be the slave
   };
 

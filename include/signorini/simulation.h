@@ -41,10 +41,27 @@ namespace Signorini
     /// Probes and expected results, before they cost a solution. Throws SceneError.
     void
     check_wanted();
+    /// Where the surfaces are placed; see ContactSetup::build().
     void
-    build_contact();
+    build_contact(bool is_near = false, bool keep_rule = false);
+    void
+    forget_newton();
     bool
     solve(double t, double tolerance);
+    /// With contact on the surfaces as they are placed.
+    bool
+    solve_in_place(double t, double tolerance, bool is_near = false);
+    /// Do the surfaces move so far that contact has to be looked for where they are now?
+    bool
+    leaves_place();
+    /// Place the surfaces where they are, and solve, until they stay: Newton's method for the
+    /// dependence of gaps and normals on the displacement, of second order near the end.
+    /// @param is_placed they are where they are
+    bool
+    follow_surfaces(double t, double tolerance, bool is_placed);
+    /// For contact as it was found last.
+    void
+    make_newton(double tolerance);
     void
     solve_with_candidates(double t, double tolerance);
     /// Throws SceneError for motions that nothing can stop.
@@ -83,9 +100,16 @@ namespace Signorini
     std::unique_ptr<Mesh<dim>>         mesh;
     std::unique_ptr<Elasticity<dim>>   elasticity;
     std::unique_ptr<ContactSetup<dim>> contact;
+    std::shared_ptr<const Hierarchy>   hierarchy; ///< of the stiffness
+    std::unique_ptr<LA::SparseMatrix>  geometric; ///< stiffness of contact; null at rest
     std::unique_ptr<Newton>            newton;
     bool                               only_checks = false;
     bool                               assembled   = false;
+    bool                               follows     = false; ///< contact is where the surfaces are
+    LA::Vector              placed;         ///< displacement of surfaces; empty: at rest
+    GeometryChange          geometry_change; ///< neglected at rest
+    std::vector<NewtonStep> steps_before;   ///< of this load step, with surfaces placed before
+    unsigned int            former_cycles = 0; ///< multigrid cycles before `newton`, on this mesh
     unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
 
     State      state;

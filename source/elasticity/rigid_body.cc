@@ -102,27 +102,6 @@ namespace Signorini
 
 
   template <int dim>
-  std::array<double, RigidBody<dim>::n_dofs>
-  RigidBody<dim>::normal_displacement(const Point<dim>     &x,
-                                      const Tensor<1, dim> &n,
-                                      const double          lever) const
-  {
-    // u = t + w cross r, so that u.n = t.n + w.(r cross n)
-    std::array<double, n_dofs> result{};
-    const Tensor<1, dim>       r = (x - reference) / lever;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] = n[d];
-    if constexpr (dim == 2)
-      result[2] = r[0] * n[1] - r[1] * n[0];
-    else
-      for (unsigned int d = 0; d < 3; ++d)
-        result[3 + d] = cross_product_3d(r, n)[d];
-    return result;
-  }
-
-
-
-  template <int dim>
   double
   RigidBody<dim>::arm(const BoundingBox<dim> &box) const
   {

@@ -46,7 +46,8 @@ namespace Signorini
     template <int dim>
     struct PairForce
     {
-      Resultant<dim> resultant;
+      Resultant<dim> resultant; ///< on the slave
+      Tensor<1, 3>   reaction_moment; ///< on the master
       double         normal_force = 0, sum_of_sizes = 0; ///< of the points
     };
 
@@ -58,22 +59,31 @@ namespace Signorini
       PairForce<dim> sum;
       // Around the axis radial forces are in balance, and so are moments.
       const bool on_circles = s.elasticity.model() == Model::axisymmetric;
+      const bool exchanged  = s.pairs[pair].exchanged;
       auto       which      = s.contact.pair.begin();
       for (const auto i : s.pressure.locally_owned_elements())
         if (*which++ == pair)
           {
             const double force    = s.pressure(i) * s.contact.weight(i);
-            const double on_slave = s.pairs[pair].exchanged ? -force : force;
+            const double on_slave = exchanged ? -force : force;
             for (unsigned int d = on_circles; d < dim; ++d)
               sum.resultant.force[d] += on_slave * s.contact.normal[d](i);
+            const auto &on_master =
+              s.contact.master_moment.empty() ? s.contact.moment : s.contact.master_moment;
             for (unsigned int d = 0; !on_circles && d < s.contact.moment.size(); ++d)
-              sum.resultant.moment[d] += on_slave * s.contact.moment[d](i);
+              {
+                sum.resultant.moment[d] +=
+                  on_slave * (exchanged ? on_master : s.contact.moment)[d](i);
+                sum.reaction_moment[d] -=
+                  on_slave * (exchanged ? s.contact.moment : on_master)[d](i);
+              }
             sum.normal_force += force;
             sum.sum_of_sizes += std::abs(force);
           }
       const MPI_Comm comm  = s.elasticity.mesh().communicator();
       sum.resultant.force  = Utilities::MPI::sum(sum.resultant.force, comm);
       sum.resultant.moment = Utilities::MPI::sum(sum.resultant.moment, comm);
+      sum.reaction_moment  = Utilities::MPI::sum(sum.reaction_moment, comm);
       sum.normal_force     = Utilities::MPI::sum(sum.normal_force, comm);
       sum.sum_of_sizes     = Utilities::MPI::sum(sum.sum_of_sizes, comm);
       return sum;
@@ -271,7 +281,7 @@ namespace Signorini
         largest = std::max({largest, force.resultant.force.norm(), force.sum_of_sizes});
         on_bodies[*mesh.body_of(names.named_slave())] += force.resultant;
         if (const auto master = mesh.body_of(names.named_master()))
-          on_bodies[*master] += {-force.resultant.force, -force.resultant.moment};
+          on_bodies[*master] += {-force.resultant.force, force.reaction_moment};
       }
     // What rounding alone would leave is in balance, whatever its directions are.
     if (largest <= rounding_of_forces(s, tolerance))

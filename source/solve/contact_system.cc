@@ -16,8 +16,10 @@ namespace Signorini
 
   ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
                                const ContactLaw       &law,
-                               FreeMotions             free_motions)
+                               FreeMotions             free_motions,
+                               const LA::SparseMatrix *geometric)
     : K(stiffness)
+    , G(geometric)
     , law(law)
     , contact(law.gap_operator())
     , saddle(law.is_mixed())
@@ -182,6 +184,13 @@ namespace Signorini
   ContactSystem::internal_force(LA::Vector &dst, const LA::Vector &u) const
   {
     K.vmult(dst, u);
+    if (G)
+      {
+        LA::Vector moved;
+        moved.reinit(dst, true);
+        G->vmult(moved, u);
+        dst -= moved;
+      }
     motions.subtract_springs(dst, u);
   }
 

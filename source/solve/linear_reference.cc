@@ -46,7 +46,12 @@ namespace Signorini
       const GapOperator   contact = nothing(elasticity.owned(), comm);
       const ContactLaw    law     = ContactLaw::springs(contact, 0);
       const ContactSystem system(elasticity.stiffness(), law);
-      LinearSolver        solver(settings, system, elasticity.rigid_body_modes(), dim, timer);
+      LinearSolver        solver(
+        settings,
+        system,
+        make_hierarchy(settings, elasticity.stiffness(), elasticity.rigid_body_modes(), dim),
+        dim,
+        timer);
       solver.update();
       result.seconds_preconditioner = lap();
 

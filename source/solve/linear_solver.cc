@@ -72,15 +72,32 @@ namespace Signorini
 
 
 
-  LinearSolver::LinearSolver(const LinearSolverSettings             &settings,
-                             const ContactSystem                    &system,
-                             const std::vector<std::vector<double>> &modes,
-                             const unsigned int                      dim,
-                             TimerOutput                            &timer)
+  std::shared_ptr<const Hierarchy>
+  make_hierarchy(const LinearSolverSettings             &settings,
+                 const LA::SparseMatrix                 &stiffness,
+                 const std::vector<std::vector<double>> &modes,
+                 const unsigned int                      dim)
+  {
+    if (settings.preconditioner == "direct")
+      return {};
+    auto known = modes;
+    if (settings.near_null_space == "translations")
+      known.resize(dim); // they come first
+    return std::make_shared<const Hierarchy>(stiffness, known, dim);
+  }
+
+
+
+  LinearSolver::LinearSolver(const LinearSolverSettings      &settings,
+                             const ContactSystem             &system,
+                             std::shared_ptr<const Hierarchy> hierarchy,
+                             const unsigned int               dim,
+                             TimerOutput                     &timer)
     : settings(settings)
     , system(system)
     , dim(dim)
     , timer(timer)
+    , hierarchy(std::move(hierarchy))
   {
     TimerOutput::Scope scope(timer, "preconditioner");
     if (settings.preconditioner == "SIMPLE" && settings.augmentation > 0)
@@ -88,13 +105,6 @@ namespace Signorini
         "Solver/Augmentation = " + short_text(settings.augmentation) +
         " does not go with Preconditioner = SIMPLE, which corrects by the diagonal of "
         "the plain stiffness; take 'block triangular'");
-    if (settings.preconditioner != "direct")
-      {
-        auto known = modes;
-        if (settings.near_null_space == "translations")
-          known.resize(dim); // they come first
-        hierarchy = std::make_unique<Hierarchy>(system.stiffness(), known, dim);
-      }
     make_preconditioner();
   }
 

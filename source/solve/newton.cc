@@ -14,17 +14,18 @@ namespace Signorini
                  const LA::SparseMatrix                 &stiffness,
                  const AffineConstraints<double>        &constraints,
                  const GapOperator                      &contact,
-                 const std::vector<std::vector<double>> &modes,
+                 std::shared_ptr<const Hierarchy>        hierarchy,
                  const std::vector<unsigned int>        &bodies,
                  const unsigned int                      dim,
                  TimerOutput                            &timer,
-                 FreeMotions                             free_motions)
+                 FreeMotions                             free_motions,
+                 const LA::SparseMatrix                 *geometric)
     : settings(settings)
     , constraints(constraints)
     , contact(contact)
     , law(method, contact)
-    , system(stiffness, law, std::move(free_motions))
-    , linear_solver(linear_settings, system, modes, dim, timer)
+    , system(stiffness, law, std::move(free_motions), geometric)
+    , linear_solver(linear_settings, system, std::move(hierarchy), dim, timer)
     , balance(system, law, constraints, bodies, settings.tolerance)
     , strategy(system, law, settings.reduction)
     , x(system.zero())

@@ -11,6 +11,10 @@ namespace Signorini
                 tolerance,
                 "of the nonlinear residual, relative to the forces at work",
                 Range{0, 1e-3, false});
+    section.add("Geometry tolerance",
+                of_geometry,
+                "of that residual on surfaces as they are now, where Contact geometry is updated",
+                Range{0, 1e-3, false});
     section.add(
       "Reduction",
       reduction,

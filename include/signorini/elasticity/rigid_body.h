@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/elasticity/rigid_pose.h>
 #include <signorini/parameters/expression.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -10,7 +11,7 @@ namespace Signorini
 {
   class Section;
 
-  /// The motion of a rigid body: a translation and a small rotation about a reference point, each
+  /// The motion of a rigid body: a translation and a rotation about a reference point, each
   /// component prescribed or free. Along free ones a given force or moment drives the body, and the
   /// motion is an unknown. In the vectors of the scene a rigid body has two nodes, one for the
   /// translation and one for the rotation; the rotation counts as the length by which it moves
@@ -18,8 +19,8 @@ namespace Signorini
   template <int dim>
   struct RigidBody
   {
-    static constexpr unsigned int n_rotations = dim == 2 ? 1 : 3;
-    static constexpr unsigned int n_dofs      = 2 * dim; ///< in 2D one of them is not used
+    static constexpr unsigned int n_rotations = RigidPose<dim>::n_rotations;
+    static constexpr unsigned int n_dofs      = RigidPose<dim>::n_dofs;
 
     std::string                        name;
     VectorExpression<dim>              displacement; ///< not given: at rest
@@ -48,12 +49,6 @@ namespace Signorini
     /// What drives degree of freedom i, a force.
     double
     load(unsigned int i, double t, double lever) const;
-
-    /// u.n at a point of the body is the sum of these times its degrees of freedom.
-    std::array<double, n_dofs>
-    normal_displacement(const dealii::Point<dim>     &x,
-                        const dealii::Tensor<1, dim> &n,
-                        double                        lever) const;
 
     /// The longest lever arm of a point of the box about the reference point.
     double

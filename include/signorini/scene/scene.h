@@ -40,6 +40,8 @@ namespace Signorini
     std::string  integration       = "auto";
     unsigned int quadrature_points = 0; ///< 0: as many as the method and the degree need
     std::string  pressure_basis    = "dual";
+    std::string  geometry          = "automatic"; ///< or "reference", "updated"
+    double       geometry_share    = 0.005; ///< of the pressure that is not worth an update
 
     ContactSettings();
 

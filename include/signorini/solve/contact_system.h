@@ -31,15 +31,19 @@ namespace Signorini
   /// law is g + p/eps = 0 (else zero, and the right-hand side as well). The scaling with k = E/h
   /// makes q a length and both residuals forces: nothing depends on the units of the scene.
   ///
+  /// Where surfaces move, K - G takes the place of K, see geometric_stiffness().
+  ///
   /// Vectors are blocks (u, q); q is empty in the condensed form. K belongs to the mesh and is
   /// never touched; what changes with the active set are vectors on the contact surface.
   class ContactSystem
   {
   public:
-    /// Refers to both, which must live as long.
+    /// Refers to all, which must live as long.
+    /// @param geometric G; null: zero
     ContactSystem(const LA::SparseMatrix &stiffness,
                   const ContactLaw       &law,
-                  FreeMotions             free_motions = FreeMotions());
+                  FreeMotions             free_motions = FreeMotions(),
+                  const LA::SparseMatrix *geometric    = nullptr);
 
     ~ContactSystem();
 
@@ -50,7 +54,7 @@ namespace Signorini
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
-    /// The forces of the bodies' deformation: K u without the springs that K has against free
+    /// The forces of the bodies' deformation: (K - G) u without the springs that K has against free
     /// motions.
     void
     internal_force(LA::Vector &dst, const LA::Vector &u) const;
@@ -138,6 +142,7 @@ namespace Signorini
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
 
     const LA::SparseMatrix &K;
+    const LA::SparseMatrix *G;
     const ContactLaw       &law;
     const GapOperator      &contact;
     const bool              saddle;

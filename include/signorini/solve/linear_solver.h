@@ -16,17 +16,26 @@ namespace Signorini
     using std::runtime_error::runtime_error;
   };
 
+  /// The multigrid hierarchy of a stiffness matrix, which outlives contact that is looked for again;
+  /// null where the preconditioner needs none.
+  /// @param modes rigid-body modes
+  std::shared_ptr<const Hierarchy>
+  make_hierarchy(const LinearSolverSettings             &settings,
+                 const LA::SparseMatrix                 &stiffness,
+                 const std::vector<std::vector<double>> &modes,
+                 unsigned int                            dim);
+
   /// Solves the contact systems of one mesh. The multigrid hierarchy is built once; what changes
   /// with the active set is what the preconditioner keeps on the surface.
   class LinearSolver
   {
   public:
-    /// @param modes rigid-body modes for AMG
-    LinearSolver(const LinearSolverSettings             &settings,
-                 const ContactSystem                    &system,
-                 const std::vector<std::vector<double>> &modes,
-                 unsigned int                            dim,
-                 dealii::TimerOutput                    &timer);
+    /// @param hierarchy make_hierarchy()
+    LinearSolver(const LinearSolverSettings      &settings,
+                 const ContactSystem             &system,
+                 std::shared_ptr<const Hierarchy> hierarchy,
+                 unsigned int                     dim,
+                 dealii::TimerOutput             &timer);
 
     /// The system's active set has changed.
     void
@@ -73,9 +82,9 @@ namespace Signorini
     const ContactSystem            &system;
     const unsigned int              dim;
     dealii::TimerOutput            &timer;
-    std::unique_ptr<Hierarchy>      hierarchy;
-    std::unique_ptr<Preconditioner> preconditioner;
-    bool                            has_given_up_iterating = false;
-    unsigned int                    cycles_before          = 0; ///< giving up
+    std::shared_ptr<const Hierarchy> hierarchy;
+    std::unique_ptr<Preconditioner>  preconditioner;
+    bool                             has_given_up_iterating = false;
+    unsigned int                     cycles_before          = 0; ///< giving up
   };
 } // namespace Signorini

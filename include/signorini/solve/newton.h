@@ -21,19 +21,21 @@ namespace Signorini
   {
   public:
     /// Refers to all but the settings and numbers.
-    /// @param modes rigid-body modes, for multigrid
+    /// @param hierarchy make_hierarchy() of the stiffness
     /// @param bodies Elasticity::bodies_of_dofs()
+    /// @param geometric see ContactSystem
     Newton(const NewtonSettings                    &settings,
            const LinearSolverSettings              &linear_settings,
            const ContactMethod                     &method,
            const LA::SparseMatrix                  &stiffness,
            const dealii::AffineConstraints<double> &constraints,
            const GapOperator                       &contact,
-           const std::vector<std::vector<double>>  &modes,
+           std::shared_ptr<const Hierarchy>         hierarchy,
            const std::vector<unsigned int>         &bodies,
            unsigned int                             dim,
            dealii::TimerOutput                     &timer,
-           FreeMotions                              free_motions = FreeMotions());
+           FreeMotions                              free_motions = FreeMotions(),
+           const LA::SparseMatrix                  *geometric    = nullptr);
 
     /// @param f load vector with prescribed displacements eliminated
     /// @param u in: start, with the prescribed displacements of this step; out: solution

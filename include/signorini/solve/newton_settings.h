@@ -10,6 +10,7 @@ namespace Signorini
   {
     unsigned int maximum_steps = 40;
     double       tolerance     = 1e-10;
+    double       of_geometry   = 1e-8;
     double       reduction     = 1e-2;
     double       stabilisation = 0.25;
     std::string  undetermined  = "refuse";

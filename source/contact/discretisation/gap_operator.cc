@@ -152,6 +152,7 @@ namespace Signorini
                      const std::vector<ContactSurface<dim>> &surfaces,
                      const ContactMethod                    &method,
                      const double                            size,
+                     const bool                              moved,
                      const MPI_Comm                          comm)
     {
       const unsigned int n_moments = dim == 2 ? 1 : 3;
@@ -163,18 +164,26 @@ namespace Signorini
       contact.position.assign(dim, contact.zero());
       contact.normal.assign(dim, contact.zero());
       contact.moment.assign(n_moments, contact.zero());
+      if (moved)
+        {
+          contact.drift = contact.zero();
+          contact.master_moment.assign(n_moments, contact.zero());
+        }
 
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         for (unsigned int q = 0; q < surfaces[p].points.size(); ++q)
           {
             const ContactPoint<dim> &point  = surfaces[p].points[q];
-            const Tensor<1, 3>       moment = moment_of(point.position, point.normal);
+            const Tensor<1, 3>       moment = moment_of(point.position, point.normal),
+                               on_master    = moment_of(point.master_position, point.normal);
             const double             epsilon =
               method.penalty({point.stiffness, size / point.depth, point.bound});
             for (const auto &[row, weight] : rows.shares[p][q])
               {
                 contact.weight(row) += weight;
                 contact.rest_gap(row) += weight * point.gap;
+                if (moved)
+                  contact.drift(row) -= weight * point.closing;
                 contact.stiffness(row) += weight * point.stiffness;
                 contact.epsilon(row) += weight * epsilon;
                 for (unsigned int d = 0; d < dim; ++d)
@@ -183,7 +192,11 @@ namespace Signorini
                     contact.normal[d](row) += weight * point.normal[d];
                   }
                 for (unsigned int d = 0; d < n_moments; ++d)
-                  contact.moment[d](row) += weight * moment[d];
+                  {
+                    contact.moment[d](row) += weight * moment[d];
+                    if (moved)
+                      contact.master_moment[d](row) += weight * on_master[d];
+                  }
               }
           }
     }
@@ -231,7 +244,10 @@ namespace Signorini
       inverse.compress(VectorOperation::insert);
 
       std::vector<LA::Vector *> means = {&contact.rest_gap, &contact.stiffness, &contact.epsilon};
-      for (auto *group : {&contact.position, &contact.normal, &contact.moment})
+      if (contact.drift.size() > 0)
+        means.push_back(&contact.drift);
+      for (auto *group :
+           {&contact.position, &contact.normal, &contact.moment, &contact.master_moment})
         for (LA::Vector &v : *group)
           means.push_back(&v);
       for (LA::Vector *v : means)
@@ -249,22 +265,23 @@ namespace Signorini
 
   template <int dim>
   std::unique_ptr<GapOperator>
-  make_gap_operator(const Elasticity<dim>                  &elasticity,
+  make_gap_operator(const Configuration<dim>               &configuration,
                     const std::vector<ContactSurface<dim>> &surfaces,
+                    const ContactRows                      &rows,
                     const ContactMethod                    &method)
   {
-    const MPI_Comm comm    = elasticity.mesh().communicator();
-    ContactRows    rows    = make_contact_rows(elasticity, surfaces, method.sampling());
-    auto           result  = std::make_unique<GapOperator>();
-    GapOperator   &contact = *result;
+    const Elasticity<dim> &elasticity = configuration.elasticity();
+    const MPI_Comm         comm       = elasticity.mesh().communicator();
+    auto                   result     = std::make_unique<GapOperator>();
+    GapOperator           &contact    = *result;
     contact.dofs           = elasticity.owned();
     contact.pair           = rows.pair;
     contact.node           = rows.node;
-    contact.places         = std::move(rows.places);
+    contact.places         = rows.places;
     contact.readable       = rows.writable;
     contact.regions        = ContactRegions(elasticity, surfaces, rows, method.sampling());
     assemble_matrices(contact, rows, surfaces, method, comm);
-    assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), comm);
+    assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), !configuration.is_rest(), comm);
     normalise(contact);
     if (contact.has_stress())
       assemble_thermal_stress(elasticity.thermal(), rows, surfaces, contact);
@@ -288,7 +305,14 @@ namespace Signorini
         contact.S_free.copy_from(contact.S);
         LA::scale_columns(contact.S_free, free);
       }
-    contact.initial_gap = contact.rest_gap;
+    // g(u_k) + B (u - u_k)
+    if (!configuration.is_rest() && !contact.empty())
+      {
+        LA::Vector moved = contact.zero();
+        contact.B.vmult(moved, configuration.displacement());
+        contact.drift -= moved;
+      }
+    contact.set_interference(std::vector<double>(surfaces.size(), 1.));
     contact.tied        = elasticity.has_inclined_supports();
     if (contact.tied)
       add_tied_columns(elasticity, contact);
@@ -302,11 +326,14 @@ namespace Signorini
   {
     interference = shares;
     auto which   = pair.begin();
+    initial_gap.reinit(rest_gap);
     for (const auto i : rest_gap.locally_owned_elements())
       {
         const double share  = shares[*which++];
         const bool   counts = rest_gap(i) < 0 || permanent(i) > 0;
         initial_gap(i)      = counts ? share * rest_gap(i) : rest_gap(i);
+        if (drift.size() > 0)
+          initial_gap(i) += drift(i);
       }
     initial_gap.compress(VectorOperation::insert);
   }
@@ -414,12 +441,29 @@ namespace Signorini
 
 
 
-  template std::unique_ptr<GapOperator>
-  make_gap_operator(const Elasticity<2> &,
-                    const std::vector<ContactSurface<2>> &,
-                    const ContactMethod &);
-  template std::unique_ptr<GapOperator>
-  make_gap_operator(const Elasticity<3> &,
-                    const std::vector<ContactSurface<3>> &,
-                    const ContactMethod &);
+  template <int dim>
+  std::unique_ptr<GapOperator>
+  make_gap_operator(const Elasticity<dim>                  &elasticity,
+                    const std::vector<ContactSurface<dim>> &surfaces,
+                    const ContactMethod                    &method)
+  {
+    return make_gap_operator(Configuration<dim>(elasticity),
+                             surfaces,
+                             make_contact_rows(elasticity, surfaces, method.sampling()),
+                             method);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template std::unique_ptr<GapOperator> make_gap_operator(                                         \
+    const Configuration<dim> &,                                                                    \
+    const std::vector<ContactSurface<dim>> &,                                                      \
+    const ContactRows &,                                                                           \
+    const ContactMethod &);                                                                        \
+  template std::unique_ptr<GapOperator> make_gap_operator(                                         \
+    const Elasticity<dim> &, const std::vector<ContactSurface<dim>> &, const ContactMethod &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

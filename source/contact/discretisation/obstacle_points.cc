@@ -1,3 +1,4 @@
+#include <signorini/contact/discretisation/gap_bend.h>
 #include <signorini/contact/discretisation/obstacle_points.h>
 #include <signorini/contact/discretisation/trace.h>
 
@@ -23,22 +24,31 @@ namespace Signorini
              bodies.begin();
     }
 
-    /// n . u of an obstacle.
+    /// Its first degree of freedom; invalid if it is at rest.
+    template <int dim>
+    types::global_dof_index
+    first_dof(const Elasticity<dim> &elasticity, const Obstacle<dim> &obstacle)
+    {
+      const unsigned int body = rigid_body(elasticity, obstacle);
+      return body < elasticity.rigid_bodies().size() ? elasticity.first_dof(body) :
+                                                       numbers::invalid_dof_index;
+    }
+
+    /// n . u of an obstacle at x.
     template <int dim>
     SparseRow
-    rigid_row(const Elasticity<dim>  &elasticity,
-              const unsigned int      body,
-              const MasterPlace<dim> &place)
+    rigid_row(const RigidPose<dim>         &pose,
+              const types::global_dof_index first,
+              const Point<dim>             &x,
+              const Tensor<1, dim>         &n)
     {
       SparseRow row;
-      if (body == elasticity.rigid_bodies().size())
+      if (first == numbers::invalid_dof_index)
         return row;
-      const auto values = elasticity.rigid_bodies()[body].normal_displacement(place.position,
-                                                                              place.normal,
-                                                                              elasticity.lever());
+      const auto values = pose.row(x, n);
       for (unsigned int i = 0; i < values.size(); ++i)
         if (values[i] != 0)
-          row.emplace_back(elasticity.first_dof(body) + i, values[i]);
+          row.emplace_back(first + i, values[i]);
       return row;
     }
   } // namespace
@@ -47,13 +57,14 @@ namespace Signorini
 
   template <int dim>
   std::vector<PairedPoint<dim>>
-  obstacle_points(const Elasticity<dim>             &elasticity,
+  obstacle_points(const Configuration<dim>          &configuration,
                   const std::vector<FacePatch<dim>> &slave,
                   const Obstacle<dim>               &obstacle,
                   const Integration                 &integration,
                   const double                       limit)
   {
-    const unsigned int            body = rigid_body(elasticity, obstacle);
+    const auto                    first = first_dof(configuration.elasticity(), obstacle);
+    const RigidPose<dim>          pose = configuration.pose(obstacle);
     const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
     std::vector<PairedPoint<dim>> points;
     for (unsigned int i = 0; i < slave.size(); ++i)
@@ -61,7 +72,7 @@ namespace Signorini
         {
           const Point<dim - 1>    &xi    = rule.point(q);
           const Point<dim>         x     = slave[i].position(xi);
-          const ObstaclePlace<dim> place = obstacle.shape->closest(x);
+          const ObstaclePlace<dim> place = configuration.closest(obstacle, pose, x);
           if (std::abs(place.gap) > reach(slave[i], limit) ||
               !faces_each_other(slave[i].normal(xi), place.normal))
             continue;
@@ -71,7 +82,9 @@ namespace Signorini
           point.partner.distance  = std::abs(place.gap);
           point.partner.stiffness = std::numeric_limits<double>::infinity();
           point.partner.bound     = std::numeric_limits<double>::infinity();
-          point.partner.row       = rigid_row(elasticity, body, point.partner);
+          point.partner.row       = rigid_row(pose, first, point.partner.position, place.normal);
+          if (!configuration.is_rest())
+            point.partner.bend = bend_of_obstacle(place, pose, x, first);
           points.push_back(std::move(point));
         }
     keep_near_faces(limit, points);
@@ -81,13 +94,13 @@ namespace Signorini
 
 
   template std::vector<PairedPoint<2>>
-  obstacle_points(const Elasticity<2> &,
+  obstacle_points(const Configuration<2> &,
                   const std::vector<FacePatch<2>> &,
                   const Obstacle<2> &,
                   const Integration &,
                   double);
   template std::vector<PairedPoint<3>>
-  obstacle_points(const Elasticity<3> &,
+  obstacle_points(const Configuration<3> &,
                   const std::vector<FacePatch<3>> &,
                   const Obstacle<3> &,
                   const Integration &,

@@ -210,11 +210,24 @@ namespace Signorini
 
     // The same points on each face of a list.
     template <int dim>
+    std::vector<LaidPoint<dim>>
+    lay(const std::vector<FacePatch<dim>> &slave,
+        const std::vector<unsigned int>   &faces,
+        const Quadrature<dim - 1>         &rule)
+    {
+      std::vector<LaidPoint<dim>> points;
+      for (const unsigned int i : faces)
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          points.push_back(
+            {i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q))});
+      return points;
+    }
+
+    template <int dim>
     std::vector<PairedPoint<dim>>
     pair_by_projection(const std::vector<FacePatch<dim>> &slave,
-                       const std::vector<unsigned int>   &faces,
+                       const std::vector<LaidPoint<dim>> &laid,
                        const MasterFaces<dim>            &master,
-                       const Quadrature<dim - 1>         &rule,
                        const double                       limit,
                        const MPI_Comm                     comm,
                        SearchStatistics                  &statistics)
@@ -224,24 +237,18 @@ namespace Signorini
       double                      largest = 0;
       for (const FacePatch<dim> &face : slave)
         largest = std::max(largest, reach(face, limit));
-      for (const unsigned int i : faces)
-        for (const Point<dim - 1> &xi : rule.get_points())
-          {
-            positions.push_back(slave[i].position(xi));
-            normals.push_back(slave[i].normal(xi));
-          }
+      for (const LaidPoint<dim> &point : laid)
+        {
+          positions.push_back(slave[point.face].position(point.xi));
+          normals.push_back(slave[point.face].normal(point.xi));
+        }
       auto partners = find_partners(
         positions, normals, master, Utilities::MPI::max(largest, comm), comm, &statistics);
 
       std::vector<PairedPoint<dim>> points;
-      auto                          partner = partners.begin();
-      for (const unsigned int i : faces)
-        for (unsigned int q = 0; q < rule.size(); ++q, ++partner)
-          if (*partner)
-            points.push_back({i,
-                              rule.point(q),
-                              rule.weight(q) * slave[i].jacobian(rule.point(q)),
-                              std::move(**partner)});
+      for (std::size_t i = 0; i < laid.size(); ++i)
+        if (partners[i])
+          points.push_back({laid[i].face, laid[i].xi, laid[i].weight, std::move(*partners[i])});
       return points;
     }
 
@@ -414,12 +421,19 @@ namespace Signorini
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,
+              const std::vector<LaidPoint<dim>> &laid,
               const double                       limit,
               const MPI_Comm                     comm,
               SearchStatistics                  &statistics)
   {
-    const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
     std::vector<PairedPoint<dim>> points;
+    if (Utilities::MPI::max(laid.size(), comm) > 0)
+      {
+        points = pair_by_projection(slave, laid, master, limit, comm, statistics);
+        keep_near_faces(limit, points);
+        return points;
+      }
+    const Quadrature<dim - 1> rule = face_rule<dim>(integration);
     std::vector<unsigned int>     faces(slave.size());
     std::iota(faces.begin(), faces.end(), 0);
     if (integration.rule == "segments")
@@ -432,7 +446,8 @@ namespace Signorini
         move_to_closest(slave, master, comm, statistics, points);
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
-      for (auto &point : pair_by_projection(slave, faces, master, rule, limit, comm, statistics))
+      for (auto &point :
+           pair_by_projection(slave, lay(slave, faces, rule), master, limit, comm, statistics))
         points.push_back(std::move(point));
     drop_false_overlaps(slave, master, comm, statistics, points);
     keep_near_faces(limit, points);
@@ -472,6 +487,7 @@ namespace Signorini
   pair_points<2>(const std::vector<FacePatch<2>> &,
                  const MasterFaces<2> &,
                  const Integration &,
+                 const std::vector<LaidPoint<2>> &,
                  double,
                  MPI_Comm,
                  SearchStatistics &);
@@ -479,6 +495,7 @@ namespace Signorini
   pair_points<3>(const std::vector<FacePatch<3>> &,
                  const MasterFaces<3> &,
                  const Integration &,
+                 const std::vector<LaidPoint<3>> &,
                  double,
                  MPI_Comm,
                  SearchStatistics &);

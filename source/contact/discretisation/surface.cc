@@ -1,10 +1,10 @@
-#include <signorini/contact/discretisation/normal_stress.h>
+#include <signorini/contact/discretisation/contact_points.h>
+#include <signorini/contact/discretisation/gaps_at_rest.h>
+#include <signorini/contact/discretisation/master_faces.h>
 #include <signorini/contact/discretisation/obstacle_points.h>
 #include <signorini/contact/discretisation/pressure_functions.h>
 #include <signorini/contact/discretisation/surface.h>
-#include <signorini/contact/geometry/boundary_faces.h>
 #include <signorini/contact/geometry/deep_overlap.h>
-#include <signorini/contact/geometry/lagrange.h>
 #include <signorini/contact/geometry/reach.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/parameters/section.h>
@@ -23,118 +23,6 @@ namespace Signorini
 
   namespace
   {
-    /// Bounds of the normal stress on faces, see NormalStress::bound(), each found when it is first
-    /// asked for. Faces of one cell share its energy.
-    template <int dim>
-    class StressBounds
-    {
-    public:
-      StressBounds(const BoundaryFaces<dim> &boundary)
-        : faces(boundary.faces)
-        , bounds(faces.size(), -1.)
-      {}
-
-      /// @param stress on the cell of face i
-      double
-      operator()(NormalStress<dim> &stress, const unsigned int i)
-      {
-        if (bounds[i] < 0)
-          bounds[i] = stress.bound(faces[i].second) * faces_of_cell(i);
-        return bounds[i];
-      }
-
-    private:
-      // They are neighbours in the list.
-      unsigned int
-      faces_of_cell(const unsigned int i) const
-      {
-        unsigned int first = i, last = i + 1;
-        while (first > 0 && faces[first - 1].first == faces[i].first)
-          --first;
-        while (last < faces.size() && faces[last].first == faces[i].first)
-          ++last;
-        return last - first;
-      }
-
-      const std::vector<std::pair<CellIterator<dim>, unsigned int>> faces;
-      std::vector<double>                                           bounds;
-    };
-
-    template <int dim>
-    MasterFaces<dim>
-    master_faces(const Elasticity<dim>    &elasticity,
-                 const BoundaryFaces<dim> &boundary,
-                 const bool                with_stress)
-    {
-      MasterFaces<dim> master;
-      master.patches = boundary.patches;
-      std::vector<double> stiffnesses, moduli, sizes;
-      for (unsigned int i = 0; i < boundary.faces.size(); ++i)
-        {
-          stiffnesses.push_back(boundary.stiffness(elasticity, i));
-          moduli.push_back(boundary.modulus(elasticity, i));
-          sizes.push_back(boundary.patches[i].diameter());
-        }
-      master.complete = [faces = boundary.faces,
-                         stiffnesses,
-                         moduli,
-                         sizes,
-                         with_stress,
-                         trace  = Trace<dim>(elasticity),
-                         stress = std::make_shared<NormalStress<dim>>(elasticity),
-                         bound  = StressBounds<dim>(boundary)](const unsigned int    i,
-                                                              const Point<dim - 1> &xi,
-                                                              Partner<dim> &partner) mutable {
-        const auto &[cell, face]    = faces[i];
-        const Point<dim>      place = unit_point<dim>(face, xi);
-        const Tensor<1, dim> &n     = partner.normal;
-        trace.reinit(cell, face);
-        partner.row       = trace.normal_displacement(place, n);
-        partner.stiffness = stiffnesses[i];
-        partner.modulus   = moduli[i];
-        partner.size      = sizes[i];
-        if (!with_stress)
-          return;
-        stress->reinit(cell);
-        partner.stress         = stress->row(place, -n, n);
-        partner.thermal_stress = stress->thermal_row(place, -n, n);
-        partner.bound          = bound(*stress, i);
-      };
-      return master;
-    }
-
-    /// What a pair says of its gap at rest.
-    template <int dim>
-    class InitialGap
-    {
-    public:
-      InitialGap(const ContactPair<dim> &pair)
-        : is_given(pair.initial_gap.text != "from geometry")
-        , formula(is_given && pair.initial_gap.text != "closed" ? pair.initial_gap : Formula("0"))
-      {}
-
-      double
-      operator()(const Point<dim> &x, const double from_geometry) const
-      {
-        return is_given ? formula.value(x) : from_geometry;
-      }
-
-    private:
-      const bool            is_given;
-      const Expression<dim> formula;
-    };
-
-    /// Between x and its partner. What touches up to the rounding of the coordinates touches:
-    /// otherwise that rounding were all that drives a body without loads.
-    template <int dim>
-    double
-    distance(const Point<dim> &x, const Partner<dim> &partner)
-    {
-      const double gap      = (x - partner.position) * partner.normal;
-      const double rounding = 4 * std::numeric_limits<double>::epsilon() * x.norm();
-      return std::abs(gap) <= rounding ? 0. : gap;
-    }
-
     /// Segments that touch a face in a line only have no area, and their points no say.
     template <int dim>
     void
@@ -145,137 +33,6 @@ namespace Signorini
         return point.weight < 1e-13 * slave[point.face].jacobian(point.xi);
       };
       points.erase(std::remove_if(points.begin(), points.end(), is_empty), points.end());
-    }
-
-    template <int dim>
-    ContactPoint<dim>
-    contact_point(const InitialGap<dim>  &initial_gap,
-                  const FacePatch<dim>   &patch,
-                  const PairedPoint<dim> &paired,
-                  const Point<dim>       &unit_point,
-                  const double            stiffness,
-                  const Trace<dim>       &trace)
-    {
-      const Partner<dim> &partner = paired.partner;
-      ContactPoint<dim>   point;
-      point.position  = patch.position(paired.xi);
-      point.normal    = partner.normal;
-      point.weight    = paired.weight;
-      point.facing    = -(patch.normal(paired.xi) * partner.normal);
-      point.gap       = initial_gap(point.position, distance(point.position, partner));
-      point.stiffness = 1 / (1 / stiffness + 1 / partner.stiffness);
-      point.row       = trace.normal_displacement(unit_point, partner.normal);
-      for (const auto &[index, value] : partner.row)
-        point.row.emplace_back(index, -value);
-      unite(point.row);
-      point.face = paired.face;
-      point.xi   = paired.xi;
-      return point;
-    }
-
-    /// The mean of both bodies' stresses whose bound is the smallest: they count by the inverse of
-    /// their bounds, so that a stiff body does not matter beside a soft one, whichever is the slave
-    /// (Annavarapu, Hautefeuille, Dolbow, Comput. Methods Appl. Mech. Engrg. 225-228 (2012) 44-54).
-    template <int dim>
-    void
-    set_stress(const SparseRow    &own,
-               const SparseRow    &own_thermal,
-               const double        own_bound,
-               const Partner<dim> &partner,
-               const bool          own_alone,
-               ContactPoint<dim>  &point)
-    {
-      const double share =
-        own_alone || std::isinf(partner.bound) ? 1. : partner.bound / (own_bound + partner.bound);
-      const auto mean = [share](const SparseRow &own, const SparseRow &other) {
-        SparseRow row;
-        for (const auto &[index, value] : own)
-          row.emplace_back(index, share * value);
-        if (share < 1)
-          for (const auto &[index, value] : other)
-            row.emplace_back(index, (1 - share) * value);
-        unite(row);
-        return row;
-      };
-      point.stress         = mean(own, partner.stress);
-      point.thermal_stress = mean(own_thermal, partner.thermal_stress);
-      point.bound          = share * own_bound;
-    }
-
-    /// Of the circle that a point stands for, or 1. That of a node is the mean over its shape
-    /// function, of degree k: on the axis, too, it stands for an area.
-    template <int dim>
-    double
-    circumference(const Elasticity<dim> &elasticity,
-                  const FacePatch<dim>  &patch,
-                  const Point<dim - 1>  &xi,
-                  const Integration     &integration,
-                  const unsigned int     k)
-    {
-      const Model model = elasticity.model();
-      if (model != Model::axisymmetric || integration.rule != "nodes")
-        return measure(model, patch.position(xi));
-      const unsigned int    node = std::lround(xi[0] * k);
-      const QGauss<dim - 1> rule(k + 2);
-      double                sum = 0, area = 0;
-      for (unsigned int q = 0; q < rule.size(); ++q)
-        {
-          const double share =
-            rule.weight(q) * lagrange(k, rule.point(q)[0])[node][0] * patch.jacobian(rule.point(q));
-          area += share;
-          sum += share * measure(model, patch.position(rule.point(q)));
-        }
-      return sum / area;
-    }
-
-    /// The contact points of paired points, which are sorted by faces; all but the functions of the
-    /// pressure.
-    template <int dim>
-    std::vector<ContactPoint<dim>>
-    contact_points(const Elasticity<dim>               &elasticity,
-                   const ContactPair<dim>              &pair,
-                   const ContactMethod                 &method,
-                   const BoundaryFaces<dim>            &slave,
-                   const Integration                   &integration,
-                   const std::vector<PairedPoint<dim>> &paired_points)
-    {
-      std::vector<ContactPoint<dim>> result;
-      result.reserve(paired_points.size());
-      double                face_depth = 0, face_stiffness = 0;
-      Trace<dim>            trace(elasticity);
-      NormalStress<dim>     stress(elasticity);
-      StressBounds<dim>     bound(slave);
-      const InitialGap<dim> initial_gap(pair);
-      const bool            with_stress = method.predictor() == Predictor::normal_stress;
-      for (const PairedPoint<dim> &paired : paired_points)
-        {
-          const auto &[cell, face] = slave.faces[paired.face];
-          const auto      &patch   = slave.patches[paired.face];
-          const Point<dim> place   = unit_point<dim>(face, paired.xi);
-          const bool       is_new  = result.empty() || result.back().face != paired.face;
-          if (is_new)
-            {
-              trace.reinit(cell, face);
-              face_stiffness = slave.stiffness(elasticity, paired.face);
-              face_depth     = slave.depth(paired.face);
-            }
-          result.push_back(contact_point(initial_gap, patch, paired, place, face_stiffness, trace));
-          result.back().depth = face_depth;
-          result.back().weight *=
-            circumference(elasticity, patch, paired.xi, integration, cell->get_fe().degree);
-          if (!with_stress)
-            continue;
-          if (is_new)
-            stress.reinit(cell);
-          const Tensor<1, dim> n = patch.normal(paired.xi);
-          set_stress(stress.row(place, paired.partner.normal, n),
-                     stress.thermal_row(place, paired.partner.normal, n),
-                     bound(stress, paired.face),
-                     paired.partner,
-                     method.unbiased(),
-                     result.back());
-        }
-      return result;
     }
 
     template <int dim>
@@ -324,7 +81,7 @@ namespace Signorini
                   std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
                     return a.second < b.second;
                   })->first);
-                face.positions.push_back(slave.patches[point.face].position(xi));
+                face.positions.push_back(slave.rest[point.face].position(xi));
               }
           }
       return result;
@@ -342,9 +99,9 @@ namespace Signorini
           trace.reinit(slave.faces[i].first, slave.faces[i].second);
           for (unsigned int q = 0; q < rule.size(); ++q)
             result.emplace_back(trace.shape(unit_point<dim>(slave.faces[i].second, rule.point(q))),
-                                rule.weight(q) * slave.patches[i].jacobian(rule.point(q)) *
+                                rule.weight(q) * slave.rest[i].jacobian(rule.point(q)) *
                                   measure(elasticity.model(),
-                                          slave.patches[i].position(rule.point(q))));
+                                          slave.rest[i].position(rule.point(q))));
         }
       return result;
     }
@@ -411,7 +168,7 @@ namespace Signorini
     {
       double deepest = 0;
       for (const ContactPoint<dim> &point : points)
-        deepest = std::max(deepest, -point.gap);
+        deepest = std::max(deepest, -point.gap_now());
       return Utilities::MPI::max(deepest, comm);
     }
 
@@ -425,7 +182,7 @@ namespace Signorini
     {
       std::vector<bool> is_near(slave.faces.size(), false);
       for (const ContactPoint<dim> &point : points)
-        if (point.gap <= reach)
+        if (point.gap_now() <= reach)
           is_near[point.face] = true;
       const auto is_far = [&](const auto &point) { return !is_near[point.face]; };
       paired.erase(std::remove_if(paired.begin(), paired.end(), is_far), paired.end());
@@ -475,47 +232,92 @@ namespace Signorini
       return 1.1 * overlap;
     }
 
+    template <int dim>
+    void
+    check_obstacle(const Configuration<dim> &configuration,
+                   const ContactPair<dim>   &pair,
+                   const Obstacle<dim>      &obstacle,
+                   const BoundaryFaces<dim> &slave)
+    {
+      if (configuration.is_rest())
+        return;
+      const double length = configuration.elasticity().lever();
+      const bool   bad =
+        std::any_of(slave.rest.begin(), slave.rest.end(), [&](const FacePatch<dim> &face) {
+          return !obstacle.shape->has_closest_point(face.center(), length);
+        });
+      if (Utilities::MPI::max(bad ? 1 : 0, configuration.elasticity().mesh().communicator()) > 0)
+        throw SceneError(
+          pair.master_place + ": the Gap of '" + obstacle.name +
+          "' does not rise by 1 along its Normal: that is the gap of a surface at rest, and nobody "
+          "knows where the obstacle is beside it; write the formula for every place, as in y - "
+          "x^2/20 for Normal = 0, 1, or take Contact method/Contact geometry = reference");
+    }
+
     /// With the pair's slave and master as they are.
     template <int dim>
     ContactSurface<dim>
-    one_sided(const Elasticity<dim>  &elasticity,
-              const ContactPair<dim> &pair,
-              const Obstacle<dim>    *obstacle,
-              const ContactMethod    &method,
-              const Integration      &integration,
-              const double            reach)
+    one_sided(const Configuration<dim>          &configuration,
+              const ContactPair<dim>            &pair,
+              const Obstacle<dim>               *obstacle,
+              const ContactMethod               &method,
+              const Integration                 &integration,
+              const double                       reach,
+              const double                       least_limit,
+              const std::vector<LaidPoint<dim>> &laid)
     {
-      const MPI_Comm           comm = elasticity.mesh().communicator();
-      const BoundaryFaces<dim> slave(elasticity, pair.slave);
-      double                   limit = search_limit(elasticity, pair, reach);
-      if (const double overlap = overlap_beyond(limit, elasticity, pair, obstacle, slave);
-          overlap > 0)
-        limit = limit_for(overlap, pair);
+      const Elasticity<dim>   &elasticity = configuration.elasticity();
+      const bool               at_rest    = configuration.is_rest();
+      const MPI_Comm           comm       = elasticity.mesh().communicator();
+      const BoundaryFaces<dim> slave(configuration, pair.slave);
+      double                   limit =
+        at_rest ? search_limit(elasticity, pair, reach) : std::max(reach, least_limit);
+      if (at_rest)
+        if (const double overlap = overlap_beyond(limit, elasticity, pair, obstacle, slave);
+            overlap > 0)
+          limit = limit_for(overlap, pair);
       ContactSurface<dim> surface;
-      surface.faces     = slave.faces.size();
+      surface.faces = surface.own_faces = slave.faces.size();
       surface.separates = pair.separates;
       surface.reach     = pair.search_distance > 0 ? limit : reach;
       // Not the reach: boxes of overlapping bodies may be as far apart as the overlap is deep.
-      if (is_apart(elasticity, pair, obstacle, slave, limit))
+      if (at_rest && is_apart(elasticity, pair, obstacle, slave, limit))
         {
           surface.is_apart = true;
           return surface;
         }
-      auto paired = obstacle ?
-                      obstacle_points(elasticity, slave.patches, *obstacle, integration, limit) :
-                      pair_points(slave.patches,
-                                  master_faces(elasticity,
-                                               BoundaryFaces<dim>(elasticity, pair.master),
-                                               method.predictor() == Predictor::normal_stress),
-                                  integration,
-                                  limit,
-                                  comm,
-                                  surface.statistics);
+      if (obstacle)
+        check_obstacle(configuration, pair, *obstacle, slave);
+      auto paired =
+        obstacle ?
+          obstacle_points(configuration, slave.patches, *obstacle, integration, limit) :
+          pair_points(slave.patches,
+                      master_faces(elasticity,
+                                   BoundaryFaces<dim>(configuration, pair.master),
+                                   method.predictor() == Predictor::normal_stress,
+                                   !at_rest),
+                      integration,
+                      laid,
+                      limit,
+                      comm,
+                      surface.statistics);
       drop_empty_points(slave.patches, paired);
-      surface.points = contact_points(elasticity, pair, method, slave, integration, paired);
+      std::vector<double> gaps;
+      if (!at_rest)
+        {
+          if (laid.empty() || obstacle)
+            weigh_at_rest(slave, paired);
+          for (const PairedPoint<dim> &point : paired)
+            surface.laid.push_back({point.face, point.xi, point.weight});
+          if (needs_gaps_at_rest(pair))
+            gaps = gaps_at_rest(elasticity, pair, obstacle, slave, limit, paired);
+        }
+      surface.points =
+        contact_points(configuration, pair, method, slave, integration, paired, gaps);
       check_gaps(pair, surface.points, comm);
       const unsigned int n_paired = Utilities::MPI::sum(paired.size(), comm);
-      surface.reach = std::max(surface.reach, 2 * deepest_overlap(surface.points, comm));
+      surface.overlap = deepest_overlap(surface.points, comm);
+      surface.reach   = std::max(surface.reach, 2 * surface.overlap);
       if (!pair.separates)
         keep_touching(pair, slave, paired, surface.points);
       else if (surface.reach < limit)
@@ -582,6 +384,46 @@ namespace Signorini
 
   template <int dim>
   ContactSurface<dim>
+  make_contact_surface(const Configuration<dim>  &configuration,
+                       const ContactPair<dim>    &pair,
+                       const Obstacle<dim>       *obstacle,
+                       const ContactMethod       &method,
+                       const Integration         &integration,
+                       const double               reach,
+                       const double               limit,
+                       const ContactSurface<dim> *former)
+  {
+    const std::vector<LaidPoint<dim>> none;
+    ContactSurface<dim>               surface = one_sided(configuration,
+                                            pair,
+                                            obstacle,
+                                            method,
+                                            integration,
+                                            reach,
+                                            limit,
+                                            former ? former->laid : none);
+    if (method.unbiased() && !obstacle)
+      {
+        ContactPair<dim> other = pair;
+        std::swap(other.slave, other.master);
+        auto of_master = one_sided<dim>(configuration,
+                                        other,
+                                        nullptr,
+                                        method,
+                                        integration,
+                                        reach,
+                                        limit,
+                                        former ? former->laid_on_master : none);
+        surface.laid_on_master = of_master.laid;
+        add_other_side(surface, of_master);
+      }
+    return surface;
+  }
+
+
+
+  template <int dim>
+  ContactSurface<dim>
   make_contact_surface(const Elasticity<dim>  &elasticity,
                        const ContactPair<dim> &pair,
                        const Obstacle<dim>    *obstacle,
@@ -589,35 +431,29 @@ namespace Signorini
                        const Integration      &integration,
                        const double            reach)
   {
-    ContactSurface<dim> surface = one_sided(elasticity, pair, obstacle, method, integration, reach);
-    if (method.unbiased() && !obstacle)
-      {
-        ContactPair<dim> other = pair;
-        std::swap(other.slave, other.master);
-        add_other_side(surface,
-                       one_sided<dim>(elasticity, other, nullptr, method, integration, reach));
-      }
-    return surface;
+    return make_contact_surface<dim>(
+      Configuration<dim>(elasticity), pair, obstacle, method, integration, reach, 0, nullptr);
   }
 
 
 
-  template double
-  covered_share(const ContactSurface<2> &, MPI_Comm);
-  template double
-  covered_share(const ContactSurface<3> &, MPI_Comm);
-  template ContactSurface<2>
-  make_contact_surface(const Elasticity<2> &,
-                       const ContactPair<2> &,
-                       const Obstacle<2> *,
-                       const ContactMethod &,
-                       const Integration &,
-                       double);
-  template ContactSurface<3>
-  make_contact_surface(const Elasticity<3> &,
-                       const ContactPair<3> &,
-                       const Obstacle<3> *,
-                       const ContactMethod &,
-                       const Integration &,
-                       double);
+#define INSTANTIATE(dim)                                                                           \
+  template double              covered_share(const ContactSurface<dim> &, MPI_Comm);               \
+  template ContactSurface<dim> make_contact_surface(const Configuration<dim> &,                    \
+                                                    const ContactPair<dim> &,                      \
+                                                    const Obstacle<dim> *,                         \
+                                                    const ContactMethod &,                         \
+                                                    const Integration &,                           \
+                                                    double,                                        \
+                                                    double,                                        \
+                                                    const ContactSurface<dim> *);                  \
+  template ContactSurface<dim> make_contact_surface(const Elasticity<dim> &,                       \
+                                                    const ContactPair<dim> &,                      \
+                                                    const Obstacle<dim> *,                         \
+                                                    const ContactMethod &,                         \
+                                                    const Integration &,                           \
+                                                    double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -102,6 +102,24 @@ namespace Signorini
 
   template <int dim>
   SparseRow
+  Trace<dim>::normal_slope(const Point<dim>     &unit_point,
+                           const Tensor<1, dim> &n,
+                           const unsigned int    a) const
+  {
+    const unsigned int axis = (face / 2 + 1 + a) % dim; // see mesh/face_parameter.h
+    SparseRow          row;
+    for (const unsigned int i : nodes())
+      for (unsigned int d = 0; d < dim; ++d)
+        row.emplace_back(indices[fe->component_to_system_index(d, i)],
+                         n[d] * fe->base_element(0).shape_grad(i, unit_point)[axis]);
+    resolve(hanging, row);
+    return row;
+  }
+
+
+
+  template <int dim>
+  SparseRow
   Trace<dim>::unresolved_shape(const Point<dim> &unit_point) const
   {
     SparseRow row;

@@ -7,7 +7,16 @@ namespace Signorini
 
   template <int dim>
   BoundaryFaces<dim>::BoundaryFaces(const Elasticity<dim> &elasticity, const std::string &boundary)
+    : BoundaryFaces(Configuration<dim>(elasticity), boundary)
+  {}
+
+
+
+  template <int dim>
+  BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration,
+                                    const std::string        &boundary)
   {
+    const Elasticity<dim> &elasticity = configuration.elasticity();
     const Mesh<dim>   &mesh = elasticity.mesh();
     const BoundaryIds &ids  = mesh.boundary_ids(boundary);
     FacePatches<dim>   patch_of(mesh);
@@ -17,7 +26,8 @@ namespace Signorini
           if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
             {
               faces.emplace_back(cell, f);
-              patches.push_back(patch_of(cell, f));
+              rest.push_back(patch_of(cell, f));
+              patches.push_back(configuration.moved(rest.back(), cell, f));
             }
   }
 

@@ -49,7 +49,13 @@ namespace Signorini
           return {height, n}; // no flank is closer than the others
         if (height * sine > s * cosine)
           return {r.norm(), r / r.norm()}; // the apex is closest
-        return {height * cosine + s * sine, cosine * n + sine / s * across};
+        Tensor<2, dim> curvature; // around the axis alone
+        if constexpr (dim == 3)
+          {
+            const Tensor<1, dim> around = cross_product_3d(n, across / s);
+            curvature                   = sine / s * outer_product(around, around);
+          }
+        return {height * cosine + s * sine, cosine * n + sine / s * across, curvature};
       }
 
     private:

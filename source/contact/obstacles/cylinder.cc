@@ -1,6 +1,8 @@
 #include <signorini/contact/obstacles/shapes.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -39,9 +41,13 @@ namespace Signorini
           distance > 0,
           ExcMessage(
             "a contact point lies on the axis of a cylindrical obstacle: it has no closest point"));
-        const Tensor<1, dim> n = r / distance;
-        return hollow ? ObstaclePlace<dim>{radius - distance, -n} :
-                        ObstaclePlace<dim>{distance - radius, n};
+        const Tensor<1, dim> n         = r / distance;
+        Tensor<2, dim>       curvature = unit_symmetric_tensor<dim>() - outer_product(n, n);
+        if (dim == 3)
+          curvature -= outer_product(axis, axis) / axis.norm_square();
+        curvature /= distance;
+        return hollow ? ObstaclePlace<dim>{radius - distance, -n, -curvature} :
+                        ObstaclePlace<dim>{distance - radius, n, curvature};
       }
 
     private:

@@ -1,6 +1,8 @@
 #include <signorini/contact/obstacles/shapes.h>
 #include <signorini/parameters/section.h>
 
+#include <cmath>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -33,7 +35,72 @@ namespace Signorini
         return {gap.value(x), normal / normal.norm()};
       }
 
+      bool
+      has_closest_point(const Point<dim> &x, const double length) const override
+      {
+        return std::abs(gradient(x, length) * normal / normal.norm() - 1) < 1e-3;
+      }
+
+      /// Of the surface where the formula is zero.
+      ObstaclePlace<dim>
+      closest_point(const Point<dim> &x, const double length) const override
+      {
+        // To the tangent plane at the last point, and back to the surface along the gradient: a
+        // factor of gap times curvature each time.
+        Point<dim>           foot = x;
+        Tensor<1, dim>       n    = normal / normal.norm();
+        constexpr double     small = 1e-13;
+        for (unsigned int i = 0; i < 50; ++i)
+          {
+            const Tensor<1, dim> slope = gradient(foot, length);
+            n                          = slope / slope.norm();
+            const Tensor<1, dim> arm   = x - foot;
+            const Tensor<1, dim> step =
+              arm - (arm * n) * n - gap.value(foot) / slope.norm() * n;
+            foot += step;
+            if (step.norm() <= small * length)
+              break;
+          }
+        return {(x - foot) * n, n, curvature(foot, length)};
+      }
+
     private:
+      Tensor<1, dim>
+      gradient(const Point<dim> &x, const double length) const
+      {
+        const double   h = 1e-5 * length;
+        Tensor<1, dim> result;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            Tensor<1, dim> step;
+            step[d]   = h;
+            result[d] = (gap.value(x + step) - gap.value(x - step)) / (2 * h);
+          }
+        return result;
+      }
+
+      /// The change of the normal along the surface.
+      Tensor<2, dim>
+      curvature(const Point<dim> &x, const double length) const
+      {
+        const double   h = 1e-4 * length;
+        Tensor<2, dim> change, across;
+        const auto     normal_at = [&](const Point<dim> &y) {
+          const Tensor<1, dim> slope = gradient(y, length);
+          return slope / slope.norm();
+        };
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            Tensor<1, dim> step;
+            step[d]      = h;
+            change[d]    = (normal_at(x + step) - normal_at(x - step)) / (2 * h);
+            across[d][d] = 1;
+          }
+        const Tensor<1, dim> n = normal_at(x);
+        across -= outer_product(n, n);
+        return across * (change + transpose(change)) / 2 * across;
+      }
+
       Point<dim>      normal;
       Expression<dim> gap;
     };

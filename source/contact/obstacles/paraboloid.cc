@@ -1,6 +1,11 @@
 #include <signorini/contact/obstacles/shapes.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -37,7 +42,70 @@ namespace Signorini
         return {height + (r.norm_square() - height * height) / (2 * radius), n};
       }
 
+      ObstaclePlace<dim>
+      closest_point(const Point<dim> &x, const double /*length*/) const override
+      {
+        const Tensor<1, dim> n      = normal / normal.norm();
+        const Tensor<1, dim> r      = x - apex;
+        const double         height = r * n;
+        const Tensor<1, dim> across = r - height * n;
+        const double         s      = across.norm();
+        const Tensor<1, dim> out    = s > 0 ? across / s : Tensor<1, dim>();
+        const double         foot = closest_radius(s, height), slope = foot / radius,
+                     stretch        = std::sqrt(1 + slope * slope);
+        const Tensor<1, dim> to_x   = (slope * out + n) / stretch;
+        const double         gap    = (r - foot * out + foot * slope / 2 * n) * to_x;
+        return {gap, to_x, curvature(n, out, slope, gap)};
+      }
+
     private:
+      /// The curvatures along the parabola and around the axis, at that distance from them.
+      Tensor<2, dim>
+      curvature(const Tensor<1, dim> &n,
+                const Tensor<1, dim> &out,
+                const double          slope,
+                const double          gap) const
+      {
+        const auto   at_gap = [gap](const double k) { return k / (1 + k * gap); };
+        const double square = 1 + slope * slope, stretch = std::sqrt(square),
+                     along = at_gap(1 / (radius * stretch * square));
+        if (out.norm() == 0)
+          return along * (unit_symmetric_tensor<dim>() - outer_product(n, n));
+        const Tensor<1, dim> down   = (out - slope * n) / stretch;
+        Tensor<2, dim>       result = along * outer_product(down, down);
+        if constexpr (dim == 3)
+          {
+            const Tensor<1, dim> around = cross_product_3d(n, out);
+            result += at_gap(1 / (radius * stretch)) * outer_product(around, around);
+          }
+        return result;
+      }
+
+      /// Of the closest point of the parabola: f (1 + height/R) + f^3/(2 R^2) = s, whose left side
+      /// grows outside of the focus; inside, the largest solution is the closest.
+      double
+      closest_radius(const double s, const double height) const
+      {
+        if (s == 0)
+          return 0;
+        const double linear = 1 + height / radius;
+        double       foot   = std::max(s, radius * std::sqrt(std::max(0., -2 * linear)));
+        if (linear > 0)
+          foot = std::min(foot, s / linear);
+        for (unsigned int i = 0; i < 60; ++i)
+          {
+            const double square = foot * foot / (radius * radius),
+                         slope  = linear + 1.5 * square,
+                         change = (foot * (linear + square / 2) - s) / slope;
+            if (!(slope > 0))
+              break;
+            foot -= change;
+            if (std::abs(change) <= 1e-15 * (std::abs(foot) + s))
+              break;
+          }
+        return foot;
+      }
+
       Point<dim> apex, normal;
       double     radius = 1;
     };

@@ -50,7 +50,21 @@ namespace Signorini
         if (height <= -edge)
           return {beyond - edge, out}; // beside the shaft
         const Tensor<1, dim> from_center = beyond * out + (height + edge) * n;
-        return {from_center.norm() - edge, from_center / from_center.norm()};
+        const double         distance    = from_center.norm();
+        const Tensor<1, dim> to_x        = from_center / distance;
+        Tensor<2, dim>       curvature;
+        if (edge > 0)
+          {
+            // Of a torus: across and around the edge.
+            const Tensor<1, dim> across = (out * to_x) * n - (n * to_x) * out;
+            curvature                   = outer_product(across, across) / distance;
+            if constexpr (dim == 3)
+              {
+                const Tensor<1, dim> around = cross_product_3d(n, out);
+                curvature += (out * to_x) / lateral.norm() * outer_product(around, around);
+              }
+          }
+        return {distance - edge, to_x, curvature};
       }
 
     private:

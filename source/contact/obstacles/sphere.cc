@@ -1,6 +1,8 @@
 #include <signorini/contact/obstacles/shapes.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -29,8 +31,11 @@ namespace Signorini
           n /= distance;
         else
           n[dim - 1] = 1; // in the very center all directions are alike
-        return hollow ? ObstaclePlace<dim>{radius - distance, -n} :
-                        ObstaclePlace<dim>{distance - radius, n};
+        Tensor<2, dim> curvature;
+        if (distance > 0)
+          curvature = (unit_symmetric_tensor<dim>() - outer_product(n, n)) / distance;
+        return hollow ? ObstaclePlace<dim>{radius - distance, -n, -curvature} :
+                        ObstaclePlace<dim>{distance - radius, n, curvature};
       }
 
     private:

@@ -35,6 +35,9 @@ namespace Signorini
     LA::Vector weight;       ///< area of each point; sums up to the slave area that has a partner
     LA::Vector rest_gap;     ///< from the geometry
     LA::Vector initial_gap;  ///< g_0: the same with the share of overlaps that counts now
+    /// Where surfaces have moved by u_k, what the true gap at u_k is beyond B u_k + rest_gap: then B
+    /// u + g_0 is the gap to first order about u_k. Empty at rest.
+    LA::Vector drift;
     std::vector<double>     interference; ///< that share of each pair; empty: all
     LA::Vector              permanent;    ///< 1 at points of pairs that never separate, else 0
     LA::Vector              stiffness;    ///< E/h [force/length^3]
@@ -44,6 +47,9 @@ namespace Signorini
       normal; ///< dim vectors: mean normal, not of unit length on curved faces
     std::vector<LA::Vector>
       moment; ///< of a unit force along the normal: x cross n; 1 (2D) or 3 (3D)
+    /// The same about the origin of the reaction on the master, whose places at rest may be others;
+    /// empty at rest.
+    std::vector<LA::Vector>   master_moment;
     std::vector<unsigned int> pair; ///< contact pair of each locally owned point
     ContactRegions            regions;
 
@@ -116,6 +122,15 @@ namespace Signorini
                const LA::Vector       &s) const;
   };
 
+  /// @param rows make_contact_rows() of the surfaces, which are those of the configuration
+  template <int dim>
+  std::unique_ptr<GapOperator>
+  make_gap_operator(const Configuration<dim>               &configuration,
+                    const std::vector<ContactSurface<dim>> &surfaces,
+                    const ContactRows                      &rows,
+                    const ContactMethod                    &method);
+
+  /// At rest.
   template <int dim>
   std::unique_ptr<GapOperator>
   make_gap_operator(const Elasticity<dim>                  &elasticity,

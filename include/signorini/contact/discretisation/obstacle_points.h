@@ -2,7 +2,7 @@
 
 #include <signorini/contact/discretisation/pairing.h>
 #include <signorini/contact/obstacles/obstacle.h>
-#include <signorini/elasticity/elasticity.h>
+#include <signorini/contact/geometry/configuration.h>
 
 #include <vector>
 
@@ -10,10 +10,11 @@ namespace Signorini
 {
   /// The points of slave faces that have a partner on a rigid obstacle: no mesh, no search, no
   /// segments.
+  /// @param slave where it is now
   /// @param limit farther partners than that are none
   template <int dim>
   std::vector<PairedPoint<dim>>
-  obstacle_points(const Elasticity<dim>             &elasticity,
+  obstacle_points(const Configuration<dim>          &configuration,
                   const std::vector<FacePatch<dim>> &slave,
                   const Obstacle<dim>               &obstacle,
                   const Integration                 &integration,

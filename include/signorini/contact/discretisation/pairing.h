@@ -36,6 +36,15 @@ namespace Signorini
     }
   };
 
+  /// A point of integration on a slave face, without a partner.
+  template <int dim>
+  struct LaidPoint
+  {
+    unsigned int           face; ///< number of the slave face on this rank
+    dealii::Point<dim - 1> xi;
+    double                 weight; ///< area of the slave at rest
+  };
+
   /// The points of quadrature on slave faces that have a partner. `nodes`: Gauss-Lobatto points,
   /// which are the nodes of the finite element; `quadrature`: Gauss points; `segments`: Gauss
   /// points on each segment (see segment_points()), with the partner on the segment's master face.
@@ -46,6 +55,9 @@ namespace Signorini
   /// covered more than once by segments; it is paired by Gauss points, which take the nearest
   /// layer.
   ///
+  /// Where points are laid already, these get the closest partners: so the rule stays as it is
+  /// while Newton's method moves the surfaces to where they balance.
+  ///
   /// Points come face by face. Faces take part as a whole, or not at all if no point of theirs has
   /// a partner within the limit. Collective.
   template <int dim>
@@ -53,6 +65,7 @@ namespace Signorini
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,
+              const std::vector<LaidPoint<dim>> &laid,
               double                             limit,
               MPI_Comm                           comm,
               SearchStatistics                  &statistics);

@@ -35,6 +35,12 @@ namespace Signorini
     normal_displacement(const dealii::Point<dim>     &unit_point,
                         const dealii::Tensor<1, dim> &n) const;
 
+    /// The derivative of n . u in parameter a of the face.
+    SparseRow
+    normal_slope(const dealii::Point<dim>     &unit_point,
+                 const dealii::Tensor<1, dim> &n,
+                 unsigned int                  a) const;
+
     /// The scalar shape functions, each named by its node's first degree of freedom.
     SparseRow
     shape(const dealii::Point<dim> &unit_point) const;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <signorini/contact/geometry/face_patch.h>
-#include <signorini/elasticity/elasticity.h>
+#include <signorini/contact/geometry/configuration.h>
 
 #include <string>
 #include <utility>
@@ -9,17 +8,18 @@
 
 namespace Signorini
 {
-  template <int dim>
-  using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
-
   /// Faces of a boundary on locally owned cells.
   template <int dim>
   struct BoundaryFaces
   {
     std::vector<std::pair<CellIterator<dim>, unsigned int>> faces; ///< cell and number of the face
-    std::vector<FacePatch<dim>>                             patches;
+    std::vector<FacePatch<dim>>                             patches; ///< where they are
+    std::vector<FacePatch<dim>>                             rest;    ///< where they were
 
+    /// At rest.
     BoundaryFaces(const Elasticity<dim> &elasticity, const std::string &boundary);
+
+    BoundaryFaces(const Configuration<dim> &configuration, const std::string &boundary);
 
     /// Of the cell behind face i: h.
     double

@@ -61,6 +61,13 @@ namespace Signorini
     unsigned int
     get_degree() const;
 
+    /// See the constructor.
+    double
+    get_outward() const
+    {
+      return outward;
+    }
+
     /// A box that contains the face (inflated where the face is curved).
     const dealii::BoundingBox<dim> &
     box() const;

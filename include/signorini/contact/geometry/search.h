@@ -26,6 +26,31 @@ namespace Signorini
     double modulus = 0; ///< E of the master cell; 0: rigid
     double size    = 0; ///< of the master's face
     double bound   = 0; ///< of the master cell's normal stress, see NormalStress::bound()
+    dealii::Point<dim> rest; ///< the position before anything moved
+  };
+
+  /// How the gap bends: its second variation is sum_ij C_ij (T_i.d) (T_j.d') for changes d and d' of
+  /// the degrees of freedom, with T_i.d = v_i . u^S + (row_i).d, u^S being the displacement of the
+  /// slave point. See contact/discretisation/gap_bend.h.
+  template <int dim>
+  struct GapBend
+  {
+    std::vector<dealii::Tensor<1, dim>> directions; ///< v_i
+    std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> rows;
+    std::vector<double>                                                          factors; ///< C
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      serialize_bytes(ar, directions);
+      std::size_t n = rows.size();
+      serialize_bytes(ar, n);
+      rows.resize(n);
+      for (auto &row : rows)
+        serialize_bytes(ar, row);
+      serialize_bytes(ar, factors);
+    }
   };
 
   /// The place on a master surface that belongs to a slave point, and how it moves.
@@ -40,6 +65,7 @@ namespace Signorini
     std::vector<std::pair<dealii::types::global_dof_index, double>> stress;
     /// That of the rises of the temperature, in terms of ThermalStrain::coefficients().
     std::vector<std::pair<dealii::types::global_dof_index, double>> thermal_stress;
+    GapBend<dim> bend; ///< where surfaces have moved; its factors not yet, see bend_of_bodies()
 
     template <class Archive>
     void
@@ -49,6 +75,7 @@ namespace Signorini
       serialize_bytes(ar, row);
       serialize_bytes(ar, stress);
       serialize_bytes(ar, thermal_stress);
+      ar &bend;
     }
   };
 

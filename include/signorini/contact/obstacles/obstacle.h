@@ -16,6 +16,8 @@ namespace Signorini
   {
     double                 gap;    ///< positive outside of the obstacle
     dealii::Tensor<1, dim> normal; ///< unit, out of the obstacle
+    /// Second derivatives of the gap; zero where the surface is flat, or sharp.
+    dealii::Tensor<2, dim> curvature{};
   };
 
   /// A rigid shape that is never meshed: one file under contact/obstacles and one line in the
@@ -30,8 +32,26 @@ namespace Signorini
     virtual void
     declare(Section &section) = 0;
 
+    /// The place that belongs to a point of a slave surface that has not moved: the closest point,
+    /// or what a theory takes for it.
     virtual ObstaclePlace<dim>
     closest(const dealii::Point<dim> &x) const = 0;
+
+    /// False: what is known of the shape is only how far it is from a surface that has not moved.
+    virtual bool
+    has_closest_point(const dealii::Point<dim> & /*x*/, double /*length*/) const
+    {
+      return true;
+    }
+
+    /// The closest point, wherever the slave surface has got to: the gap is the distance, negative
+    /// inside.
+    /// @param length that differences of formulas are small beside
+    virtual ObstaclePlace<dim>
+    closest_point(const dealii::Point<dim> &x, double /*length*/) const
+    {
+      return closest(x);
+    }
   };
 
   /// A rigid obstacle of the scene.
@@ -41,9 +61,7 @@ namespace Signorini
     std::string                         name;
     std::string                         type = "plane";
     std::shared_ptr<ObstacleShape<dim>> shape;
-    /// How it moves. Contact is linearised about the reference position, thesis (44): the gap falls
-    /// by displacement . normal.
-    RigidBody<dim> body;
+    RigidBody<dim> body; ///< how it moves
 
     void
     declare(Section &section);

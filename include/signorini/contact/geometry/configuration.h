@@ -1,0 +1,76 @@
+#pragma once
+
+#include <signorini/contact/geometry/face_patch.h>
+#include <signorini/contact/obstacles/obstacle.h>
+#include <signorini/elasticity/elasticity.h>
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace Signorini
+{
+  template <int dim>
+  using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+  /// Where the surfaces are on which contact is looked for: at rest, where gaps and normals are
+  /// those of the undeformed bodies, or displaced by a u, where they are those of the thesis (9).
+  /// Keeps a reference to the elasticity, and a copy of u.
+  template <int dim>
+  class Configuration
+  {
+  public:
+    /// At rest.
+    explicit Configuration(const Elasticity<dim> &elasticity);
+
+    /// Displaced by u. Collective.
+    Configuration(const Elasticity<dim> &elasticity, const LA::Vector &u);
+
+    bool
+    is_rest() const
+    {
+      return at_rest;
+    }
+
+    const Elasticity<dim> &
+    elasticity() const
+    {
+      return my_elasticity;
+    }
+
+    /// u, without ghosts; empty at rest.
+    const LA::Vector &
+    displacement() const
+    {
+      return u;
+    }
+
+    /// A face of a locally owned cell, moved by the displacement of its nodes.
+    FacePatch<dim>
+    moved(const FacePatch<dim> &rest, const CellIterator<dim> &cell, unsigned int face) const;
+
+    /// Of an obstacle.
+    RigidPose<dim>
+    pose(const Obstacle<dim> &obstacle) const;
+
+    /// What belongs to a point: the closest point of the obstacle where it is now.
+    ObstaclePlace<dim>
+    closest(const Obstacle<dim>      &obstacle,
+            const RigidPose<dim>     &pose,
+            const dealii::Point<dim> &x) const;
+
+  private:
+    /// Values of the shape functions at the nodes of a face's geometry: [node](function, value).
+    using ShapesAtNodes = std::vector<std::vector<std::pair<unsigned int, double>>>;
+
+    const ShapesAtNodes &
+    shapes_at_nodes(unsigned int element, unsigned int face, unsigned int degree) const;
+
+    const Elasticity<dim> &my_elasticity;
+    bool                   at_rest;
+    LA::Vector             u, ghosted;
+    std::vector<double>    rigid_motion;
+
+    mutable std::map<std::tuple<unsigned int, unsigned int, unsigned int>, ShapesAtNodes> shapes;
+  };
+} // namespace Signorini

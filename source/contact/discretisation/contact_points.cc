@@ -1,0 +1,244 @@
+#include <signorini/contact/discretisation/contact_points.h>
+#include <signorini/contact/discretisation/gap_bend.h>
+#include <signorini/contact/discretisation/stress_bounds.h>
+#include <signorini/contact/geometry/lagrange.h>
+#include <signorini/contact/methods/method.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What a pair says of its gap at rest.
+    template <int dim>
+    class InitialGap
+    {
+    public:
+      InitialGap(const ContactPair<dim> &pair)
+        : is_given(pair.initial_gap.text != "from geometry")
+        , formula(is_given && pair.initial_gap.text != "closed" ? pair.initial_gap : Formula("0"))
+      {}
+
+      double
+      operator()(const Point<dim> &x, const double from_geometry) const
+      {
+        return is_given ? formula.value(x) : from_geometry;
+      }
+
+    private:
+      const bool            is_given;
+      const Expression<dim> formula;
+    };
+
+    /// The rows of a bend, with those of the slave point.
+    template <int dim>
+    void
+    set_bend(const GapBend<dim> &bend,
+             const Point<dim>   &unit_point,
+             const Trace<dim>   &trace,
+             ContactPoint<dim>  &point)
+    {
+      point.bend_factors = bend.factors;
+      for (unsigned int i = 0; !bend.factors.empty() && i < bend.rows.size(); ++i)
+        {
+          SparseRow row;
+          if (bend.directions[i].norm_square() > 0)
+            row = trace.normal_displacement(unit_point, bend.directions[i]);
+          row.insert(row.end(), bend.rows[i].begin(), bend.rows[i].end());
+          unite(row);
+          point.bend_rows.push_back(std::move(row));
+        }
+    }
+
+    template <int dim>
+    ContactPoint<dim>
+    contact_point(const FacePatch<dim>   &patch,
+                  const FacePatch<dim>   &rest,
+                  const PairedPoint<dim> &paired,
+                  const Point<dim>       &unit_point,
+                  const double            stiffness,
+                  const Trace<dim>       &trace)
+    {
+      const Partner<dim> &partner = paired.partner;
+      const Point<dim>    x       = patch.position(paired.xi);
+      ContactPoint<dim>   point;
+      point.position        = rest.position(paired.xi);
+      point.master_position = partner.rest;
+      point.normal          = partner.normal;
+      point.weight          = paired.weight;
+      point.facing          = -(patch.normal(paired.xi) * partner.normal);
+      point.gap             = gap_of(x, partner);
+      point.stiffness       = 1 / (1 / stiffness + 1 / partner.stiffness);
+      point.row             = trace.normal_displacement(unit_point, partner.normal);
+      for (const auto &[index, value] : partner.row)
+        point.row.emplace_back(index, -value);
+      unite(point.row);
+      const bool on_body = partner.modulus > 0;
+      if (!partner.bend.rows.empty())
+        set_bend(on_body ? bend_of_bodies(x, partner) : partner.bend, unit_point, trace, point);
+      point.face = paired.face;
+      point.xi   = paired.xi;
+      return point;
+    }
+
+    /// The mean of both bodies' stresses whose bound is the smallest: they count by the inverse of
+    /// their bounds, so that a stiff body does not matter beside a soft one, whichever is the slave
+    /// (Annavarapu, Hautefeuille, Dolbow, Comput. Methods Appl. Mech. Engrg. 225-228 (2012) 44-54).
+    template <int dim>
+    void
+    set_stress(const SparseRow    &own,
+               const SparseRow    &own_thermal,
+               const double        own_bound,
+               const Partner<dim> &partner,
+               const bool          own_alone,
+               ContactPoint<dim>  &point)
+    {
+      const double share =
+        own_alone || std::isinf(partner.bound) ? 1. : partner.bound / (own_bound + partner.bound);
+      const auto mean = [share](const SparseRow &own, const SparseRow &other) {
+        SparseRow row;
+        for (const auto &[index, value] : own)
+          row.emplace_back(index, share * value);
+        if (share < 1)
+          for (const auto &[index, value] : other)
+            row.emplace_back(index, (1 - share) * value);
+        unite(row);
+        return row;
+      };
+      point.stress         = mean(own, partner.stress);
+      point.thermal_stress = mean(own_thermal, partner.thermal_stress);
+      point.bound          = share * own_bound;
+    }
+
+    /// Of the circle that a point stands for, or 1. That of a node is the mean over its shape
+    /// function, of degree k: on the axis, too, it stands for an area.
+    template <int dim>
+    double
+    circumference(const Elasticity<dim> &elasticity,
+                  const FacePatch<dim>  &patch,
+                  const Point<dim - 1>  &xi,
+                  const Integration     &integration,
+                  const unsigned int     k)
+    {
+      const Model model = elasticity.model();
+      if (model != Model::axisymmetric || integration.rule != "nodes")
+        return measure(model, patch.position(xi));
+      const unsigned int    node = std::lround(xi[0] * k);
+      const QGauss<dim - 1> rule(k + 2);
+      double                sum = 0, area = 0;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const double share =
+            rule.weight(q) * lagrange(k, rule.point(q)[0])[node][0] * patch.jacobian(rule.point(q));
+          area += share;
+          sum += share * measure(model, patch.position(rule.point(q)));
+        }
+      return sum / area;
+    }
+
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  gap_of(const Point<dim> &x, const Partner<dim> &partner)
+  {
+    const double gap      = (x - partner.position) * partner.normal;
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * x.norm();
+    return std::abs(gap) <= rounding ? 0. : gap;
+  }
+
+
+
+  template <int dim>
+  void
+  weigh_at_rest(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired)
+  {
+    for (PairedPoint<dim> &point : paired)
+      point.weight *= slave.rest[point.face].jacobian(point.xi) /
+                      slave.patches[point.face].jacobian(point.xi);
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactPoint<dim>>
+  contact_points(const Configuration<dim>            &configuration,
+                 const ContactPair<dim>              &pair,
+                 const ContactMethod                 &method,
+                 const BoundaryFaces<dim>            &slave,
+                 const Integration                   &integration,
+                 const std::vector<PairedPoint<dim>> &paired_points,
+                 const std::vector<double>           &gaps_at_rest)
+  {
+    const Elasticity<dim>         &elasticity = configuration.elasticity();
+    std::vector<ContactPoint<dim>> result;
+    result.reserve(paired_points.size());
+    double                face_depth = 0, face_stiffness = 0;
+    Trace<dim>            trace(elasticity);
+    NormalStress<dim>     stress(elasticity);
+    StressBounds<dim>     bound(slave);
+    const InitialGap<dim> initial_gap(pair);
+    const bool            with_stress = method.predictor() == Predictor::normal_stress;
+    for (const PairedPoint<dim> &paired : paired_points)
+      {
+        const auto &[cell, face] = slave.faces[paired.face];
+        const auto      &rest    = slave.rest[paired.face];
+        const Point<dim> place   = unit_point<dim>(face, paired.xi);
+        const bool       is_new  = result.empty() || result.back().face != paired.face;
+        if (is_new)
+          {
+            trace.reinit(cell, face);
+            face_stiffness = slave.stiffness(elasticity, paired.face);
+            face_depth     = slave.depth(paired.face);
+          }
+        result.push_back(contact_point(
+          slave.patches[paired.face], rest, paired, place, face_stiffness, trace));
+        ContactPoint<dim> &point = result.back();
+        point.depth              = face_depth;
+        point.weight *=
+          circumference(elasticity, rest, paired.xi, integration, cell->get_fe().degree);
+        if (!gaps_at_rest.empty())
+          {
+            point.closing = gaps_at_rest[result.size() - 1] - point.gap;
+            point.gap     = gaps_at_rest[result.size() - 1];
+          }
+        point.gap = initial_gap(point.position, point.gap);
+        if (!with_stress)
+          continue;
+        if (is_new)
+          stress.reinit(cell);
+        const Tensor<1, dim> n = rest.normal(paired.xi);
+        set_stress(stress.row(place, paired.partner.normal, n),
+                   stress.thermal_row(place, paired.partner.normal, n),
+                   bound(stress, paired.face),
+                   paired.partner,
+                   method.unbiased(),
+                   point);
+      }
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template double gap_of(const Point<dim> &, const Partner<dim> &);                                \
+  template void   weigh_at_rest(const BoundaryFaces<dim> &, std::vector<PairedPoint<dim>> &);      \
+  template std::vector<ContactPoint<dim>> contact_points(const Configuration<dim> &,               \
+                                                         const ContactPair<dim> &,                 \
+                                                         const ContactMethod &,                    \
+                                                         const BoundaryFaces<dim> &,               \
+                                                         const Integration &,                      \
+                                                         const std::vector<PairedPoint<dim>> &,    \
+                                                         const std::vector<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

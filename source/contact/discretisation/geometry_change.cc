@@ -1,0 +1,161 @@
+#include <signorini/contact/discretisation/geometry_change.h>
+#include <signorini/contact/geometry/boundary_faces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    using PointsThatPress = std::vector<std::pair<const ContactPoint<dim> *, double>>;
+
+    /// A place on the master as far as it is asked for here.
+    template <int dim>
+    struct Facing
+    {
+      double         gap;
+      Tensor<1, dim> normal;
+    };
+
+    /// @param slave where it is now
+    template <int dim>
+    std::vector<std::optional<Facing<dim>>>
+    on_obstacle(const Configuration<dim>   &now,
+                const Obstacle<dim>        &obstacle,
+                const BoundaryFaces<dim>   &slave,
+                const PointsThatPress<dim> &points)
+    {
+      const RigidPose<dim>                    pose = now.pose(obstacle);
+      std::vector<std::optional<Facing<dim>>> result;
+      for (const auto &[point, force] : points)
+        {
+          const auto place =
+            now.closest(obstacle, pose, slave.patches[point->face].position(point->xi));
+          result.push_back(Facing<dim>{place.gap, place.normal});
+        }
+      return result;
+    }
+
+    /// Collective.
+    template <int dim>
+    std::vector<std::optional<Facing<dim>>>
+    on_body(const Configuration<dim>   &now,
+            const std::string          &master_name,
+            const BoundaryFaces<dim>   &slave,
+            const PointsThatPress<dim> &points,
+            const MPI_Comm              comm)
+    {
+      const BoundaryFaces<dim>    master(now, master_name);
+      std::vector<Point<dim>>     positions;
+      std::vector<Tensor<1, dim>> normals;
+      double                      farthest = 0;
+      for (const auto &[point, force] : points)
+        {
+          const FacePatch<dim> &patch = slave.patches[point->face];
+          positions.push_back(patch.position(point->xi));
+          normals.push_back(patch.normal(point->xi));
+          farthest = std::max(farthest, patch.diameter());
+        }
+      const MasterFaces<dim> faces{master.patches,
+                                   [](unsigned int, const Point<dim - 1> &, auto &) {}};
+      std::vector<std::optional<Facing<dim>>> result;
+      const auto                              partners =
+        find_partners(positions, normals, faces, Utilities::MPI::max(farthest, comm), comm);
+      for (std::size_t i = 0; i < partners.size(); ++i)
+        if (partners[i])
+          result.push_back(
+            Facing<dim>{(positions[i] - partners[i]->position) * partners[i]->normal,
+                        partners[i]->normal});
+        else
+          result.emplace_back();
+      return result;
+    }
+
+    /// B u + g_0 at points, whose partners' degrees of freedom may be on other ranks.
+    template <int dim>
+    std::vector<double>
+    linear_gaps(const LA::Vector &u, const PointsThatPress<dim> &points)
+    {
+      std::vector<types::global_dof_index> indices;
+      for (const auto &[point, force] : points)
+        for (const auto &entry : point->row)
+          indices.push_back(entry.first);
+      std::sort(indices.begin(), indices.end());
+      IndexSet readable = u.locally_owned_elements();
+      readable.add_indices(indices.begin(), indices.end());
+      LA::Vector values(u.locally_owned_elements(), readable, u.get_mpi_communicator());
+      values = u;
+      std::vector<double> result;
+      for (const auto &[point, force] : points)
+        {
+          double gap = point->gap;
+          for (const auto &[index, value] : point->row)
+            gap += value * values(index);
+          result.push_back(gap);
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  GeometryChange
+  geometry_change(const Configuration<dim>  &now,
+                  const ContactPair<dim>    &pair,
+                  const Obstacle<dim>       *obstacle,
+                  const ContactSurface<dim> &surface,
+                  const std::vector<double> &forces)
+  {
+    const MPI_Comm       comm = now.elasticity().mesh().communicator();
+    PointsThatPress<dim> points;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      if (forces[i] > 0 && surface.points[i].face < surface.own_faces)
+        points.emplace_back(&surface.points[i], forces[i]);
+    if (Utilities::MPI::sum(points.size(), comm) == 0)
+      return {};
+    const BoundaryFaces<dim> slave(now, pair.slave);
+    const auto there = obstacle ? on_obstacle(now, *obstacle, slave, points) :
+                                  on_body(now, pair.master, slave, points, comm);
+    const std::vector<double> linear = linear_gaps(now.displacement(), points);
+
+    std::vector<double> sums(5, 0.); // force, area, modulus, gap^2, angle^2
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const auto &[point, force] = points[i];
+        sums[0] += force;
+        sums[1] += point->weight;
+        sums[2] += force * point->stiffness * point->depth;
+        // What has lost its partner is as wrong as can be.
+        const double gap = there[i] ? there[i]->gap - linear[i] : slave.patches[point->face].diameter();
+        const double chord = there[i] ? (there[i]->normal - point->normal).norm() : 1.;
+        sums[3] += force * gap * gap;
+        sums[4] += force * chord * chord;
+      }
+    Utilities::MPI::sum(sums, comm, sums);
+    const double   width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
+                 pressure = sums[0] / sums[1];
+    GeometryChange result;
+    result.gap      = std::sqrt(sums[3] / sums[0]);
+    result.angle    = std::sqrt(sums[4] / sums[0]);
+    result.pressure = result.angle + modulus * result.gap / (width * pressure);
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template GeometryChange geometry_change(const Configuration<dim> &,                              \
+                                          const ContactPair<dim> &,                                \
+                                          const Obstacle<dim> *,                                   \
+                                          const ContactSurface<dim> &,                             \
+                                          const std::vector<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

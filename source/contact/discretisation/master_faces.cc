@@ -1,0 +1,88 @@
+#include <signorini/contact/discretisation/gap_bend.h>
+#include <signorini/contact/discretisation/master_faces.h>
+#include <signorini/contact/discretisation/stress_bounds.h>
+
+#include <memory>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What partners on the faces of a body tell of it.
+    template <int dim>
+    class BodyBehind
+    {
+    public:
+      BodyBehind(const Elasticity<dim>    &elasticity,
+                 const BoundaryFaces<dim> &boundary,
+                 const bool                with_stress,
+                 const bool                with_bend)
+        : boundary(boundary)
+        , trace(elasticity)
+        , stress(std::make_shared<NormalStress<dim>>(elasticity))
+        , bound(boundary)
+        , with_stress(with_stress)
+        , with_bend(with_bend)
+      {
+        for (unsigned int i = 0; i < boundary.faces.size(); ++i)
+          {
+            stiffnesses.push_back(boundary.stiffness(elasticity, i));
+            moduli.push_back(boundary.modulus(elasticity, i));
+            sizes.push_back(boundary.patches[i].diameter());
+          }
+      }
+
+      void
+      operator()(const unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner)
+      {
+        const auto &[cell, face]    = boundary.faces[i];
+        const Point<dim>      place = unit_point<dim>(face, xi);
+        const Tensor<1, dim> &n     = partner.normal;
+        trace.reinit(cell, face);
+        partner.row       = trace.normal_displacement(place, n);
+        partner.stiffness = stiffnesses[i];
+        partner.modulus   = moduli[i];
+        partner.size      = sizes[i];
+        partner.rest      = boundary.rest[i].position(xi);
+        if (with_bend)
+          partner.bend = bend_of_master(boundary.patches[i], xi, n, trace, face);
+        if (!with_stress)
+          return;
+        stress->reinit(cell);
+        const Tensor<1, dim> at_rest = boundary.rest[i].normal(xi);
+        partner.stress               = stress->row(place, -n, at_rest);
+        partner.thermal_stress       = stress->thermal_row(place, -n, at_rest);
+        partner.bound                = bound(*stress, i);
+      }
+
+    private:
+      const BoundaryFaces<dim>           boundary;
+      Trace<dim>                         trace;
+      std::shared_ptr<NormalStress<dim>> stress;
+      StressBounds<dim>                  bound;
+      const bool                         with_stress, with_bend;
+      std::vector<double>                stiffnesses, moduli, sizes;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  MasterFaces<dim>
+  master_faces(const Elasticity<dim>    &elasticity,
+               const BoundaryFaces<dim> &boundary,
+               const bool                with_stress,
+               const bool                with_bend)
+  {
+    return {boundary.patches, BodyBehind<dim>(elasticity, boundary, with_stress, with_bend)};
+  }
+
+
+
+  template MasterFaces<2>
+  master_faces(const Elasticity<2> &, const BoundaryFaces<2> &, bool, bool);
+  template MasterFaces<3>
+  master_faces(const Elasticity<3> &, const BoundaryFaces<3> &, bool, bool);
+} // namespace Signorini
