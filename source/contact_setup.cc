@@ -161,7 +161,7 @@ namespace Signorini
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       {
         const ContactPair<dim> &pair = scene.pairs[i];
-        if (my_surfaces[i].sees_nothing && pair.search_distance > 0)
+        if (configuration.is_rest() && my_surfaces[i].sees_nothing && pair.search_distance > 0)
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
             "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
@@ -272,7 +272,7 @@ namespace Signorini
           continue;
         out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
             << ", farther than " << my_surfaces[i].reach;
-        if (pair.search_distance > 0)
+        if (pair.search_distance > 0 && built_at.size() == 0)
           out << ", its Search distance: contact beyond was not looked for" << std::endl;
         else
           {

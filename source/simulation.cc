@@ -276,6 +276,7 @@ namespace Signorini
         geometry_change             = change;
         out << "  surfaces as they are now would change the pressure by about "
             << short_text(100 * change.pressure, 2) << " %"
+            << " [angle " << change.angle << " gap " << change.gap << "]"
             << (follows ? ": contact is found again there" : "") << std::endl;
       }
     else

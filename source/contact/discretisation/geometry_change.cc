@@ -124,26 +124,33 @@ namespace Signorini
                                   on_body(now, pair.master, slave, points, comm);
     const std::vector<double> linear = linear_gaps(now.displacement(), points);
 
-    std::vector<double> sums(5, 0.); // force, area, modulus, gap^2, angle^2
+    std::vector<double> sums(6, 0.); // force, area, modulus, gap^2, angle^2, without partner
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const auto &[point, force] = points[i];
         sums[0] += force;
         sums[1] += point->weight;
         sums[2] += force * point->stiffness * point->depth;
-        // What has lost its partner is as wrong as can be.
-        const double gap = there[i] ? there[i]->gap - linear[i] : slave.patches[point->face].diameter();
-        const double chord = there[i] ? (there[i]->normal - point->normal).norm() : 1.;
-        sums[3] += force * gap * gap;
-        sums[4] += force * chord * chord;
+        if (there[i])
+          {
+            const double gap = there[i]->gap - linear[i];
+            sums[3] += force * gap * gap;
+            sums[4] += force * (there[i]->normal - point->normal).norm_square();
+          }
+        else
+          sums[5] += force;
       }
     Utilities::MPI::sum(sums, comm, sums);
-    const double   width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
-                 pressure = sums[0] / sums[1];
+    // Points at the rim of a master lose it at once; they are few.
+    constexpr double at_rims  = 0.05;
+    const double     width    = std::pow(sums[1], 1. / (dim - 1)),
+                     modulus  = sums[2] / sums[0],
+                     pressure = sums[0] / sums[1], lost = sums[5] / sums[0];
     GeometryChange result;
     result.gap      = std::sqrt(sums[3] / sums[0]);
     result.angle    = std::sqrt(sums[4] / sums[0]);
-    result.pressure = result.angle + modulus * result.gap / (width * pressure);
+    result.pressure = result.angle / 2 + modulus * result.gap / (width * pressure) +
+                      (lost > at_rims ? lost : 0.);
     return result;
   }
 

@@ -279,7 +279,7 @@ namespace Signorini
       ContactSurface<dim> surface;
       surface.faces = surface.own_faces = slave.faces.size();
       surface.separates = pair.separates;
-      surface.reach     = pair.search_distance > 0 ? limit : reach;
+      surface.reach     = at_rest && pair.search_distance > 0 ? limit : reach;
       // Not the reach: boxes of overlapping bodies may be as far apart as the overlap is deep.
       if (at_rest && is_apart(elasticity, pair, obstacle, slave, limit))
         {
