@@ -17,6 +17,8 @@ namespace
 
   signorini SCENE.prm [--set "Section/Key=value"]...   solve a scene
   signorini --strict SCENE.prm [--set ...]             the same; warnings about the answer are failures
+  signorini --restart DIRECTORY [--set ...]            go on with a run that was ended, from the last checkpoint in its
+                                                       output directory, on any number of ranks
   signorini --check SCENE.prm [--set ...]              read and check it, report what would be solved
   signorini --import DECK.inp                          the scene that a deck of Abaqus or CalculiX describes
   signorini --print-template [2|3] [--set ...]         a complete commented scene
@@ -26,12 +28,13 @@ namespace
   signorini --help | --version
 
 In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal error or full disk,
-2 bad scene or command line, 3 not converged, or no answer by the verdict, 4 an expected result of the scene is missed.
+2 bad scene or command line, 3 not converged, or no answer by the verdict, 4 an expected result of the scene is missed,
+5 ended by SIGTERM, SIGINT, SIGUSR1 or its time limit, with a checkpoint.
 )";
 
   struct Arguments
   {
-    std::string              scene, action = "solve";
+    std::string              scene, restart, action = "solve";
     std::vector<std::string> overrides;
     TemplateRequest          wanted;
   };
@@ -52,6 +55,12 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
       else if (words[i] == "--check" || words[i] == "--help" || words[i] == "--version" ||
                words[i] == "--print-reference")
         arguments.action = words[i].substr(2);
+      else if (words[i] == "--restart")
+        {
+          if (++i == words.size())
+            throw SceneError("--restart needs the output directory of a run");
+          arguments.restart = words[i];
+        }
       else if (words[i] == "--import")
         {
           if (++i == words.size())
@@ -78,7 +87,11 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
         wanted.words.erase(wanted.words.begin());
       }
     wanted.overrides = arguments.overrides;
-    if (arguments.scene.empty() && (arguments.action == "solve" || arguments.action == "check"))
+    if (!arguments.restart.empty() && (!arguments.scene.empty() || arguments.action != "solve"))
+      throw SceneError("--restart DIRECTORY knows its scene, and solves it: no other words are "
+                       "possible but --set");
+    if (arguments.restart.empty() && arguments.scene.empty() &&
+        (arguments.action == "solve" || arguments.action == "check"))
       throw SceneError("no scene is given\n\n" + usage);
     return arguments;
   }
@@ -130,8 +143,8 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
   {
     if (arguments.action == "solve" || arguments.action == "check")
       {
-        const auto scene =
-          PreparedScene::read({arguments.scene, arguments.overrides, arguments.action == "check"});
+        const auto scene = PreparedScene::read(
+          {arguments.scene, arguments.overrides, arguments.action == "check", arguments.restart});
         if (!libraries)
           libraries = std::make_unique<Libraries>();
         return scene->run(MPI_COMM_WORLD, std::cout);

@@ -1,10 +1,13 @@
+#include <signorini/checkpoint/origin.h>
 #include <signorini/mesh/generators/file.h>
 #include <signorini/output/directory.h>
 #include <signorini/parameters/section.h>
+#include <signorini/parameters/text.h>
 #include <signorini/run_scene.h>
 #include <signorini/simulation.h>
 
 #include <filesystem>
+#include <sstream>
 
 namespace Signorini
 {
@@ -16,21 +19,23 @@ namespace Signorini
     class Prepared : public PreparedScene
     {
     public:
-      Prepared(RawSection &raw, const SceneTask &task)
+      Prepared(RawSection &raw, const SceneTask &task, const Origin &origin)
         : only_check(task.only_check)
+        , goes_on(!task.restart.empty())
       {
         Section section(raw);
         scene.declare(section);
         section.close();
-        scene.given = raw;
-        scene.name  = std::filesystem::path(task.scene).stem();
+        scene.given   = raw;
+        scene.name    = origin.name;
+        scene.folders = origin.folders;
         scene.check();
       }
 
       ExitCode
       run(const MPI_Comm comm, std::ostream &out) const override
       {
-        Simulation<dim> simulation(scene, comm, out);
+        Simulation<dim> simulation(scene, comm, out, goes_on);
         if (!only_check)
           return simulation.run();
         simulation.preflight();
@@ -39,8 +44,35 @@ namespace Signorini
 
     private:
       Scene<dim> scene;
-      const bool only_check;
+      const bool only_check, goes_on;
     };
+
+    Origin
+    origin_of(const SceneTask &task)
+    {
+      if (!task.restart.empty())
+        return read_origin(task.restart);
+      const std::filesystem::path scene(task.scene);
+      std::error_code             error;
+      return {scene.stem(),
+              "",
+              {scene.parent_path().string(),
+               std::filesystem::absolute(scene, error).parent_path().string(),
+               std::filesystem::current_path(error).string()}};
+    }
+
+    RawSection
+    raw_of(const SceneTask &task, const Origin &origin)
+    {
+      if (task.restart.empty())
+        return read_raw(task.scene);
+      std::istringstream text(origin.scene);
+      RawSection         raw = read_raw(text, task.restart + "/restart.scene");
+      for (const std::string &assignment : task.overrides)
+        check_change(assignment);
+      override_value(raw, "Output/Directory=" + task.restart);
+      return raw;
+    }
   } // namespace
 
 
@@ -48,19 +80,20 @@ namespace Signorini
   std::unique_ptr<PreparedScene>
   PreparedScene::read(const SceneTask &task)
   {
-    RawSection raw = read_raw(task.scene);
+    const Origin origin = origin_of(task);
+    RawSection   raw    = raw_of(task, origin);
     for (const std::string &assignment : task.overrides)
       override_value(raw, assignment);
-    mesh_search_path() = {std::filesystem::path(task.scene).parent_path().string()};
+    mesh_search_path() = origin.folders;
 
     const RawSection::Value *dimension = raw.find_value("Dimension");
     if (!dimension)
       throw SceneError(task.scene +
                        ": 'Dimension' is not set; write set Dimension = 2 or 3 at the top");
     if (dimension->text == "2")
-      return std::make_unique<Prepared<2>>(raw, task);
+      return std::make_unique<Prepared<2>>(raw, task, origin);
     if (dimension->text == "3")
-      return std::make_unique<Prepared<3>>(raw, task);
+      return std::make_unique<Prepared<3>>(raw, task, origin);
     throw SceneError(dimension->where + ": Dimension = " + dimension->text + ": must be 2 or 3");
   }
 

@@ -28,12 +28,16 @@ namespace Signorini
 
 
   template <int dim>
-  Simulation<dim>::Simulation(const Scene<dim> &scene, const MPI_Comm comm, std::ostream &stream)
+  Simulation<dim>::Simulation(const Scene<dim> &scene,
+                              const MPI_Comm    comm,
+                              std::ostream     &stream,
+                              const bool        goes_on)
     : scene(scene)
     , comm(comm)
     , out(stream, Utilities::MPI::this_mpi_process(comm) == 0)
     // Each rank measures for itself: no barriers, and no waiting for ranks that have failed.
     , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
+    , goes_on(goes_on)
   {
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
     if (!scene.title.empty())
@@ -49,7 +53,10 @@ namespace Signorini
   ExitCode
   Simulation<dim>::run()
   {
-    recorder = std::make_unique<Recorder<dim>>(scene, clock, timer, comm);
+    if (goes_on && is_finished())
+      return solved;
+    recorder     = std::make_unique<Recorder<dim>>(scene, clock, timer, comm, goes_on);
+    interruption = std::make_unique<Interruption>(clock, 60 * scene.output.time_limit, comm);
     if (!recorder->note().empty())
       out << "  note: " << recorder->note() << std::endl;
     try
@@ -75,17 +82,22 @@ namespace Signorini
   {
     try
       {
+        find_checkpoint();
         set_up();
-        for (unsigned int cycle = 0; cycle < scene.refinement.cycles; ++cycle)
+        for (; position.cycle < scene.refinement.cycles; ++position.cycle)
           {
             build_contact(follows);
             report_set_up();
+            reach();
             if (!solve_for_estimate())
               return finish();
             refine_mesh();
           }
         build_contact(follows);
         report_set_up();
+        if (position.step > 0) // as it was between two load steps
+          rows_of_places(state.contact, contact->gap_operator(), pressure, active);
+        reach();
         run_load_history();
         if (report.converged && scene.output.linear_reference)
           compare_with_linear_solve();
@@ -94,6 +106,12 @@ namespace Signorini
       {
         report.converged = false;
         report.reason    = failure.what();
+      }
+    catch (const Interrupted &interruption)
+      {
+        is_interrupted   = true;
+        report.converged = false;
+        report.reason    = interruption.what();
       }
     return finish();
   }
@@ -130,10 +148,14 @@ namespace Signorini
         }
     }
     TimerOutput::Scope scope(timer, "setup");
+    if (former)
+      restore_mesh();
     elasticity = make_elasticity(scene, *mesh);
     elasticity->setup();
     state.displacement = elasticity->zero_vector();
     contact            = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, out);
+    if (former)
+      restore_state();
 
     if (elasticity->has_free_motions() && scene.output.linear_reference)
       throw SceneError("Output/Linear reference: without contact nothing holds the bodies");
@@ -310,8 +332,9 @@ namespace Signorini
           return true;
       }
     report.converged = false;
-    report.reason = "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load "
-                    "steps/Number), or take Contact method/Contact geometry = reference";
+    report.reason =
+      "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load "
+      "steps/Number), or take Contact method/Contact geometry = reference";
     return false;
   }
 
@@ -376,8 +399,10 @@ namespace Signorini
     if (!hierarchy)
       {
         TimerOutput::Scope scope(timer, "preconditioner");
-        hierarchy = make_hierarchy(
-          scene.solver, elasticity->stiffness(), elasticity->rigid_body_modes(), dim);
+        hierarchy = make_hierarchy(scene.solver,
+                                   elasticity->stiffness(),
+                                   elasticity->rigid_body_modes(),
+                                   dim);
       }
     geometric.reset();
     if (placed.size() > 0)
@@ -426,7 +451,7 @@ namespace Signorini
       }
     elasticity->distribute(state.displacement);
     contact->set_time(t);
-    report = newton->solve(f, state.displacement, pressure, active, print_steps(out));
+    report = newton->solve(f, state.displacement, pressure, active, watch());
     report.steps.insert(report.steps.begin(), steps_before.begin(), steps_before.end());
     elasticity->distribute(state.displacement);
     state.contact = places_of_rows(contact->gap_operator(), pressure, active, dim);
@@ -443,6 +468,7 @@ namespace Signorini
     newton.reset();
     hierarchy.reset();
     mesh_clock.reset();
+    reached.reset(); // it belongs to the mesh
     assembled     = false;
     former_cycles = 0;
     const double estimate =
@@ -471,11 +497,13 @@ namespace Signorini
     if (report.is_loose || scene.load_steps.cut_backs == 0)
       return false;
     out << "  not solved at once (" << report.reason << "): step by step" << std::endl;
-    state         = State();
+    state              = State();
     state.displacement = elasticity->zero_vector();
     state.contact      = SurfaceField(dim);
     pressure = active = contact->gap_operator().zero();
-    return follow_loads(tolerance, end / 2, [&](auto, auto) { n_steps += report.steps.size(); });
+    Position start;
+    start.longest = end / 2;
+    return follow_loads(tolerance, start, [&](auto, auto) { n_steps += report.steps.size(); });
   }
 
 
@@ -484,9 +512,10 @@ namespace Signorini
   void
   Simulation<dim>::run_load_history()
   {
-    follow_loads(scene.newton.tolerance,
-                 std::numeric_limits<double>::max(),
-                 [&](const unsigned int step, const double t) { record_step(step, t); });
+    follow_loads(scene.newton.tolerance, position, [&](const unsigned int step, const double t) {
+      record_step(step, t);
+      reach();
+    });
   }
 
 
@@ -494,15 +523,16 @@ namespace Signorini
   template <int dim>
   bool
   Simulation<dim>::follow_loads(const double                                            tolerance,
-                                double                                                  longest,
+                                Position                                               &from,
                                 const std::function<void(unsigned int step, double t)> &visit)
   {
-    const std::vector<double> ends   = scene.load_steps.ends();
-    double                    t      = 0;
-    unsigned int              number = 0;
+    const std::vector<double> ends    = scene.load_steps.ends();
+    double                    start   = 0;
+    auto &[cycle, t, number, longest] = from;
     for (const double end : ends)
       {
-        const double smallest = (end - t) / std::pow(2, scene.load_steps.cut_backs);
+        const double smallest = (end - start) / std::pow(2, scene.load_steps.cut_backs);
+        start                 = end;
         while (t < end)
           {
             const double next = end - t <= 1.001 * longest ? end : t + longest;
@@ -510,9 +540,9 @@ namespace Signorini
               out << "  load step " << number + 1 << ", t = " << next << std::endl;
             if (attempt(next, tolerance))
               {
-                visit(++number, next);
                 longest = std::max(longest, 2 * (next - t));
                 t       = next;
+                visit(++number, t);
               }
             else
               {
@@ -598,7 +628,10 @@ namespace Signorini
   {
     recorder->add_sizes(*elasticity, *contact);
     std::ostringstream text;
-    const ExitCode     code = recorder->finish(report, text);
+    leave_checkpoint();
+    const ExitCode code = recorder->finish(report, text, is_interrupted);
+    if (report.converged)
+      checkpoints->remove();
     out << text.str() << "\n"
         << seconds(clock.wall_time()) << ", results in " << recorder->directory()
         << "/results.json\n"

@@ -8,6 +8,8 @@
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
 
+#include <nlohmann/json.hpp>
+
 #include <memory>
 #include <set>
 
@@ -40,6 +42,15 @@ namespace Signorini
     /// Before the mesh changes: what was built belongs to it.
     void
     forget_mesh();
+
+    /// What was learnt of the pairs, for a checkpoint: how far to look, which sides are exchanged.
+    nlohmann::ordered_json
+    memory() const;
+
+    /// Before the first build(). Throws SceneError if the pairs are others. The pairs are those of
+    /// the scene, and exchanged as they were.
+    void
+    remember(const nlohmann::ordered_json &memory);
 
     // After build():
 
@@ -130,7 +141,7 @@ namespace Signorini
     std::unique_ptr<ContactRows>     rows;
     std::unique_ptr<GapOperator>     contact;
     LA::Vector                       built_at; ///< displacement; empty: at rest
-    std::set<std::string>            kept; ///< pairs whose master cannot be the slave
+    std::set<std::string>            kept;     ///< pairs whose master cannot be the slave
   };
 
   /// How far surfaces of a scene may come closer: sound guesses save a second solution.

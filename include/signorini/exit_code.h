@@ -9,6 +9,7 @@ namespace Signorini
     internal_error = 1,
     bad_scene      = 2, ///< or bad command line
     not_converged  = 3,
-    missed         = 4 ///< solved, but an expected result of the scene is missed
+    missed         = 4, ///< solved, but an expected result of the scene is missed
+    interrupted    = 5  ///< by a signal or its limit on time; --restart goes on
   };
 } // namespace Signorini

@@ -18,6 +18,7 @@ namespace Signorini
     std::string              scene;     ///< the file
     std::vector<std::string> overrides; ///< "Section/Key=value", as after --set
     bool                     only_check = false;
+    std::string restart = ""; ///< instead of the scene: output directory of a run that goes on
   };
 
   /// A scene that was read and checked as far as this goes without a distributed mesh: MPI need not

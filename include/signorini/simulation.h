@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/checkpoint/checkpoints.h>
+#include <signorini/checkpoint/interruption.h>
 #include <signorini/contact_setup.h>
 #include <signorini/exit_code.h>
 #include <signorini/output/recorder.h>
@@ -11,17 +13,30 @@
 #include <deal.II/base/timer.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 
 namespace Signorini
 {
+  /// Where a run is in its meshes and load steps: all whole numbers and times, the same on all
+  /// ranks.
+  struct Position
+  {
+    unsigned int cycle   = 0; ///< meshes that were refined
+    double       time    = 0; ///< of the load history, which begins on the last mesh
+    unsigned int step    = 0; ///< load steps up to that time
+    double       longest = std::numeric_limits<double>::max(); ///< of load steps, as they were cut
+  };
+
   /// One run: scene -> mesh -> solve -> estimate -> refine -> load history -> results.
   template <int dim>
   class Simulation
   {
   public:
     /// @param out where the first rank reports
-    Simulation(const Scene<dim> &scene, MPI_Comm comm, std::ostream &out);
+    /// @param goes_on with what an earlier run left in the output directory
+    Simulation(const Scene<dim> &scene, MPI_Comm comm, std::ostream &out, bool goes_on = false);
 
     /// Print what will be solved, and solve nothing.
     void
@@ -75,11 +90,11 @@ namespace Signorini
     void
     run_load_history();
     /// All load steps, cut back where they cannot be solved.
-    /// @param longest step at the start
+    /// @param from where they start, and then where they are
     /// @param visit called after each
     bool
     follow_loads(double                                                  tolerance,
-                 double                                                  longest,
+                 Position                                               &from,
                  const std::function<void(unsigned int step, double t)> &visit);
     /// Solve at time t. If that fails, the state before it is restored.
     bool
@@ -90,6 +105,32 @@ namespace Signorini
     compare_with_linear_solve();
     ExitCode
     finish();
+
+    // Checkpoints, in simulation_restart.cc:
+
+    /// True if the output directory has a run that is finished.
+    bool
+    is_finished() const;
+    void
+    find_checkpoint();
+    /// The mesh as it was.
+    void
+    restore_mesh();
+    /// All the rest, but for the results.
+    void
+    restore_state();
+    /// The run has come to a point from which it could go on; writes a checkpoint if it is time.
+    void
+    reach();
+    /// At the last such point. Collective.
+    void
+    write_checkpoint();
+    /// Of a run that ends without a solution.
+    void
+    leave_checkpoint();
+    /// Prints, and looks whether the run is to end.
+    StepVisitor
+    watch();
 
     Scene<dim>                 scene;
     const MPI_Comm             comm;
@@ -106,15 +147,32 @@ namespace Signorini
     bool                               only_checks = false;
     bool                               assembled   = false;
     bool                               follows     = false; ///< contact is where the surfaces are
-    LA::Vector              placed;         ///< displacement of surfaces; empty: at rest
-    GeometryChange          geometry_change; ///< neglected at rest
-    std::vector<NewtonStep> steps_before;   ///< of this load step, with surfaces placed before
+    LA::Vector                         placed; ///< displacement of surfaces; empty: at rest
+    GeometryChange                     geometry_change; ///< neglected at rest
+    std::vector<NewtonStep> steps_before;      ///< of this load step, with surfaces placed before
     unsigned int            former_cycles = 0; ///< multigrid cycles before `newton`, on this mesh
-    unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
+    unsigned int            n_steps       = 0; ///< of Newton's method on a coarse mesh
 
     State      state;
     LA::Vector pressure, active;             ///< state.contact at the rows of the gap operator
     std::unique_ptr<Recorder<dim>> recorder; ///< none where nothing is to be written
     NewtonReport                   report;
+
+    /// What a checkpoint needs beside the results: copies, since attempts change the originals.
+    struct Reached
+    {
+      State state;
+      Json  head; ///< the same on all ranks
+    };
+    const bool                          goes_on;
+    bool                                is_interrupted = false;
+    bool                                is_restored    = false; ///< and nothing was solved since
+    Position                            position;
+    std::unique_ptr<Checkpoints>        checkpoints;
+    std::unique_ptr<Interruption>       interruption;
+    std::optional<Checkpoints::Content> former; ///< until it is restored
+    std::optional<Reached>              reached;
+    double                              written_at  = 0; ///< seconds: the last checkpoint
+    unsigned int                        steps_since = 0;
   };
 } // namespace Signorini

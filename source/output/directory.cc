@@ -37,6 +37,8 @@ namespace Signorini
       {"", "(solution|contact)\\.pvd", "deal\\.II|Signorini", true},
       {"", "(solution|contact)_[0-9]{4,}\\.pvtu", "deal\\.II|Signorini", true},
       {"", "(solution|contact)_[0-9]{4,}\\.[0-9]+\\.vtu", "deal\\.II|Signorini", true},
+      {"", "restart\\.scene(\\.part)?", "^Signorini checkpoint", true},
+      {"checkpoint-[0-9]{4,}(\\.tmp)?", "head|part-[0-9]+", "^Signorini checkpoint", false},
       {"", "(bodies|pressure)\\.png", "Signorini", false},
       {"profiles", ".*\\.csv", "^x,y,z,pressure,gap,status", false},
       {"profiles/step-[0-9]{4,}", ".*\\.csv", "^x,y,z,pressure,gap,status", false}};
@@ -105,13 +107,33 @@ namespace Signorini
     }
 
     void
+    remove_empty_folders(const fs::path &directory)
+    {
+      std::error_code not_empty;
+      for (const Kind &kind : kinds)
+        if (std::string(kind.folder).find('[') != std::string::npos)
+          for (const fs::path &folder : folders(directory, kind.folder))
+            fs::remove(folder, not_empty);
+    }
+
+    void
     remove_stale_files(const fs::path &directory)
     {
       for (const fs::path &file : stale_files(directory))
         fs::remove(file);
-      std::error_code not_empty;
-      for (const fs::path &folder : folders(directory, "profiles/step-[0-9]{4,}"))
-        fs::remove(folder, not_empty);
+      remove_empty_folders(directory);
+    }
+
+    /// Of a file that belongs to one load step, by its name or its folder's; 0 for others.
+    unsigned int
+    step_of(const fs::path &file)
+    {
+      const std::string folder = file.parent_path().filename(), name = file.filename();
+      std::smatch       found;
+      if (std::regex_match(folder, found, std::regex("step-([0-9]{4,9})")) ||
+          std::regex_search(name, found, std::regex("^(?:solution|contact)_([0-9]{4,9})\\.")))
+        return std::stoul(found[1]);
+      return 0;
     }
 
     void
@@ -225,7 +247,7 @@ namespace Signorini
 
 
 
-  OutputDirectory::OutputDirectory(const std::string &path, const MPI_Comm comm)
+  OutputDirectory::OutputDirectory(const std::string &path, const MPI_Comm comm, const bool goes_on)
     : path(path)
   {
     // All ranks have read the scene when they are here: it may lie in this directory.
@@ -238,11 +260,12 @@ namespace Signorini
           const auto [descriptor, former] = take_lock(path, path + "/run.lock");
           lock                            = descriptor;
           sign(lock, path + "/run.lock");
-          remove_stale_files(path);
+          if (!goes_on)
+            remove_stale_files(path);
           create(path + "/profiles");
           if (former.process > 0)
-            my_note = "the run of " + former.text() + " did not end properly; its files in " +
-                      path + " are removed";
+            my_note = "the run of " + former.text() + " did not end properly; " +
+                      (goes_on ? "it goes on" : "its files in " + path + " are removed");
         }
       catch (const std::exception &error)
         {
@@ -254,6 +277,17 @@ namespace Signorini
       return;
     release();
     throw SceneError(problem);
+  }
+
+
+
+  void
+  OutputDirectory::remove_steps_after(const unsigned int step) const
+  {
+    for (const fs::path &file : stale_files(path))
+      if (step_of(file) > step)
+        fs::remove(file);
+    remove_empty_folders(path);
   }
 
 

@@ -1,3 +1,4 @@
+#include <signorini/checkpoint/origin.h>
 #include <signorini/output/recorder.h>
 #include <signorini/output/summary.h>
 #include <signorini/parameters/section.h>
@@ -23,13 +24,14 @@ namespace Signorini
 
     template <int dim>
     void
-    write_scene(const Scene<dim> &scene, const std::string &path)
+    leave_scene(const Scene<dim> &scene, const std::string &path)
     {
       std::ostringstream text;
       text << mark_of_scene_file();
       Section section(text, false, 0, &scene.given);
       Scene<dim>(scene).declare(section);
-      replace_file(path, text.str());
+      replace_file(path + "/scene.prm", text.str());
+      write_origin(path, {scene.name, text.str(), scene.folders});
     }
   } // namespace
 
@@ -61,17 +63,31 @@ namespace Signorini
   Recorder<dim>::Recorder(const Scene<dim>  &scene,
                           const Timer       &clock,
                           const TimerOutput &timer,
-                          const MPI_Comm     comm)
+                          const MPI_Comm     comm,
+                          const bool         goes_on)
     : scene(scene)
     , clock(clock)
     , timer(timer)
     , comm(comm)
     , path(directory_of(scene))
-    , folder(path, comm)
+    , folder(path, comm, goes_on)
     , writer(scene.output, path, comm)
+    , seconds_before(Json::object())
   {
+    if (goes_on)
+      return;
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      write_scene(scene, path + "/scene.prm");
+      leave_scene(scene, path);
+    begin();
+    write();
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::begin()
+  {
     results               = {{"program", "Signorini"},
                              {"version", SIGNORINI_VERSION},
                              {"scene", scene.name},
@@ -85,7 +101,54 @@ namespace Signorini
                              {"output_directory", path}};
     results["cycles"]     = Json::array();
     results["load_steps"] = Json::array();
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::restore(const Json &former)
+  {
+    if (former.empty())
+      begin();
+    else
+      results = former;
+    results["version"]          = SIGNORINI_VERSION;
+    results["libraries"]        = library_versions();
+    results["ranks"]            = Utilities::MPI::n_mpi_processes(comm);
+    results["converged"]        = false;
+    results["reason"]           = unfinished;
+    results["output_directory"] = path;
+
+    seconds_before = results.value("seconds", Json::object());
+    if (results.contains("verdict"))
+      verdict = Verdict::from(results["verdict"]);
+    std::vector<std::pair<double, unsigned int>> times;
+    for (const Json &step : results["load_steps"])
+      {
+        times.emplace_back(step.at("time"), step.at("step"));
+        if (const Json &force = step.at("largest_force"); force.is_number())
+          largest_force = std::max(largest_force, force.get<double>());
+      }
+    writer.restore(times);
+    const unsigned int last = times.empty() ? 0 : times.back().second;
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      folder.remove_steps_after(last);
+    results["restarts"].push_back({{"after_step", last},
+                                   {"cycle", n_cycles()},
+                                   {"ranks", results["ranks"]},
+                                   {"seconds", seconds_before.value("total", 0.)}});
     write();
+  }
+
+
+
+  template <int dim>
+  const Json &
+  Recorder<dim>::memory()
+  {
+    add_costs();
+    return results;
   }
 
 
@@ -208,9 +271,12 @@ namespace Signorini
   void
   Recorder<dim>::add_costs()
   {
-    results["seconds"]["total"] = Utilities::MPI::max(clock.wall_time(), comm);
+    const auto add = [&](const std::string &name, const double here) {
+      results["seconds"][name] = seconds_before.value(name, 0.) + Utilities::MPI::max(here, comm);
+    };
+    add("total", clock.wall_time());
     for (const auto &[name, time] : timer.get_summary_data(TimerOutput::total_wall_time))
-      results["seconds"][name] = Utilities::MPI::max(time, comm);
+      add(name, time);
     results["peak_memory_mb"] = peak_memory(comm);
   }
 
@@ -232,7 +298,7 @@ namespace Signorini
 
   template <int dim>
   ExitCode
-  Recorder<dim>::finish(const NewtonReport &report, std::ostream &text)
+  Recorder<dim>::finish(const NewtonReport &report, std::ostream &text, const bool is_interrupted)
   {
     const Outcome outcome = verdict.outcome();
     const bool    is_answer =
@@ -243,8 +309,8 @@ namespace Signorini
     write();
     if (!report.converged)
       {
-        text << "\nNot solved: " << report.reason << "\n";
-        return not_converged;
+        text << "\n" << (is_interrupted ? "Ended: " : "Not solved: ") << report.reason << "\n";
+        return is_interrupted ? interrupted : not_converged;
       }
     print_summary(results, text);
     verdict.print(text);
@@ -261,6 +327,8 @@ namespace Signorini
   void
   Recorder<dim>::stop(const std::string &why)
   {
+    if (results.empty())
+      return; // those of the earlier process stay
     results["converged"] = false;
     results["reason"]    = why;
     try

@@ -19,6 +19,20 @@ namespace Signorini
       "Strict",
       strict,
       "yes or no: what the verdict on the answer warns of ends the run with exit code 3, as --strict does");
+    section.add(
+      "Checkpoint every steps",
+      checkpoint_steps,
+      "a checkpoint after so many load steps, and after each refinement; 0: not by steps");
+    section.add("Checkpoint every minutes",
+                checkpoint_minutes,
+                "a checkpoint after the load step that ends so long after the last one; 0: not by "
+                "time [minutes of wall time]",
+                non_negative);
+    section.add("Time limit",
+                time_limit,
+                "the run ends before this, with a checkpoint and exit code 5; 0: none [minutes of "
+                "wall time since the program was started]",
+                non_negative);
     section.add_named("Probes", probes, "Points whose displacement and stress are reported.");
   }
 

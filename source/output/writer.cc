@@ -34,6 +34,22 @@ namespace Signorini
 
 
 
+  template <int dim>
+  void
+  Writer<dim>::restore(const std::vector<std::pair<double, unsigned int>> &times)
+  {
+    const auto files = [&](const std::string &name) {
+      std::vector<std::pair<double, std::string>> result;
+      for (const auto &[time, step] : times)
+        result.emplace_back(time, name + "_" + Utilities::int_to_string(step, 4) + ".pvtu");
+      return result;
+    };
+    bodies.restore(files("solution"));
+    contact.restore(files("contact"));
+  }
+
+
+
   template class Writer<2>;
   template class Writer<3>;
 } // namespace Signorini

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <limits>
 #include <ostream>
 
 namespace Signorini
@@ -90,6 +91,32 @@ namespace Signorini
                           {"cure", passed ? "" : finding.cure}});
       }
     return {{"outcome", name(outcome())}, {"checks", checks}};
+  }
+
+
+
+  Verdict
+  Verdict::from(const nlohmann::ordered_json &json)
+  {
+    // JSON has no word for what is not a number.
+    const auto number = [](const nlohmann::ordered_json &value) {
+      return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+    };
+    Verdict result;
+    for (const auto &check : json.at("checks"))
+      {
+        Finding finding{check.at("check"),
+                        check.at("where"),
+                        number(check.at("value")),
+                        number(check.at("limit"))};
+        finding.what = check.at("what");
+        finding.cure = check.at("cure");
+        for (const Outcome outcome : {Outcome::passed, Outcome::warned, Outcome::failed})
+          if (check.at("outcome") == name(outcome))
+            finding.outcome = outcome;
+        result.entries.push_back({finding, check.at("time")});
+      }
+    return result;
   }
 
 

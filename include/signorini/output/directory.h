@@ -19,7 +19,8 @@ namespace Signorini
     /// that is impossible, another run holds it, or a file has one of the names that a run needs,
     /// but was not written by this program. Collective; the other ranks come back only when rank 0
     /// is ready.
-    OutputDirectory(const std::string &path, MPI_Comm comm);
+    /// @param goes_on the files of the earlier run stay: it is to go on
+    OutputDirectory(const std::string &path, MPI_Comm comm, bool goes_on = false);
     ~OutputDirectory();
 
     OutputDirectory(const OutputDirectory &) = delete;
@@ -32,6 +33,10 @@ namespace Signorini
     {
       return my_note;
     }
+
+    /// Removes the files of load steps after that one. On rank 0.
+    void
+    remove_steps_after(unsigned int step) const;
 
   private:
     void

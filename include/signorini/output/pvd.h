@@ -20,6 +20,13 @@ namespace Signorini
     void
     add(double time, const std::string &file);
 
+    /// The entries of a run that goes on; nothing is written.
+    void
+    restore(const std::vector<std::pair<double, std::string>> &entries)
+    {
+      steps = entries;
+    }
+
   private:
     const std::string                           path;
     const bool                                  writes;

@@ -28,10 +28,21 @@ namespace Signorini
   {
   public:
     /// Takes the output directory. Throws SceneError if that cannot be had. Collective.
+    /// @param goes_on what is there stays, and nothing is written before restore()
     Recorder(const Scene<dim>          &scene,
              const dealii::Timer       &clock,
              const dealii::TimerOutput &timer,
-             MPI_Comm                   comm);
+             MPI_Comm                   comm,
+             bool                       goes_on = false);
+
+    /// Goes on with the results of an earlier process, and drops what that one wrote later. Empty:
+    /// from the beginning. Collective.
+    void
+    restore(const Json &former);
+
+    /// What restore() needs. Collective.
+    const Json &
+    memory();
 
     const std::string &
     directory() const
@@ -65,8 +76,9 @@ namespace Signorini
 
     /// The end. A run that has converged is compared with what the scene expects. @param text gets
     /// the summary for a person. Collective.
+    /// @param is_interrupted from outside
     ExitCode
-    finish(const NewtonReport &report, std::ostream &text);
+    finish(const NewtonReport &report, std::ostream &text, bool is_interrupted = false);
 
     /// The end of a run that ends with an error. Not collective.
     void
@@ -80,6 +92,8 @@ namespace Signorini
     }
 
   private:
+    void
+    begin();
     void
     add_costs();
     Json
@@ -96,6 +110,7 @@ namespace Signorini
     Writer<dim>                writer;
     Json                       results;
     Verdict                    verdict;
+    Json                       seconds_before;    ///< of processes before this one
     double                     largest_force = 0; ///< of all load steps so far
     double written_at = 0, writing_takes = 0;     ///< seconds: the file grows from step to step
   };

@@ -22,6 +22,11 @@ namespace Signorini
     void
     write(const Snapshot<dim> &snapshot, const Formula &reference_pressure);
 
+    /// Of a run that goes on: the load steps that have their files.
+    /// @param times of each, and its number
+    void
+    restore(const std::vector<std::pair<double, unsigned int>> &times);
+
   private:
     const OutputSettings<dim> settings;
     const std::string         directory;

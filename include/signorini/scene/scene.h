@@ -41,7 +41,7 @@ namespace Signorini
     unsigned int quadrature_points = 0; ///< 0: as many as the method and the degree need
     std::string  pressure_basis    = "dual";
     std::string  geometry          = "automatic"; ///< or "reference", "updated"
-    double       geometry_share    = 0.005; ///< of the pressure that is not worth an update
+    double       geometry_share    = 0.005;       ///< of the pressure that is not worth an update
 
     ContactSettings();
 
@@ -76,10 +76,11 @@ namespace Signorini
   template <int dim>
   struct Scene
   {
-    std::string model = model_names<dim>().front();
-    std::string title;
-    std::string name;  ///< of the scene file, without folder and .prm
-    RawSection  given; ///< what was read
+    std::string              model = model_names<dim>().front();
+    std::string              title;
+    std::string              name;    ///< of the scene file, without folder and .prm
+    RawSection               given;   ///< what was read
+    std::vector<std::string> folders; ///< where its mesh files are looked for
 
     Definitions                   definitions;
     std::vector<Body<dim>>        bodies;

@@ -47,6 +47,13 @@ namespace Signorini
       faces[face] = std::move(values);
     }
 
+    /// Of this rank.
+    const std::map<FaceId, std::vector<PlaceValue>> &
+    values() const
+    {
+      return faces;
+    }
+
     /// What ranks have to know to ask at() for the faces that they want, whoever knew it before:
     /// these faces, and those of their cells' parents and children. Collective.
     SurfaceField

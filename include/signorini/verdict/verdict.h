@@ -51,6 +51,10 @@ namespace Signorini
     nlohmann::ordered_json
     json() const;
 
+    /// What json() told.
+    static Verdict
+    from(const nlohmann::ordered_json &json);
+
     /// How many passed, and what did not: three lines each.
     void
     print(std::ostream &out) const;

@@ -218,8 +218,7 @@ namespace Signorini
       std::vector<LaidPoint<dim>> points;
       for (const unsigned int i : faces)
         for (unsigned int q = 0; q < rule.size(); ++q)
-          points.push_back(
-            {i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q))});
+          points.push_back({i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q))});
       return points;
     }
 
@@ -434,7 +433,7 @@ namespace Signorini
         return points;
       }
     const Quadrature<dim - 1> rule = face_rule<dim>(integration);
-    std::vector<unsigned int>     faces(slave.size());
+    std::vector<unsigned int> faces(slave.size());
     std::iota(faces.begin(), faces.end(), 0);
     if (integration.rule == "segments")
       {

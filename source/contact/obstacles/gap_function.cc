@@ -47,16 +47,15 @@ namespace Signorini
       {
         // To the tangent plane at the last point, and back to the surface along the gradient: a
         // factor of gap times curvature each time.
-        Point<dim>           foot = x;
-        Tensor<1, dim>       n    = normal / normal.norm();
-        constexpr double     small = 1e-13;
+        Point<dim>       foot  = x;
+        Tensor<1, dim>   n     = normal / normal.norm();
+        constexpr double small = 1e-13;
         for (unsigned int i = 0; i < 50; ++i)
           {
             const Tensor<1, dim> slope = gradient(foot, length);
             n                          = slope / slope.norm();
             const Tensor<1, dim> arm   = x - foot;
-            const Tensor<1, dim> step =
-              arm - (arm * n) * n - gap.value(foot) / slope.norm() * n;
+            const Tensor<1, dim> step  = arm - (arm * n) * n - gap.value(foot) / slope.norm() * n;
             foot += step;
             if (step.norm() <= small * length)
               break;

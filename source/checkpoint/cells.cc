@@ -1,0 +1,250 @@
+#include <signorini/checkpoint/cells.h>
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::uint64_t
+    hash_of(const CellId &id)
+    {
+      std::uint64_t hash = 14695981039346656037ull; // FNV-1a
+      const auto add = [&](const std::uint64_t part) { hash = (hash ^ part) * 1099511628211ull; };
+      add(id.get_coarse_cell_id());
+      for (const auto child : id.get_child_indices())
+        add(child + 1);
+      return hash ^ (hash >> 29);
+    }
+
+    /// What any rank knows of the cells that this rank asks for: all tell it to the rank that the
+    /// name of the cell says, and that one is asked.
+    template <typename T>
+    std::map<CellId, T>
+    look_up(const std::map<CellId, T> &known,
+            const std::vector<CellId> &wanted,
+            const MPI_Comm             comm)
+    {
+      using Entry                                        = std::pair<CellId, T>;
+      const auto                                 n_ranks = Utilities::MPI::n_mpi_processes(comm);
+      std::map<unsigned int, std::vector<Entry>> told;
+      for (const auto &entry : known)
+        told[hash_of(entry.first) % n_ranks].emplace_back(entry);
+      std::map<CellId, T> directory;
+      for (const auto &[rank, entries] : Utilities::MPI::some_to_some(comm, told))
+        directory.insert(entries.begin(), entries.end());
+
+      std::map<unsigned int, std::vector<CellId>> asked;
+      for (const CellId &id : wanted)
+        asked[hash_of(id) % n_ranks].push_back(id);
+      std::map<unsigned int, std::vector<Entry>> answers;
+      for (const auto &[rank, ids] : Utilities::MPI::some_to_some(comm, asked))
+        for (const CellId &id : ids)
+          if (const auto found = directory.find(id); found != directory.end())
+            answers[rank].emplace_back(*found);
+      std::map<CellId, T> result;
+      for (const auto &[rank, entries] : Utilities::MPI::some_to_some(comm, answers))
+        result.insert(entries.begin(), entries.end());
+      return result;
+    }
+
+    template <int dim>
+    std::vector<CellId>
+    owned_cells(const Mesh<dim> &mesh)
+    {
+      std::vector<CellId> result;
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned())
+          result.push_back(cell->id());
+      return result;
+    }
+
+    [[noreturn]] void
+    refuse_mesh(const std::string &why)
+    {
+      throw SceneError(
+        "--restart: the mesh is not the one of the checkpoint: " + why +
+        "; were mesh files changed? Put them back, or solve the scene from the start");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<CellValues>
+  values_of_cells(const Elasticity<dim> &elasticity, const LA::Vector &u)
+  {
+    const IndexSet                      &owned = elasticity.dof_handler().locally_owned_dofs();
+    std::vector<bool>                    is_told(owned.n_elements());
+    std::vector<types::global_dof_index> indices;
+    std::vector<CellValues>              result;
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          indices.resize(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_indices(indices);
+          CellValues one{cell->id(), std::vector<std::uint8_t>((indices.size() + 7) / 8), {}};
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            {
+              if (!owned.is_element(indices[i]))
+                continue;
+              const auto k = owned.index_within_set(indices[i]);
+              if (is_told[k])
+                continue;
+              is_told[k] = true;
+              one.which[i / 8] |= 1 << (i % 8);
+              one.values.push_back(u(indices[i]));
+            }
+          result.push_back(std::move(one));
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  vector_of_cells(const Elasticity<dim> &elasticity, const std::vector<CellValues> &cells)
+  {
+    std::map<CellId, CellValues> known;
+    for (const CellValues &cell : cells)
+      known[cell.cell] = cell;
+    const auto values =
+      look_up(known, owned_cells(elasticity.mesh()), elasticity.mesh().communicator());
+    // Each value is there once, so that a sum over ranks is what its owner gets.
+    LA::Vector                           sum = elasticity.zero_vector();
+    std::vector<types::global_dof_index> indices;
+    bool                                 fits = true;
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          indices.resize(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_indices(indices);
+          const auto found = values.find(cell->id());
+          fits =
+            fits && found != values.end() && found->second.which.size() == (indices.size() + 7) / 8;
+          if (!fits)
+            break;
+          auto value = found->second.values.begin();
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (found->second.which[i / 8] & (1 << (i % 8)))
+              sum(indices[i]) += *value++;
+        }
+    if (Utilities::MPI::min(int(fits), elasticity.mesh().communicator()) == 0)
+      refuse_mesh("it has other cells or degrees of freedom");
+    sum.compress(VectorOperation::add);
+    return sum;
+  }
+
+
+
+  template <int dim>
+  void
+  restore_cells(Mesh<dim> &mesh, const std::vector<CellValues> &cells)
+  {
+    std::map<CellId, bool> is_active; // or has children
+    for (const CellValues &one : cells)
+      {
+        is_active[one.cell] = true;
+        const auto view     = one.cell.get_child_indices();
+        for (std::vector<std::uint8_t> path(view.begin(), view.end()); !path.empty();)
+          {
+            path.pop_back();
+            const CellId parent(one.cell.get_coarse_cell_id(), path.size(), path.data());
+            if (!is_active.insert({parent, false}).second)
+              break;
+          }
+      }
+    auto                  &triangulation = mesh.triangulation();
+    constexpr unsigned int most          = 100; // twice as many levels as there can be
+    for (unsigned int round = 0; round < most; ++round)
+      {
+        const auto   wanted    = look_up(is_active, owned_cells(mesh), mesh.communicator());
+        unsigned int n_changes = 0;
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              const auto found = wanted.find(cell->id());
+              if (found == wanted.end() && cell->level() > 0)
+                cell->set_coarsen_flag();
+              else if (found != wanted.end() && !found->second)
+                cell->set_refine_flag();
+              else
+                continue;
+              ++n_changes;
+            }
+        if (Utilities::MPI::sum(n_changes, mesh.communicator()) == 0)
+          return;
+        if (!dynamic_cast<parallel::distributed::Triangulation<dim> *>(&triangulation))
+          refuse_mesh("the distribution METIS makes other cells");
+        triangulation.execute_coarsening_and_refinement();
+      }
+  }
+
+
+
+  template <int dim>
+  nlohmann::ordered_json
+  mark_of_mesh(const Mesh<dim> &mesh)
+  {
+    std::uint64_t       hash = 0;
+    std::vector<double> moments(2 * dim, 0.);
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          hash += hash_of(cell->id());
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double x = cell->center()[d] / mesh.size();
+              moments[d] += x;
+              moments[dim + d] += x * x;
+            }
+        }
+    Utilities::MPI::sum(moments, mesh.communicator(), moments);
+    const auto n = mesh.triangulation().n_global_active_cells();
+    for (double &moment : moments)
+      moment /= n;
+    // As words: not all readers of JSON have integers of 64 bits.
+    return {{"cells", n},
+            {"names", std::to_string(Utilities::MPI::sum(hash, mesh.communicator()))},
+            {"centres", moments}};
+  }
+
+
+
+  template <int dim>
+  void
+  check_mark(const Mesh<dim> &mesh, const nlohmann::ordered_json &mark)
+  {
+    const auto now = mark_of_mesh(mesh);
+    if (now["cells"] != mark["cells"])
+      refuse_mesh("it has " + now["cells"].dump() + " cells instead of " + mark["cells"].dump());
+    if (now["names"] != mark["names"])
+      refuse_mesh("other cells are refined");
+    for (unsigned int i = 0; i < 2 * dim; ++i)
+      {
+        const double a = now["centres"][i], b = mark["centres"][i];
+        if (!(std::abs(a - b) <= 1e-9 * (1 + std::abs(b))))
+          refuse_mesh("its cells are elsewhere");
+      }
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template std::vector<CellValues> values_of_cells(const Elasticity<dim> &, const LA::Vector &);   \
+  template LA::Vector vector_of_cells(const Elasticity<dim> &, const std::vector<CellValues> &);   \
+  template void       restore_cells(Mesh<dim> &, const std::vector<CellValues> &);                 \
+  template nlohmann::ordered_json mark_of_mesh(const Mesh<dim> &);                                 \
+  template void                   check_mark(const Mesh<dim> &, const nlohmann::ordered_json &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,63 @@
+#include <signorini/contact_setup.h>
+
+namespace Signorini
+{
+  template <int dim>
+  nlohmann::ordered_json
+  ContactSetup<dim>::memory() const
+  {
+    auto result = nlohmann::ordered_json::array();
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      {
+        const ContactPair<dim> &pair = scene.pairs[i];
+        result.push_back({{"name", pair.name},
+                          {"slave", pair.slave},
+                          {"master", pair.master},
+                          {"exchanged", pair.exchanged},
+                          {"reach", reach[i]},
+                          {"nearby", i < nearby.size() ? nearby[i] : 0.},
+                          {"keeps_sides", kept.count(pair.name) > 0}});
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::remember(const nlohmann::ordered_json &memory)
+  {
+    if (memory.size() != scene.pairs.size())
+      throw SceneError("--restart: there are " + std::to_string(scene.pairs.size()) +
+                       " contact pairs, but " + std::to_string(memory.size()) +
+                       " in the checkpoint; solve the scene from the start");
+    nearby.assign(scene.pairs.size(), 0.);
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      {
+        ContactPair<dim> &pair = scene.pairs[i];
+        const auto       &was  = memory.at(i);
+        if (was.at("exchanged") != pair.exchanged)
+          pair.exchange();
+        if (was.at("name") != pair.name || was.at("slave") != pair.slave ||
+            was.at("master") != pair.master)
+          throw SceneError("--restart: contact pair " + pair.name + " of '" + pair.slave +
+                           "' and '" + pair.master +
+                           "' is not that of the checkpoint; solve the scene from the start");
+        reach[i]  = was.at("reach");
+        nearby[i] = was.at("nearby");
+        if (was.at("keeps_sides"))
+          kept.insert(pair.name);
+      }
+  }
+
+
+
+  template nlohmann::ordered_json
+  ContactSetup<2>::memory() const;
+  template nlohmann::ordered_json
+  ContactSetup<3>::memory() const;
+  template void
+  ContactSetup<2>::remember(const nlohmann::ordered_json &);
+  template void
+  ContactSetup<3>::remember(const nlohmann::ordered_json &);
+} // namespace Signorini

@@ -1,0 +1,219 @@
+#include <signorini/checkpoint/cells.h>
+#include <signorini/parameters/text.h>
+#include <signorini/simulation.h>
+
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What each rank writes for itself.
+    struct Part
+    {
+      std::vector<CellValues>                                 displacement;
+      std::vector<std::pair<FaceId, std::vector<PlaceValue>>> contact;
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &displacement &contact;
+      }
+    };
+
+    /// All that some ranks have written.
+    Part
+    joined(const std::vector<std::string> &texts)
+    {
+      Part result;
+      for (const std::string &text : texts)
+        {
+          const std::vector<char> bytes(text.begin(), text.end());
+          Part                    part = Utilities::unpack<Part>(bytes, false);
+          std::move(part.displacement.begin(),
+                    part.displacement.end(),
+                    std::back_inserter(result.displacement));
+          std::move(part.contact.begin(), part.contact.end(), std::back_inserter(result.contact));
+        }
+      return result;
+    }
+
+    std::string
+    megabytes(const double bytes)
+    {
+      return short_text(bytes / 1e6, 3) + " MB";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_finished() const
+  {
+    std::ifstream file(scene.output.directory + "/results.json");
+    const Json    results = Json::parse(file, nullptr, false);
+    const bool    is_done = results.is_object() && results.value("converged", false);
+    if (is_done)
+      out << "The run in " << scene.output.directory << " is finished: nothing was done."
+          << std::endl;
+    return is_done;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::find_checkpoint()
+  {
+    checkpoints = std::make_unique<Checkpoints>(recorder->directory(), comm);
+    if (!goes_on)
+      return;
+    former = checkpoints->newest(out);
+    if (!former)
+      {
+        out << "There is no checkpoint yet: the run starts from the beginning." << std::endl;
+        recorder->restore({});
+        return;
+      }
+    const Json &head = former->head;
+    position         = {head.at("cycle"), head.at("time"), head.at("step"), head.at("longest")};
+    out << "Restart from " << recorder->directory() << "/" << former->name << ", written by "
+        << head.at("parts").size() << " ranks: mesh " << position.cycle << ", load step "
+        << position.step << ", t = " << position.time << std::endl;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::restore_mesh()
+  {
+    restore_cells(*mesh, joined(former->parts).displacement);
+    check_mark(*mesh, former->head.at("mesh"));
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::restore_state()
+  {
+    const Json &head = former->head;
+    const Part  part = joined(former->parts);
+    contact->remember(head.at("pairs"));
+    const std::vector<double> rigid = head.at("rigid_motion");
+    state.displacement              = vector_of_cells(*elasticity, part.displacement);
+    elasticity->set_rigid_motion(rigid, state.displacement);
+    state.contact = SurfaceField(dim);
+    for (const auto &[face, values] : part.contact)
+      state.contact.set(face, values);
+    state.time = head.at("state_time");
+    follows    = head.at("follows");
+    if (follows)
+      placed = state.displacement;
+    former_cycles = head.at("multigrid_cycles");
+    recorder->restore(head.at("results"));
+    former.reset();
+    is_restored = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::reach()
+  {
+    Json head = {{"cycle", position.cycle},
+                 {"time", position.time},
+                 {"step", position.step},
+                 {"longest", position.longest},
+                 {"state_time", state.time},
+                 {"follows", follows},
+                 {"multigrid_cycles", former_cycles + (newton ? newton->multigrid_cycles() : 0)},
+                 {"rigid_motion", elasticity->rigid_motion(state.displacement)},
+                 {"pairs", contact->memory()}};
+    reached   = Reached{state, head};
+    if (position.cycle + position.step == 0 || std::exchange(is_restored, false))
+      return; // nothing to lose
+
+    ++steps_since;
+    const OutputSettings<dim> &settings = scene.output;
+    const double               passed   = clock.wall_time() - written_at;
+    const bool                 is_due =
+      (settings.checkpoint_steps > 0 &&
+       (steps_since >= settings.checkpoint_steps || position.step == 0)) ||
+      (settings.checkpoint_minutes > 0 && passed >= 60 * settings.checkpoint_minutes);
+    if (Utilities::MPI::max(int(is_due), comm))
+      write_checkpoint();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_checkpoint()
+  {
+    TimerOutput::Scope scope(timer, "checkpoint");
+    Json               head = reached->head;
+    head["mesh"]            = mark_of_mesh(*mesh);
+    head["results"]         = recorder->memory();
+    Part part{values_of_cells(*elasticity, reached->state.displacement), {}};
+    part.contact.assign(reached->state.contact.values().begin(),
+                        reached->state.contact.values().end());
+    const std::vector<char> bytes = Utilities::pack(part, false);
+    if (checkpoints->write(head, {bytes.begin(), bytes.end()}))
+      out << "  checkpoint after load step " << head["step"] << ": "
+          << megabytes(checkpoints->bytes()) << " in " << short_text(checkpoints->seconds(), 2)
+          << " s" << std::endl;
+    else
+      out << "  WARNING: the checkpoint cannot be written; is the disk full? The former one stays, "
+          << "and the run goes on" << std::endl;
+    written_at  = clock.wall_time();
+    steps_since = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::leave_checkpoint()
+  {
+    if (!report.converged && reached && steps_since > 0)
+      write_checkpoint();
+  }
+
+
+
+  template <int dim>
+  StepVisitor
+  Simulation<dim>::watch()
+  {
+    const StepVisitor print = print_steps(out);
+    return [this, print](const NewtonStep &step) {
+      print(step);
+      if (interruption)
+        interruption->check(checkpoints ? 2 * checkpoints->seconds() + 1 : 1);
+    };
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template bool        Simulation<dim>::is_finished() const;                                       \
+  template void        Simulation<dim>::find_checkpoint();                                         \
+  template void        Simulation<dim>::restore_mesh();                                            \
+  template void        Simulation<dim>::restore_state();                                           \
+  template void        Simulation<dim>::reach();                                                   \
+  template void        Simulation<dim>::write_checkpoint();                                        \
+  template void        Simulation<dim>::leave_checkpoint();                                        \
+  template StepVisitor Simulation<dim>::watch();
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini
