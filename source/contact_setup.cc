@@ -134,24 +134,21 @@ namespace Signorini
     built_near                         = is_near;
     nearby.resize(scene.pairs.size(), 0.);
     {
-      TimerOutput::Scope scope(timer, "search");
+      TimerOutput::Scope                     scope(timer, "search");
       const std::vector<ContactSurface<dim>> former = std::move(my_surfaces);
       my_surfaces.clear();
       for (unsigned int i = 0; i < scene.pairs.size(); ++i)
         {
           if (is_near)
             nearby[i] = std::max(nearby[i], former.empty() ? 0. : former[i].face_size / 2);
-          my_surfaces.push_back(surface_of(configuration,
-                                           scene.pairs[i],
-                                           i,
-                                           overlaps[i],
-                                           keep_rule ? &former[i] : nullptr));
+          my_surfaces.push_back(surface_of(
+            configuration, scene.pairs[i], i, overlaps[i], keep_rule ? &former[i] : nullptr));
           exchange_sides(configuration, i);
         }
     }
     TimerOutput::Scope scope(timer, "contact");
-    rows = std::make_unique<ContactRows>(
-      make_contact_rows(elasticity, my_surfaces, method.sampling()));
+    rows =
+      std::make_unique<ContactRows>(make_contact_rows(elasticity, my_surfaces, method.sampling()));
     contact           = make_gap_operator(configuration, my_surfaces, *rows, method);
     built_at          = configuration.displacement();
     const auto n_rows = [&](const unsigned int i) {
@@ -202,7 +199,7 @@ namespace Signorini
   ContactSetup<dim>::neglected(const LA::Vector &u, const LA::Vector &pressure) const
   {
     const Configuration<dim> now(elasticity, u);
-    LA::Vector p(rows->owned, rows->writable, elasticity.mesh().communicator());
+    LA::Vector               p(rows->owned, rows->writable, elasticity.mesh().communicator());
     p = pressure;
     GeometryChange largest;
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
@@ -214,9 +211,9 @@ namespace Signorini
             for (const auto &[row, weight] : shares)
               forces.back() += weight * p(row);
           }
-        const ContactPair<dim> &pair   = scene.pairs[i];
-        const GeometryChange    change = geometry_change(
-          now, pair, scene.obstacle_of(pair), my_surfaces[i], forces);
+        const ContactPair<dim> &pair = scene.pairs[i];
+        const GeometryChange    change =
+          geometry_change(now, pair, scene.obstacle_of(pair), my_surfaces[i], forces);
         if (change.pressure > largest.pressure)
           largest = change;
       }
@@ -278,7 +275,7 @@ namespace Signorini
           {
             out << ": searching again" << std::endl;
             (built_near ? nearby : reach)[i] = 2 * approach;
-            too_short = true;
+            too_short                        = true;
           }
       }
     return too_short;

@@ -310,8 +310,9 @@ namespace Signorini
           return true;
       }
     report.converged = false;
-    report.reason = "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load "
-                    "steps/Number), or take Contact method/Contact geometry = reference";
+    report.reason =
+      "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load "
+      "steps/Number), or take Contact method/Contact geometry = reference";
     return false;
   }
 
@@ -376,8 +377,10 @@ namespace Signorini
     if (!hierarchy)
       {
         TimerOutput::Scope scope(timer, "preconditioner");
-        hierarchy = make_hierarchy(
-          scene.solver, elasticity->stiffness(), elasticity->rigid_body_modes(), dim);
+        hierarchy = make_hierarchy(scene.solver,
+                                   elasticity->stiffness(),
+                                   elasticity->rigid_body_modes(),
+                                   dim);
       }
     geometric.reset();
     if (placed.size() > 0)
@@ -471,7 +474,7 @@ namespace Signorini
     if (report.is_loose || scene.load_steps.cut_backs == 0)
       return false;
     out << "  not solved at once (" << report.reason << "): step by step" << std::endl;
-    state         = State();
+    state              = State();
     state.displacement = elasticity->zero_vector();
     state.contact      = SurfaceField(dim);
     pressure = active = contact->gap_operator().zero();

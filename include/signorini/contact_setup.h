@@ -130,7 +130,7 @@ namespace Signorini
     std::unique_ptr<ContactRows>     rows;
     std::unique_ptr<GapOperator>     contact;
     LA::Vector                       built_at; ///< displacement; empty: at rest
-    std::set<std::string>            kept; ///< pairs whose master cannot be the slave
+    std::set<std::string>            kept;     ///< pairs whose master cannot be the slave
   };
 
   /// How far surfaces of a scene may come closer: sound guesses save a second solution.

@@ -65,7 +65,7 @@ namespace Signorini
         for (unsigned int d = 0; d < 3; ++d)
           w[d] = motion[3 + d] / lever;
         const Tensor<2, 3> W = cross_matrix(w), I = identity<3>();
-        const auto [b, c]    = coefficients(w.norm());
+        const auto [b, c] = coefficients(w.norm());
         // sin(a)/a = 1 - c a^2
         turn     = I + (1 - c * w.norm_square()) * W + b * W * W;
         jacobian = I + b * W + c * W * W;

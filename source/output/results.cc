@@ -46,8 +46,8 @@ namespace Signorini
     template <int dim>
     struct PairForce
     {
-      Resultant<dim> resultant; ///< on the slave
-      Tensor<1, 3>   reaction_moment; ///< on the master
+      Resultant<dim> resultant;                          ///< on the slave
+      Tensor<1, 3>   reaction_moment;                    ///< on the master
       double         normal_force = 0, sum_of_sizes = 0; ///< of the points
     };
 

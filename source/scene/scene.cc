@@ -71,10 +71,11 @@ namespace Signorini
       {"automatic", "reference", "updated"},
       "where gaps and normals are taken: reference: of the surfaces at rest; updated: of the surfaces as they are now, "
       "which costs a search and a solve or two more; automatic: as they are now where that changes the pressure");
-    section.add("Geometry share",
-                geometry_share,
-                "of the pressure that automatic does not update for; it is estimated from the solution",
-                Range{0, 1, false});
+    section.add(
+      "Geometry share",
+      geometry_share,
+      "of the pressure that automatic does not update for; it is estimated from the solution",
+      Range{0, 1, false});
     for (const auto &[name, object] : methods)
       section.add_section(name, about_method(name), [&, object = object](Section &s) {
         object->declare(s);

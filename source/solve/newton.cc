@@ -8,18 +8,18 @@ namespace Signorini
 {
   using namespace dealii;
 
-  Newton::Newton(const NewtonSettings                   &settings,
-                 const LinearSolverSettings             &linear_settings,
-                 const ContactMethod                    &method,
-                 const LA::SparseMatrix                 &stiffness,
-                 const AffineConstraints<double>        &constraints,
-                 const GapOperator                      &contact,
-                 std::shared_ptr<const Hierarchy>        hierarchy,
-                 const std::vector<unsigned int>        &bodies,
-                 const unsigned int                      dim,
-                 TimerOutput                            &timer,
-                 FreeMotions                             free_motions,
-                 const LA::SparseMatrix                 *geometric)
+  Newton::Newton(const NewtonSettings            &settings,
+                 const LinearSolverSettings      &linear_settings,
+                 const ContactMethod             &method,
+                 const LA::SparseMatrix          &stiffness,
+                 const AffineConstraints<double> &constraints,
+                 const GapOperator               &contact,
+                 std::shared_ptr<const Hierarchy> hierarchy,
+                 const std::vector<unsigned int> &bodies,
+                 const unsigned int               dim,
+                 TimerOutput                     &timer,
+                 FreeMotions                      free_motions,
+                 const LA::SparseMatrix          *geometric)
     : settings(settings)
     , constraints(constraints)
     , contact(contact)

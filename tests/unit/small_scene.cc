@@ -61,7 +61,7 @@ namespace TestScene
     scene.contact = settings;
     scene.check_integration();
     contact = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, silence);
-    contact->build();
+    contact->build(Configuration<dim>(*elasticity));
   }
 
 
@@ -83,20 +83,18 @@ namespace TestScene
   {
     elasticity->set_time(t);
     contact->set_time(t);
-    Newton newton(scene.newton,
-                  scene.solver,
-                  method(),
-                  elasticity->stiffness(),
-                  elasticity->constraints(),
-                  gap_operator(),
-                  make_hierarchy(scene.solver,
-                                 elasticity->stiffness(),
-                                 elasticity->rigid_body_modes(),
-                                 dim),
-                  elasticity->bodies_of_dofs(),
-                  dim,
-                  timer,
-                  free_motions());
+    Newton newton(
+      scene.newton,
+      scene.solver,
+      method(),
+      elasticity->stiffness(),
+      elasticity->constraints(),
+      gap_operator(),
+      make_hierarchy(scene.solver, elasticity->stiffness(), elasticity->rigid_body_modes(), dim),
+      elasticity->bodies_of_dofs(),
+      dim,
+      timer,
+      free_motions());
     u                         = elasticity->lift();
     p                         = gap_operator().zero();
     LA::Vector         active = p;

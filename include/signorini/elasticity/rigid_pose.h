@@ -12,10 +12,10 @@ namespace Signorini
   ///
   ///   x(X) = X_0 + t + R (X - X_0),   R = exp(w^).
   ///
-  /// A change of its degrees of freedom by (dt, dw) moves a point of it by dt + (J dw) cross r, with
-  /// the arm r = R (X - X_0) and the left Jacobian J of the rotation vector (Chirikjian, Stochastic
-  /// Models, Information Theory, and Lie Groups 2 (2012) 10.86). As everywhere, rotations count as
-  /// the length by which they move what is one lever away.
+  /// A change of its degrees of freedom by (dt, dw) moves a point of it by dt + (J dw) cross r,
+  /// with the arm r = R (X - X_0) and the left Jacobian J of the rotation vector (Chirikjian,
+  /// Stochastic Models, Information Theory, and Lie Groups 2 (2012) 10.86). As everywhere,
+  /// rotations count as the length by which they move what is one lever away.
   template <int dim>
   class RigidPose
   {
@@ -26,9 +26,9 @@ namespace Signorini
     using Vector = dealii::Tensor<1, dim>;
 
     /// @param motion degrees of freedom: translation, rotation * lever [length]
-    RigidPose(const dealii::Point<dim>           &reference,
-              const std::array<double, n_dofs>   &motion,
-              double                              lever);
+    RigidPose(const dealii::Point<dim>         &reference,
+              const std::array<double, n_dofs> &motion,
+              double                            lever);
 
     /// Where the body's point that is now at x was at rest.
     dealii::Point<dim>
@@ -64,8 +64,8 @@ namespace Signorini
     spin(unsigned int i) const;
 
   private:
-    dealii::Point<dim>                  reference, center;
-    dealii::Tensor<2, dim>              turn;
-    dealii::Tensor<2, n_rotations>      jacobian; ///< J / lever
+    dealii::Point<dim>             reference, center;
+    dealii::Tensor<2, dim>         turn;
+    dealii::Tensor<2, n_rotations> jacobian; ///< J / lever
   };
 } // namespace Signorini

@@ -41,7 +41,7 @@ namespace Signorini
     unsigned int quadrature_points = 0; ///< 0: as many as the method and the degree need
     std::string  pressure_basis    = "dual";
     std::string  geometry          = "automatic"; ///< or "reference", "updated"
-    double       geometry_share    = 0.005; ///< of the pressure that is not worth an update
+    double       geometry_share    = 0.005;       ///< of the pressure that is not worth an update
 
     ContactSettings();
 

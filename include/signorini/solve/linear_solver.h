@@ -16,8 +16,8 @@ namespace Signorini
     using std::runtime_error::runtime_error;
   };
 
-  /// The multigrid hierarchy of a stiffness matrix, which outlives contact that is looked for again;
-  /// null where the preconditioner needs none.
+  /// The multigrid hierarchy of a stiffness matrix, which outlives contact that is looked for
+  /// again; null where the preconditioner needs none.
   /// @param modes rigid-body modes
   std::shared_ptr<const Hierarchy>
   make_hierarchy(const LinearSolverSettings             &settings,
@@ -78,10 +78,10 @@ namespace Signorini
     bool
     can_factorise() const;
 
-    LinearSolverSettings            settings;
-    const ContactSystem            &system;
-    const unsigned int              dim;
-    dealii::TimerOutput            &timer;
+    LinearSolverSettings             settings;
+    const ContactSystem             &system;
+    const unsigned int               dim;
+    dealii::TimerOutput             &timer;
     std::shared_ptr<const Hierarchy> hierarchy;
     std::unique_ptr<Preconditioner>  preconditioner;
     bool                             has_given_up_iterating = false;

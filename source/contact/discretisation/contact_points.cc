@@ -162,8 +162,8 @@ namespace Signorini
   weigh_at_rest(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired)
   {
     for (PairedPoint<dim> &point : paired)
-      point.weight *= slave.rest[point.face].jacobian(point.xi) /
-                      slave.patches[point.face].jacobian(point.xi);
+      point.weight *=
+        slave.rest[point.face].jacobian(point.xi) / slave.patches[point.face].jacobian(point.xi);
   }
 
 
@@ -199,8 +199,8 @@ namespace Signorini
             face_stiffness = slave.stiffness(elasticity, paired.face);
             face_depth     = slave.depth(paired.face);
           }
-        result.push_back(contact_point(
-          slave.patches[paired.face], rest, paired, place, face_stiffness, trace));
+        result.push_back(
+          contact_point(slave.patches[paired.face], rest, paired, place, face_stiffness, trace));
         ContactPoint<dim> &point = result.back();
         point.depth              = face_depth;
         point.weight *=

@@ -86,11 +86,11 @@ namespace Signorini
 
   template <int dim>
   GapBend<dim>
-  bend_of_master(const FacePatch<dim>   &patch,
-                 const Point<dim - 1>   &xi,
-                 const Tensor<1, dim>   &n,
-                 const Trace<dim>       &trace,
-                 const unsigned int      face)
+  bend_of_master(const FacePatch<dim> &patch,
+                 const Point<dim - 1> &xi,
+                 const Tensor<1, dim> &n,
+                 const Trace<dim>     &trace,
+                 const unsigned int    face)
   {
     const auto       tangents   = patch.tangents(xi);
     const auto       curvatures = patch.curvatures(xi);
@@ -162,7 +162,7 @@ namespace Signorini
     const Tensor<1, dim>  r        = pose.arm(x);
     const auto            tangents = across(n);
     const bool            moves    = first_dof != numbers::invalid_dof_index;
-    const unsigned int    m        = dim - 1, spins = moves ? pose.n_rotations : 0;
+    const unsigned int    m = dim - 1, spins = moves ? pose.n_rotations : 0;
     GapBend<dim>          bend;
     Factors               C(m + spins);
     const auto            add_row = [&](const auto &values, const double sign) {

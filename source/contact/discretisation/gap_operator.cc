@@ -176,7 +176,7 @@ namespace Signorini
             const ContactPoint<dim> &point  = surfaces[p].points[q];
             const Tensor<1, 3>       moment = moment_of(point.position, point.normal),
                                on_master    = moment_of(point.master_position, point.normal);
-            const double             epsilon =
+            const double epsilon =
               method.penalty({point.stiffness, size / point.depth, point.bound});
             for (const auto &[row, weight] : rows.shares[p][q])
               {
@@ -274,14 +274,15 @@ namespace Signorini
     const MPI_Comm         comm       = elasticity.mesh().communicator();
     auto                   result     = std::make_unique<GapOperator>();
     GapOperator           &contact    = *result;
-    contact.dofs           = elasticity.owned();
-    contact.pair           = rows.pair;
-    contact.node           = rows.node;
-    contact.places         = rows.places;
-    contact.readable       = rows.writable;
-    contact.regions        = ContactRegions(elasticity, surfaces, rows, method.sampling());
+    contact.dofs                      = elasticity.owned();
+    contact.pair                      = rows.pair;
+    contact.node                      = rows.node;
+    contact.places                    = rows.places;
+    contact.readable                  = rows.writable;
+    contact.regions = ContactRegions(elasticity, surfaces, rows, method.sampling());
     assemble_matrices(contact, rows, surfaces, method, comm);
-    assemble_vectors(contact, rows, surfaces, method, elasticity.mesh().size(), !configuration.is_rest(), comm);
+    assemble_vectors(
+      contact, rows, surfaces, method, elasticity.mesh().size(), !configuration.is_rest(), comm);
     normalise(contact);
     if (contact.has_stress())
       assemble_thermal_stress(elasticity.thermal(), rows, surfaces, contact);
@@ -313,7 +314,7 @@ namespace Signorini
         contact.drift -= moved;
       }
     contact.set_interference(std::vector<double>(surfaces.size(), 1.));
-    contact.tied        = elasticity.has_inclined_supports();
+    contact.tied = elasticity.has_inclined_supports();
     if (contact.tied)
       add_tied_columns(elasticity, contact);
     return result;

@@ -19,8 +19,8 @@ namespace Signorini
                    const double                         limit,
                    const std::vector<PairedPoint<dim>> &paired)
     {
-      const MPI_Comm           comm = elasticity.mesh().communicator();
-      const BoundaryFaces<dim> master(elasticity, master_name);
+      const MPI_Comm              comm = elasticity.mesh().communicator();
+      const BoundaryFaces<dim>    master(elasticity, master_name);
       std::vector<Point<dim>>     positions;
       std::vector<Tensor<1, dim>> normals;
       double                      farthest = limit;
@@ -30,7 +30,8 @@ namespace Signorini
           normals.push_back(slave.rest[point.face].normal(point.xi));
           farthest = std::max(farthest, reach(slave.rest[point.face], limit));
         }
-      const MasterFaces<dim> faces{master.rest, [](unsigned int, const Point<dim - 1> &, auto &) {}};
+      const MasterFaces<dim> faces{master.rest,
+                                   [](unsigned int, const Point<dim - 1> &, auto &) {}};
       const auto             partners =
         find_partners(positions, normals, faces, Utilities::MPI::max(farthest, comm), comm);
       std::vector<double> gaps;

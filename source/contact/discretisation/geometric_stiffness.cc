@@ -85,8 +85,8 @@ namespace Signorini
         }
 
     // Rows of other ranks too: those of the masters.
-    const IndexSet &owned    = elasticity.owned();
-    IndexSet        writable = owned;
+    const IndexSet                      &owned    = elasticity.owned();
+    IndexSet                             writable = owned;
     std::vector<types::global_dof_index> foreign;
     for (const PointMatrix &matrix : matrices)
       foreign.insert(foreign.end(), matrix.indices.begin(), matrix.indices.end());

@@ -61,16 +61,15 @@ namespace Signorini
           normals.push_back(patch.normal(point->xi));
           farthest = std::max(farthest, patch.diameter());
         }
-      const MasterFaces<dim> faces{master.patches,
+      const MasterFaces<dim>                  faces{master.patches,
                                    [](unsigned int, const Point<dim - 1> &, auto &) {}};
       std::vector<std::optional<Facing<dim>>> result;
       const auto                              partners =
         find_partners(positions, normals, faces, Utilities::MPI::max(farthest, comm), comm);
       for (std::size_t i = 0; i < partners.size(); ++i)
         if (partners[i])
-          result.push_back(
-            Facing<dim>{(positions[i] - partners[i]->position) * partners[i]->normal,
-                        partners[i]->normal});
+          result.push_back(Facing<dim>{(positions[i] - partners[i]->position) * partners[i]->normal,
+                                       partners[i]->normal});
         else
           result.emplace_back();
       return result;
@@ -119,9 +118,9 @@ namespace Signorini
         points.emplace_back(&surface.points[i], forces[i]);
     if (Utilities::MPI::sum(points.size(), comm) == 0)
       return {};
-    const BoundaryFaces<dim> slave(now, pair.slave);
-    const auto there = obstacle ? on_obstacle(now, *obstacle, slave, points) :
-                                  on_body(now, pair.master, slave, points, comm);
+    const BoundaryFaces<dim>  slave(now, pair.slave);
+    const auto                there  = obstacle ? on_obstacle(now, *obstacle, slave, points) :
+                                                  on_body(now, pair.master, slave, points, comm);
     const std::vector<double> linear = linear_gaps(now.displacement(), points);
 
     std::vector<double> sums(6, 0.); // force, area, modulus, gap^2, angle^2, without partner
@@ -142,15 +141,14 @@ namespace Signorini
       }
     Utilities::MPI::sum(sums, comm, sums);
     // Points at the rim of a master lose it at once; they are few.
-    constexpr double at_rims  = 0.05;
-    const double     width    = std::pow(sums[1], 1. / (dim - 1)),
-                     modulus  = sums[2] / sums[0],
-                     pressure = sums[0] / sums[1], lost = sums[5] / sums[0];
+    constexpr double at_rims = 0.05;
+    const double     width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
+                 pressure = sums[0] / sums[1], lost = sums[5] / sums[0];
     GeometryChange result;
-    result.gap      = std::sqrt(sums[3] / sums[0]);
-    result.angle    = std::sqrt(sums[4] / sums[0]);
-    result.pressure = result.angle / 2 + modulus * result.gap / (width * pressure) +
-                      (lost > at_rims ? lost : 0.);
+    result.gap   = std::sqrt(sums[3] / sums[0]);
+    result.angle = std::sqrt(sums[4] / sums[0]);
+    result.pressure =
+      result.angle / 2 + modulus * result.gap / (width * pressure) + (lost > at_rims ? lost : 0.);
     return result;
   }
 

@@ -64,8 +64,8 @@ namespace Signorini
                   const double                       limit)
   {
     const auto                    first = first_dof(configuration.elasticity(), obstacle);
-    const RigidPose<dim>          pose = configuration.pose(obstacle);
-    const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
+    const RigidPose<dim>          pose  = configuration.pose(obstacle);
+    const Quadrature<dim - 1>     rule  = face_rule<dim>(integration);
     std::vector<PairedPoint<dim>> points;
     for (unsigned int i = 0; i < slave.size(); ++i)
       for (unsigned int q = 0; q < rule.size(); ++q)

@@ -218,8 +218,7 @@ namespace Signorini
       std::vector<LaidPoint<dim>> points;
       for (const unsigned int i : faces)
         for (unsigned int q = 0; q < rule.size(); ++q)
-          points.push_back(
-            {i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q))});
+          points.push_back({i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q))});
       return points;
     }
 
@@ -421,19 +420,12 @@ namespace Signorini
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,
-              const std::vector<LaidPoint<dim>> &laid,
               const double                       limit,
               const MPI_Comm                     comm,
               SearchStatistics                  &statistics)
   {
     std::vector<PairedPoint<dim>> points;
-    if (Utilities::MPI::max(laid.size(), comm) > 0)
-      {
-        points = pair_by_projection(slave, laid, master, limit, comm, statistics);
-        keep_near_faces(limit, points);
-        return points;
-      }
-    const Quadrature<dim - 1> rule = face_rule<dim>(integration);
+    const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
     std::vector<unsigned int>     faces(slave.size());
     std::iota(faces.begin(), faces.end(), 0);
     if (integration.rule == "segments")
@@ -457,6 +449,22 @@ namespace Signorini
 
 
   template <int dim>
+  std::vector<PairedPoint<dim>>
+  pair_laid_points(const std::vector<FacePatch<dim>> &slave,
+                   const std::vector<LaidPoint<dim>> &laid,
+                   const MasterFaces<dim>            &master,
+                   const double                       limit,
+                   const MPI_Comm                     comm,
+                   SearchStatistics                  &statistics)
+  {
+    auto points = pair_by_projection(slave, laid, master, limit, comm, statistics);
+    keep_near_faces(limit, points);
+    return points;
+  }
+
+
+
+  template <int dim>
   void
   keep_near_faces(const double limit, std::vector<PairedPoint<dim>> &points)
   {
@@ -475,6 +483,20 @@ namespace Signorini
 
 
 
+  template std::vector<PairedPoint<2>>
+  pair_laid_points(const std::vector<FacePatch<2>> &,
+                   const std::vector<LaidPoint<2>> &,
+                   const MasterFaces<2> &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
+  template std::vector<PairedPoint<3>>
+  pair_laid_points(const std::vector<FacePatch<3>> &,
+                   const std::vector<LaidPoint<3>> &,
+                   const MasterFaces<3> &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
   template void
   keep_near_faces(double, std::vector<PairedPoint<2>> &);
   template void
@@ -487,7 +509,6 @@ namespace Signorini
   pair_points<2>(const std::vector<FacePatch<2>> &,
                  const MasterFaces<2> &,
                  const Integration &,
-                 const std::vector<LaidPoint<2>> &,
                  double,
                  MPI_Comm,
                  SearchStatistics &);
@@ -495,7 +516,6 @@ namespace Signorini
   pair_points<3>(const std::vector<FacePatch<3>> &,
                  const MasterFaces<3> &,
                  const Integration &,
-                 const std::vector<LaidPoint<3>> &,
                  double,
                  MPI_Comm,
                  SearchStatistics &);

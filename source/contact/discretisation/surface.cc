@@ -270,16 +270,15 @@ namespace Signorini
       const bool               at_rest    = configuration.is_rest();
       const MPI_Comm           comm       = elasticity.mesh().communicator();
       const BoundaryFaces<dim> slave(configuration, pair.slave);
-      double                   limit =
-        at_rest ? search_limit(elasticity, pair, reach) : std::max(reach, least_limit);
+      double limit = at_rest ? search_limit(elasticity, pair, reach) : std::max(reach, least_limit);
       if (at_rest)
         if (const double overlap = overlap_beyond(limit, elasticity, pair, obstacle, slave);
             overlap > 0)
           limit = limit_for(overlap, pair);
       ContactSurface<dim> surface;
       surface.faces = surface.own_faces = slave.faces.size();
-      surface.separates = pair.separates;
-      surface.reach     = at_rest && pair.search_distance > 0 ? limit : reach;
+      surface.separates                 = pair.separates;
+      surface.reach                     = at_rest && pair.search_distance > 0 ? limit : reach;
       // Not the reach: boxes of overlapping bodies may be as far apart as the overlap is deep.
       if (at_rest && is_apart(elasticity, pair, obstacle, slave, limit))
         {
@@ -288,27 +287,29 @@ namespace Signorini
         }
       if (obstacle)
         check_obstacle(configuration, pair, *obstacle, slave);
+      const bool is_laid = Utilities::MPI::max(laid.size(), comm) > 0;
+      const auto master  = [&] {
+        return master_faces(elasticity,
+                            BoundaryFaces<dim>(configuration, pair.master),
+                            method.predictor() == Predictor::normal_stress,
+                            !at_rest);
+      };
       auto paired =
         obstacle ?
           obstacle_points(configuration, slave.patches, *obstacle, integration, limit) :
-          pair_points(slave.patches,
-                      master_faces(elasticity,
-                                   BoundaryFaces<dim>(configuration, pair.master),
-                                   method.predictor() == Predictor::normal_stress,
-                                   !at_rest),
-                      integration,
-                      laid,
-                      limit,
-                      comm,
-                      surface.statistics);
+        is_laid ?
+          pair_laid_points(slave.patches, laid, master(), limit, comm, surface.statistics) :
+          pair_points(slave.patches, master(), integration, limit, comm, surface.statistics);
       drop_empty_points(slave.patches, paired);
       std::vector<double> gaps;
       if (!at_rest)
         {
-          if (laid.empty() || obstacle)
+          if (!is_laid || obstacle)
             weigh_at_rest(slave, paired);
-          for (const PairedPoint<dim> &point : paired)
-            surface.laid.push_back({point.face, point.xi, point.weight});
+          surface.laid = laid;
+          if (!is_laid)
+            for (const PairedPoint<dim> &point : paired)
+              surface.laid.push_back({point.face, point.xi, point.weight});
           if (needs_gaps_at_rest(pair))
             gaps = gaps_at_rest(elasticity, pair, obstacle, slave, limit, paired);
         }
@@ -316,8 +317,8 @@ namespace Signorini
         contact_points(configuration, pair, method, slave, integration, paired, gaps);
       check_gaps(pair, surface.points, comm);
       const unsigned int n_paired = Utilities::MPI::sum(paired.size(), comm);
-      surface.overlap = deepest_overlap(surface.points, comm);
-      surface.reach   = std::max(surface.reach, 2 * surface.overlap);
+      surface.overlap             = deepest_overlap(surface.points, comm);
+      surface.reach               = std::max(surface.reach, 2 * surface.overlap);
       if (!pair.separates)
         keep_touching(pair, slave, paired, surface.points);
       else if (surface.reach < limit)
@@ -406,7 +407,7 @@ namespace Signorini
       {
         ContactPair<dim> other = pair;
         std::swap(other.slave, other.master);
-        auto of_master = one_sided<dim>(configuration,
+        auto of_master         = one_sided<dim>(configuration,
                                         other,
                                         nullptr,
                                         method,

@@ -17,9 +17,9 @@ namespace Signorini
                                     const std::string        &boundary)
   {
     const Elasticity<dim> &elasticity = configuration.elasticity();
-    const Mesh<dim>   &mesh = elasticity.mesh();
-    const BoundaryIds &ids  = mesh.boundary_ids(boundary);
-    FacePatches<dim>   patch_of(mesh);
+    const Mesh<dim>       &mesh       = elasticity.mesh();
+    const BoundaryIds     &ids        = mesh.boundary_ids(boundary);
+    FacePatches<dim>       patch_of(mesh);
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())

@@ -49,7 +49,7 @@ namespace Signorini
           return {height, n}; // no flank is closer than the others
         if (height * sine > s * cosine)
           return {r.norm(), r / r.norm()}; // the apex is closest
-        Tensor<2, dim> curvature; // around the axis alone
+        Tensor<2, dim> curvature;          // around the axis alone
         if constexpr (dim == 3)
           {
             const Tensor<1, dim> around = cross_product_3d(n, across / s);

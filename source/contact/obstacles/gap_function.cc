@@ -1,6 +1,8 @@
 #include <signorini/contact/obstacles/shapes.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <cmath>
 
 namespace Signorini
@@ -47,21 +49,24 @@ namespace Signorini
       {
         // To the tangent plane at the last point, and back to the surface along the gradient: a
         // factor of gap times curvature each time.
-        Point<dim>           foot = x;
-        Tensor<1, dim>       n    = normal / normal.norm();
-        constexpr double     small = 1e-13;
+        Point<dim>       foot  = x;
+        Tensor<1, dim>   n     = normal / normal.norm();
+        constexpr double small = 1e-13;
         for (unsigned int i = 0; i < 50; ++i)
           {
             const Tensor<1, dim> slope = gradient(foot, length);
             n                          = slope / slope.norm();
             const Tensor<1, dim> arm   = x - foot;
-            const Tensor<1, dim> step =
-              arm - (arm * n) * n - gap.value(foot) / slope.norm() * n;
+            const Tensor<1, dim> step  = arm - (arm * n) * n - gap.value(foot) / slope.norm() * n;
             foot += step;
             if (step.norm() <= small * length)
               break;
           }
-        return {(x - foot) * n, n, curvature(foot, length)};
+        const double         distance = (x - foot) * n;
+        const Tensor<2, dim> of_foot  = curvature(foot, length);
+        // Curvatures k become k/(1 + k distance).
+        const Tensor<2, dim> stretch = unit_symmetric_tensor<dim>() + distance * of_foot;
+        return {distance, n, invert(stretch) * of_foot};
       }
 
     private:

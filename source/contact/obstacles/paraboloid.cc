@@ -52,9 +52,9 @@ namespace Signorini
         const double         s      = across.norm();
         const Tensor<1, dim> out    = s > 0 ? across / s : Tensor<1, dim>();
         const double         foot = closest_radius(s, height), slope = foot / radius,
-                     stretch        = std::sqrt(1 + slope * slope);
-        const Tensor<1, dim> to_x   = (slope * out + n) / stretch;
-        const double         gap    = (r - foot * out + foot * slope / 2 * n) * to_x;
+                     stretch      = std::sqrt(1 + slope * slope);
+        const Tensor<1, dim> to_x = (slope * out + n) / stretch;
+        const double         gap  = (r - foot * out + foot * slope / 2 * n) * to_x;
         return {gap, to_x, curvature(n, out, slope, gap)};
       }
 
@@ -94,8 +94,7 @@ namespace Signorini
           foot = std::min(foot, s / linear);
         for (unsigned int i = 0; i < 60; ++i)
           {
-            const double square = foot * foot / (radius * radius),
-                         slope  = linear + 1.5 * square,
+            const double square = foot * foot / (radius * radius), slope = linear + 1.5 * square,
                          change = (foot * (linear + square / 2) - s) / slope;
             if (!(slope > 0))
               break;

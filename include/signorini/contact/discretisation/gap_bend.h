@@ -9,12 +9,13 @@ namespace Signorini
   // The second variation of the gap g of a point x of the slave, which makes Newton's method
   // quadratic where surfaces move.
 
-  /// On a face y(xi) of a body, whose closest point makes (x - y).y_a = 0 (Laursen and Simo, Int. J.
-  /// Numer. Methods Eng. 36 (1993) 3451; here in the form without division by g):
+  /// On a face y(xi) of a body, whose closest point makes (x - y).y_a = 0 (Laursen and Simo, Int.
+  /// J. Numer. Methods Eng. 36 (1993) 3451; here in the form without division by g):
   ///
   ///   - [w.A^-1 K H^-1 w' + m.H^-1 w' + w.H^-1 m' + g m.H^-1 m'],
   ///
-  /// with w_a = y_a.(u^S - u^M), m_a = n.u^M_a, the metric A, the curvature K_ab = n.y_ab, and H = A
+  /// with w_a = y_a.(u^S - u^M), m_a = n.u^M_a, the metric A, the curvature K_ab = n.y_ab, and H =
+  /// A
   /// - g K. All but the factors, which need g: A and K in their place.
   template <int dim>
   GapBend<dim>

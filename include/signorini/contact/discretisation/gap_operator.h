@@ -35,9 +35,9 @@ namespace Signorini
     LA::Vector weight;       ///< area of each point; sums up to the slave area that has a partner
     LA::Vector rest_gap;     ///< from the geometry
     LA::Vector initial_gap;  ///< g_0: the same with the share of overlaps that counts now
-    /// Where surfaces have moved by u_k, what the true gap at u_k is beyond B u_k + rest_gap: then B
-    /// u + g_0 is the gap to first order about u_k. Empty at rest.
-    LA::Vector drift;
+    /// Where surfaces have moved by u_k, what the true gap at u_k is beyond B u_k + rest_gap: then
+    /// B u + g_0 is the gap to first order about u_k. Empty at rest.
+    LA::Vector              drift;
     std::vector<double>     interference; ///< that share of each pair; empty: all
     LA::Vector              permanent;    ///< 1 at points of pairs that never separate, else 0
     LA::Vector              stiffness;    ///< E/h [force/length^3]

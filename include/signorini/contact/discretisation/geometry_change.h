@@ -13,10 +13,10 @@ namespace Signorini
     double pressure = 0; ///< what that may change of it, relative to its mean
   };
 
-  /// Of one pair. A gap that is wrong by d over a contact of width a is closed by a pressure of about
-  /// E d/a (the half space). A normal that is wrong by an angle turns that part of the force into the
-  /// surface, where it moves the half space out or in at most by half of what a pressure would:
-  /// (1 - 2 nu)/(2 - 2 nu), Johnson, Contact Mechanics (1985) 3.6. Collective.
+  /// Of one pair. A gap that is wrong by d over a contact of width a is closed by a pressure of
+  /// about E d/a (the half space). A normal that is wrong by an angle turns that part of the force
+  /// into the surface, where it moves the half space out or in at most by half of what a pressure
+  /// would: (1 - 2 nu)/(2 - 2 nu), Johnson, Contact Mechanics (1985) 3.6. Collective.
   /// @param obstacle null if the master is a boundary of a body
   /// @param surface at rest
   /// @param forces of its points

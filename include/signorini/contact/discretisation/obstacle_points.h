@@ -1,8 +1,8 @@
 #pragma once
 
 #include <signorini/contact/discretisation/pairing.h>
-#include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/geometry/configuration.h>
+#include <signorini/contact/obstacles/obstacle.h>
 
 #include <vector>
 

@@ -19,16 +19,16 @@ namespace Signorini
   template <int dim>
   struct ContactPoint
   {
-    dealii::Point<dim>     position;  ///< at rest
-    dealii::Tensor<1, dim> normal;    ///< unit, out of the master, where it is now
-    double                 weight;    ///< area that the point stands for
-    double                 facing;    ///< minus the product of both surfaces' unit normals
-    double                 gap;       ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
-    double closing = 0; ///< by which it is less where the surfaces are now; at rest 0
+    dealii::Point<dim>     position; ///< at rest
+    dealii::Tensor<1, dim> normal;   ///< unit, out of the master, where it is now
+    double                 weight;   ///< area that the point stands for
+    double                 facing;   ///< minus the product of both surfaces' unit normals
+    double                 gap;      ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
+    double             closing = 0;  ///< by which it is less where the surfaces are now; at rest 0
     dealii::Point<dim> master_position; ///< of the partner at rest; not of obstacles
-    double                 stiffness; ///< E/h of slave and master in series [force/length^3]
-    double                 depth;     ///< of the slave's cell behind the face: h
-    SparseRow              row;       ///< (u^S - u^M).n = sum row . d, hanging nodes resolved
+    double             stiffness;       ///< E/h of slave and master in series [force/length^3]
+    double             depth;           ///< of the slave's cell behind the face: h
+    SparseRow          row;             ///< (u^S - u^M).n = sum row . d, hanging nodes resolved
     /// The functions of the pressure at the point: (first degree of freedom of the node, value),
     /// hanging nodes resolved. For point-wise methods the trace shape functions.
     SparseRow              shape;
@@ -74,17 +74,17 @@ namespace Signorini
     std::vector<std::pair<SparseRow, double>> whole;
     std::vector<SlaveFace<dim>>               slave_faces; ///< by their numbers
     SearchStatistics                          statistics;
-    unsigned int                              faces     = 0;
-    unsigned int own_faces = 0; ///< without those of the master of unbiased methods
-    bool                                      separates = true; ///< as its pair says
-    double reach         = 0;     ///< faces with larger gaps are no candidates
-    double overlap       = 0;     ///< the deepest one, on any rank
-    bool   is_apart      = false; ///< none is one
-    double largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]
-    bool   sees_nothing  = false; ///< no point has a partner within the search distance
-    double face_size     = 0;     ///< of slave faces with points, the mean over their areas
-    double off_nodes     = 0;     ///< share of the area whose partners are not at master nodes
-    Sides  sides;                 ///< alike if the master is an obstacle
+    unsigned int                              faces = 0;
+    unsigned int own_faces     = 0;     ///< without those of the master of unbiased methods
+    bool         separates     = true;  ///< as its pair says
+    double       reach         = 0;     ///< faces with larger gaps are no candidates
+    double       overlap       = 0;     ///< the deepest one, on any rank
+    bool         is_apart      = false; ///< none is one
+    double       largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]
+    bool         sees_nothing  = false; ///< no point has a partner within the search distance
+    double       face_size     = 0;     ///< of slave faces with points, the mean over their areas
+    double       off_nodes     = 0; ///< share of the area whose partners are not at master nodes
+    Sides        sides;             ///< alike if the master is an obstacle
     /// Where surfaces have moved, the points of integration, before candidates were chosen.
     std::vector<LaidPoint<dim>> laid, laid_on_master;
   };
@@ -99,8 +99,8 @@ namespace Signorini
   /// @param obstacle null if the master is a boundary of a body
   /// @param reach the gap up to which faces are candidates, unless the pair has a search distance;
   /// at least twice the deepest initial overlap
-  /// @param limit at least so far partners are looked for, where surfaces have moved: as deep as they
-  /// may overlap there
+  /// @param limit at least so far partners are looked for, where surfaces have moved: as deep as
+  /// they may overlap there
   /// @param former if the points of integration are to be those of a surface before, though the
   /// bodies have moved since
   template <int dim>

@@ -61,7 +61,7 @@ namespace Signorini
     std::string                         name;
     std::string                         type = "plane";
     std::shared_ptr<ObstacleShape<dim>> shape;
-    RigidBody<dim> body; ///< how it moves
+    RigidBody<dim>                      body; ///< how it moves
 
     void
     declare(Section &section);
