@@ -332,9 +332,8 @@ namespace Signorini
       {
         const double share  = shares[*which++];
         const bool   counts = rest_gap(i) < 0 || permanent(i) > 0;
-        initial_gap(i)      = counts ? share * rest_gap(i) : rest_gap(i);
-        if (drift.size() > 0)
-          initial_gap(i) += drift(i);
+        const double change = drift.size() > 0 ? double(drift(i)) : 0.;
+        initial_gap(i)      = (counts ? share : 1.) * rest_gap(i) + change;
       }
     initial_gap.compress(VectorOperation::insert);
   }
