@@ -183,7 +183,7 @@ namespace Signorini
                 contact.weight(row) += weight;
                 contact.rest_gap(row) += weight * point.gap;
                 if (moved)
-                  contact.drift(row) -= weight * point.closing;
+                  contact.drift(row) += weight * point.drift;
                 contact.stiffness(row) += weight * point.stiffness;
                 contact.epsilon(row) += weight * epsilon;
                 for (unsigned int d = 0; d < dim; ++d)
@@ -305,13 +305,6 @@ namespace Signorini
       {
         contact.S_free.copy_from(contact.S);
         LA::scale_columns(contact.S_free, free);
-      }
-    // g(u_k) + B (u - u_k)
-    if (!configuration.is_rest() && !contact.empty())
-      {
-        LA::Vector moved = contact.zero();
-        contact.B.vmult(moved, configuration.displacement());
-        contact.drift -= moved;
       }
     contact.set_interference(std::vector<double>(surfaces.size(), 1.));
     contact.tied = elasticity.has_inclined_supports();

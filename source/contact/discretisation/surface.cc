@@ -254,6 +254,19 @@ namespace Signorini
           "x^2/20 for Normal = 0, 1, or take Contact method/Contact geometry = reference");
     }
 
+    /// So that the gap is true where the surfaces are.
+    template <int dim>
+    void
+    set_drift(const LA::Vector &u, std::vector<ContactPoint<dim>> &points)
+    {
+      std::vector<const SparseRow *> rows;
+      for (const ContactPoint<dim> &point : points)
+        rows.push_back(&point.row);
+      const std::vector<double> opened = row_values(rows, u);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].drift = -points[i].closing - opened[i];
+    }
+
     /// With the pair's slave and master as they are.
     template <int dim>
     ContactSurface<dim>
@@ -323,6 +336,8 @@ namespace Signorini
         keep_touching(pair, slave, paired, surface.points);
       else if (surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
+      if (!at_rest)
+        set_drift(configuration.displacement(), surface.points);
       surface.largest_angle = largest_angle(slave, paired, comm);
       surface.sees_nothing  = n_paired == 0;
       compare(elasticity, slave, paired, obstacle != nullptr, comm, surface);
