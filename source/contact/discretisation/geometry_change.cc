@@ -132,11 +132,13 @@ namespace Signorini
     Utilities::MPI::sum(sums, comm, sums);
     const double width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
                  pressure = sums[0] / sums[1];
-    GeometryChange result;
-    result.gap   = std::sqrt(sums[3] / sums[0]);
-    result.angle = std::sqrt(sums[4] / sums[0]);
-    result.pressure =
-      result.angle / 2 + modulus * result.gap / (width * pressure) + sums[5] / sums[0];
+    // Points at rims lose their partner at once, and pressures are largest there.
+    constexpr double at_rims = 0.02;
+    GeometryChange   result;
+    result.gap      = std::sqrt(sums[3] / sums[0]);
+    result.angle    = std::sqrt(sums[4] / sums[0]);
+    result.pressure = result.angle / 2 + modulus * result.gap / (width * pressure) +
+                      std::max(0., sums[5] / sums[0] - at_rims);
     return result;
   }
 
