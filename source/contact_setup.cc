@@ -195,6 +195,25 @@ namespace Signorini
 
 
   template <int dim>
+  std::string
+  ContactSetup<dim>::unknown_elsewhere() const
+  {
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(scene.pairs[i]))
+        {
+          const auto &points  = my_surfaces[i].points;
+          const bool  unknown = std::any_of(points.begin(), points.end(), [&](const auto &point) {
+            return !obstacle->shape->has_closest_point(point.position, elasticity.lever());
+          });
+          if (Utilities::MPI::max(unknown ? 1 : 0, elasticity.mesh().communicator()) > 0)
+            return obstacle->name;
+        }
+    return "";
+  }
+
+
+
+  template <int dim>
   GeometryChange
   ContactSetup<dim>::neglected(const LA::Vector &u, const LA::Vector &pressure) const
   {

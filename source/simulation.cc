@@ -229,7 +229,8 @@ namespace Signorini
                                    "shares_of_ranks",
                                    "peak_memory_mb",
                                    "preflight",
-                                   "linear_reference"};
+                                   "linear_reference",
+                                   "contact_geometry"};
     if (!is_final)
       whole.push_back("probes");
     check_paths(scene.expected, step, whole);
@@ -290,19 +291,28 @@ namespace Signorini
   bool
   Simulation<dim>::leaves_place()
   {
-    if (scene.contact.geometry == "automatic")
+    const std::string &wanted = scene.contact.geometry;
+    if (wanted == "automatic")
       {
-        TimerOutput::Scope   scope(timer, "contact geometry");
-        const GeometryChange change = contact->neglected(state.displacement, pressure);
-        follows                     = change.pressure > scene.contact.geometry_share;
-        geometry_change             = change;
-        out << "  surfaces as they are now would change the pressure by about "
-            << short_text(100 * change.pressure, 2) << " %"
-            << " [angle " << change.angle << " gap " << change.gap << "]"
-            << (follows ? ": contact is found again there" : "") << std::endl;
+        TimerOutput::Scope scope(timer, "contact geometry");
+        if (const std::string unknown = contact->unknown_elsewhere(); !unknown.empty())
+          out << "  contact geometry: that of surfaces at rest, since the Gap of '" << unknown
+              << "' says nothing of other places" << std::endl;
+        else
+          {
+            const double change = contact->neglected(state.displacement, pressure).pressure;
+            follows             = change > scene.contact.geometry_share;
+            recorder->add_contact_geometry(change, follows);
+            out << "  contact geometry: surfaces as they are now change the pressure by about "
+                << short_text(100 * change, 2) << " %"
+                << (follows ? ": contact is found again there" : "") << std::endl;
+          }
       }
     else
-      follows = scene.contact.geometry == "updated";
+      {
+        follows = wanted == "updated";
+        recorder->add_contact_geometry({}, follows);
+      }
     return follows;
   }
 

@@ -76,6 +76,11 @@ namespace Signorini
     LA::SparseMatrix
     geometric_stiffness(const LA::Vector &pressure) const;
 
+    /// An obstacle of which nobody knows where it is beside surfaces that have moved, see
+    /// ObstacleShape::has_closest_point(); empty if there is none. Collective.
+    std::string
+    unknown_elsewhere() const;
+
     /// What contact at rest neglects with displacement u: the pair where that is most. Collective.
     GeometryChange
     neglected(const LA::Vector &u, const LA::Vector &pressure) const;

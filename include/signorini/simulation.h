@@ -148,7 +148,6 @@ namespace Signorini
     bool                               assembled   = false;
     bool                               follows     = false; ///< contact is where the surfaces are
     LA::Vector                         placed; ///< displacement of surfaces; empty: at rest
-    GeometryChange                     geometry_change; ///< neglected at rest
     std::vector<NewtonStep> steps_before;      ///< of this load step, with surfaces placed before
     unsigned int            former_cycles = 0; ///< multigrid cycles before `newton`, on this mesh
     unsigned int            n_steps       = 0; ///< of Newton's method on a coarse mesh

@@ -44,11 +44,12 @@ namespace Signorini
       "Force",
       force,
       "on the obstacle, and by it on the bodies, in free components; formulas in t [force]");
-    section.add("Rotation",
-                rotation,
-                dim == 2 ?
-                  "small rotation, counterclockwise: formula in t, or free; empty: none [radian]" :
-                  "small rotation about x; y; z: formulas in t, or free; empty: none [radian]");
+    section.add(
+      "Rotation",
+      rotation,
+      dim == 2 ?
+        "rotation, counterclockwise: formula in t, or free; empty: none. Gaps follow large ones where Contact geometry is updated [radian]" :
+        "rotation vector x; y; z: formulas in t, or free; empty: none. Gaps follow large ones where Contact geometry is updated [radian]");
     section.add(
       "Moment",
       moment,

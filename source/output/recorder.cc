@@ -164,6 +164,18 @@ namespace Signorini
 
   template <int dim>
   void
+  Recorder<dim>::add_contact_geometry(const std::optional<double> change, const bool updated)
+  {
+    Json &geometry      = results["contact_geometry"];
+    geometry["updated"] = updated;
+    if (change)
+      geometry["change_of_pressure"] = *change;
+  }
+
+
+
+  template <int dim>
+  void
   Recorder<dim>::add_cycle(const unsigned int newton_iterations, const double estimate)
   {
     results["cycles"].push_back({{"newton_iterations", newton_iterations}, {"estimate", estimate}});

@@ -1,4 +1,5 @@
 #include <signorini/elasticity/model.h>
+#include <signorini/parameters/text.h>
 #include <signorini/verdict/checks.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -39,12 +40,16 @@ namespace Signorini
           Extremes &of_body = largest[cell->material_id()];
           of_body.motion    = std::max(of_body.motion, u[0].norm());
           of_body.gradient  = std::max(of_body.gradient, std::sqrt(square));
+          // Of the rotation tensor, which is antisymmetric, each component counts twice.
+          const Tensor<2, dim> rotation = (gradient[0] - transpose(gradient[0])) / 2;
+          of_body.turn                  = std::max(of_body.turn, rotation.norm() / std::sqrt(2));
         }
     const MPI_Comm comm = elasticity.mesh().communicator();
     for (Extremes &of_body : largest)
       {
         of_body.motion   = Utilities::MPI::max(of_body.motion, comm);
         of_body.gradient = Utilities::MPI::max(of_body.gradient, comm);
+        of_body.turn     = Utilities::MPI::max(of_body.turn, comm);
       }
     return largest;
   }
@@ -93,8 +98,9 @@ namespace Signorini
     strain.limit   = small;
     strain.outcome = strain.value > strain.limit ? Outcome::warned : Outcome::passed;
     strain.what =
-      "strains or rotations of '" + strain.what +
-      "' are not small: the theory neglects terms half as large, relative to its strains";
+      "strains or rotations of '" + strain.what + "', which turns by up to " +
+      short_text(worst(now, largest, &Extremes::turn, numbers::PI / 180).value, 2) +
+      " degrees, are not small: the theory neglects terms half as large, relative to its strains";
     strain.cure = "take forces and pressures for estimates with that error, or smaller loads";
     return {motion, strain};
   }

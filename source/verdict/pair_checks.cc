@@ -138,7 +138,7 @@ namespace Signorini
         "refine the master, or name the softer side as slave (Sides = automatic does if it can)");
     }
 
-    /// The initial positions are where contact is looked for.
+    /// The initial positions are where contact was looked for.
     template <int dim>
     Finding
     stays(const Snapshot<dim>       &s,
@@ -154,7 +154,7 @@ namespace Signorini
         0.1,
         "displacements are small in this theory and contact is that of the initial positions: what "
         "slides or turns that far is wrong",
-        "begin with bodies that nearly touch, or take smaller loads");
+        "take Contact method/Contact geometry = updated, or begin with bodies that nearly touch");
     }
 
     /// The pressure under waves as high and long as facets, beside the largest one.
@@ -306,7 +306,8 @@ namespace Signorini
           findings.push_back(acts(pair.name, zone));
         if (zone.active == 0)
           continue;
-        findings.push_back(stays(now, pair, obstacle, displacements));
+        if (now.contact.at_rest())
+          findings.push_back(stays(now, pair, obstacle, displacements));
         findings.push_back(resolved<dim>(pair.name, scene.degree_of(pair.slave), zone));
         findings.push_back(finding_of("overlap / face",
                                       pair.name,

@@ -61,7 +61,7 @@ namespace TestScene
     scene.contact = settings;
     scene.check_integration();
     contact = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, silence);
-    contact->build();
+    contact->build(Configuration<dim>(*elasticity));
   }
 
 

@@ -11,6 +11,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <optional>
+
 namespace Signorini
 {
   /// What results.json says of the pairs, forces, probes and errors of a solution. Collective.
@@ -61,6 +63,10 @@ namespace Signorini
 
     void
     add_preflight(const Json &report);
+    /// @param change of the pressure by an update, relative; empty: not estimated
+    /// @param updated contact is on the surfaces as they are now
+    void
+    add_contact_geometry(std::optional<double> change, bool updated);
     /// A solution on a mesh that is refined then.
     void
     add_cycle(unsigned int newton_iterations, double estimate);

@@ -21,6 +21,7 @@ namespace Signorini
   {
     double motion   = 0; ///< largest displacement, in the middle of cells
     double gradient = 0; ///< largest norm of its gradient there
+    double turn     = 0; ///< largest rotation there [radian]
   };
 
   /// Body by body.

@@ -183,7 +183,7 @@ namespace Signorini
                 contact.weight(row) += weight;
                 contact.rest_gap(row) += weight * point.gap;
                 if (moved)
-                  contact.drift(row) -= weight * point.closing;
+                  contact.drift(row) += weight * point.drift;
                 contact.stiffness(row) += weight * point.stiffness;
                 contact.epsilon(row) += weight * epsilon;
                 for (unsigned int d = 0; d < dim; ++d)
@@ -306,13 +306,6 @@ namespace Signorini
         contact.S_free.copy_from(contact.S);
         LA::scale_columns(contact.S_free, free);
       }
-    // g(u_k) + B (u - u_k)
-    if (!configuration.is_rest() && !contact.empty())
-      {
-        LA::Vector moved = contact.zero();
-        contact.B.vmult(moved, configuration.displacement());
-        contact.drift -= moved;
-      }
     contact.set_interference(std::vector<double>(surfaces.size(), 1.));
     contact.tied = elasticity.has_inclined_supports();
     if (contact.tied)
@@ -332,9 +325,8 @@ namespace Signorini
       {
         const double share  = shares[*which++];
         const bool   counts = rest_gap(i) < 0 || permanent(i) > 0;
-        initial_gap(i)      = counts ? share * rest_gap(i) : rest_gap(i);
-        if (drift.size() > 0)
-          initial_gap(i) += drift(i);
+        const double change = drift.size() > 0 ? double(drift(i)) : 0.;
+        initial_gap(i)      = (counts ? share : 1.) * rest_gap(i) + change;
       }
     initial_gap.compress(VectorOperation::insert);
   }

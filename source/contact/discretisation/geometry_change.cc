@@ -75,29 +75,16 @@ namespace Signorini
       return result;
     }
 
-    /// B u + g_0 at points, whose partners' degrees of freedom may be on other ranks.
+    /// Nodes at the rims of a slave and a master that are flush lose their partner with the
+    /// slightest slide.
     template <int dim>
-    std::vector<double>
-    linear_gaps(const LA::Vector &u, const PointsThatPress<dim> &points)
+    bool
+    is_on_rim(const Point<dim - 1> &xi)
     {
-      std::vector<types::global_dof_index> indices;
-      for (const auto &[point, force] : points)
-        for (const auto &entry : point->row)
-          indices.push_back(entry.first);
-      std::sort(indices.begin(), indices.end());
-      IndexSet readable = u.locally_owned_elements();
-      readable.add_indices(indices.begin(), indices.end());
-      LA::Vector values(u.locally_owned_elements(), readable, u.get_mpi_communicator());
-      values = u;
-      std::vector<double> result;
-      for (const auto &[point, force] : points)
-        {
-          double gap = point->gap;
-          for (const auto &[index, value] : point->row)
-            gap += value * values(index);
-          result.push_back(gap);
-        }
-      return result;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (std::min(xi[d], 1 - xi[d]) < 1e-6)
+          return true;
+      return false;
     }
   } // namespace
 
@@ -118,10 +105,13 @@ namespace Signorini
         points.emplace_back(&surface.points[i], forces[i]);
     if (Utilities::MPI::sum(points.size(), comm) == 0)
       return {};
-    const BoundaryFaces<dim>  slave(now, pair.slave);
-    const auto                there  = obstacle ? on_obstacle(now, *obstacle, slave, points) :
-                                                  on_body(now, pair.master, slave, points, comm);
-    const std::vector<double> linear = linear_gaps(now.displacement(), points);
+    const BoundaryFaces<dim>       slave(now, pair.slave);
+    const auto                     there = obstacle ? on_obstacle(now, *obstacle, slave, points) :
+                                                      on_body(now, pair.master, slave, points, comm);
+    std::vector<const SparseRow *> rows;
+    for (const auto &[point, force] : points)
+      rows.push_back(&point->row);
+    const std::vector<double> opened = row_values(rows, now.displacement());
 
     std::vector<double> sums(6, 0.); // force, area, modulus, gap^2, angle^2, without partner
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -132,23 +122,23 @@ namespace Signorini
         sums[2] += force * point->stiffness * point->depth;
         if (there[i])
           {
-            const double gap = there[i]->gap - linear[i];
+            const double gap = there[i]->gap - (point->gap + opened[i]);
             sums[3] += force * gap * gap;
             sums[4] += force * (there[i]->normal - point->normal).norm_square();
           }
-        else
+        else if (!is_on_rim<dim>(point->xi))
           sums[5] += force;
       }
     Utilities::MPI::sum(sums, comm, sums);
-    // Points at the rim of a master lose it at once; they are few.
-    constexpr double at_rims = 0.05;
-    const double     width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
-                 pressure = sums[0] / sums[1], lost = sums[5] / sums[0];
-    GeometryChange result;
-    result.gap   = std::sqrt(sums[3] / sums[0]);
-    result.angle = std::sqrt(sums[4] / sums[0]);
-    result.pressure =
-      result.angle / 2 + modulus * result.gap / (width * pressure) + (lost > at_rims ? lost : 0.);
+    const double width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
+                 pressure = sums[0] / sums[1];
+    // Points at rims lose their partner at once, and pressures are largest there.
+    constexpr double at_rims = 0.02;
+    GeometryChange   result;
+    result.gap      = std::sqrt(sums[3] / sums[0]);
+    result.angle    = std::sqrt(sums[4] / sums[0]);
+    result.pressure = result.angle / 2 + modulus * result.gap / (width * pressure) +
+                      std::max(0., sums[5] / sums[0] - at_rims);
     return result;
   }
 

@@ -420,20 +420,13 @@ namespace Signorini
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,
-              const std::vector<LaidPoint<dim>> &laid,
               const double                       limit,
               const MPI_Comm                     comm,
               SearchStatistics                  &statistics)
   {
     std::vector<PairedPoint<dim>> points;
-    if (Utilities::MPI::max(laid.size(), comm) > 0)
-      {
-        points = pair_by_projection(slave, laid, master, limit, comm, statistics);
-        keep_near_faces(limit, points);
-        return points;
-      }
-    const Quadrature<dim - 1> rule = face_rule<dim>(integration);
-    std::vector<unsigned int> faces(slave.size());
+    const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
+    std::vector<unsigned int>     faces(slave.size());
     std::iota(faces.begin(), faces.end(), 0);
     if (integration.rule == "segments")
       {
@@ -451,6 +444,22 @@ namespace Signorini
     drop_false_overlaps(slave, master, comm, statistics, points);
     keep_near_faces(limit, points);
     return sorted_by_faces(std::move(points));
+  }
+
+
+
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  pair_laid_points(const std::vector<FacePatch<dim>> &slave,
+                   const std::vector<LaidPoint<dim>> &laid,
+                   const MasterFaces<dim>            &master,
+                   const double                       limit,
+                   const MPI_Comm                     comm,
+                   SearchStatistics                  &statistics)
+  {
+    auto points = pair_by_projection(slave, laid, master, limit, comm, statistics);
+    keep_near_faces(limit, points);
+    return points;
   }
 
 
@@ -474,6 +483,20 @@ namespace Signorini
 
 
 
+  template std::vector<PairedPoint<2>>
+  pair_laid_points(const std::vector<FacePatch<2>> &,
+                   const std::vector<LaidPoint<2>> &,
+                   const MasterFaces<2> &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
+  template std::vector<PairedPoint<3>>
+  pair_laid_points(const std::vector<FacePatch<3>> &,
+                   const std::vector<LaidPoint<3>> &,
+                   const MasterFaces<3> &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
   template void
   keep_near_faces(double, std::vector<PairedPoint<2>> &);
   template void
@@ -486,7 +509,6 @@ namespace Signorini
   pair_points<2>(const std::vector<FacePatch<2>> &,
                  const MasterFaces<2> &,
                  const Integration &,
-                 const std::vector<LaidPoint<2>> &,
                  double,
                  MPI_Comm,
                  SearchStatistics &);
@@ -494,7 +516,6 @@ namespace Signorini
   pair_points<3>(const std::vector<FacePatch<3>> &,
                  const MasterFaces<3> &,
                  const Integration &,
-                 const std::vector<LaidPoint<3>> &,
                  double,
                  MPI_Comm,
                  SearchStatistics &);

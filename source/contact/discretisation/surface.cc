@@ -254,6 +254,19 @@ namespace Signorini
           "x^2/20 for Normal = 0, 1, or take Contact method/Contact geometry = reference");
     }
 
+    /// So that the gap is true where the surfaces are.
+    template <int dim>
+    void
+    set_drift(const LA::Vector &u, std::vector<ContactPoint<dim>> &points)
+    {
+      std::vector<const SparseRow *> rows;
+      for (const ContactPoint<dim> &point : points)
+        rows.push_back(&point.row);
+      const std::vector<double> opened = row_values(rows, u);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].drift = -points[i].closing - opened[i];
+    }
+
     /// With the pair's slave and master as they are.
     template <int dim>
     ContactSurface<dim>
@@ -287,26 +300,29 @@ namespace Signorini
         }
       if (obstacle)
         check_obstacle(configuration, pair, *obstacle, slave);
-      auto paired = obstacle ?
-                      obstacle_points(configuration, slave.patches, *obstacle, integration, limit) :
-                      pair_points(slave.patches,
-                                  master_faces(elasticity,
-                                               BoundaryFaces<dim>(configuration, pair.master),
-                                               method.predictor() == Predictor::normal_stress,
-                                               !at_rest),
-                                  integration,
-                                  laid,
-                                  limit,
-                                  comm,
-                                  surface.statistics);
+      const bool is_laid = Utilities::MPI::max(laid.size(), comm) > 0;
+      const auto master  = [&] {
+        return master_faces(elasticity,
+                            BoundaryFaces<dim>(configuration, pair.master),
+                            method.predictor() == Predictor::normal_stress,
+                            !at_rest);
+      };
+      auto paired =
+        obstacle ?
+          obstacle_points(configuration, slave.patches, *obstacle, integration, limit) :
+        is_laid ?
+          pair_laid_points(slave.patches, laid, master(), limit, comm, surface.statistics) :
+          pair_points(slave.patches, master(), integration, limit, comm, surface.statistics);
       drop_empty_points(slave.patches, paired);
       std::vector<double> gaps;
       if (!at_rest)
         {
-          if (laid.empty() || obstacle)
+          if (!is_laid || obstacle)
             weigh_at_rest(slave, paired);
-          for (const PairedPoint<dim> &point : paired)
-            surface.laid.push_back({point.face, point.xi, point.weight});
+          surface.laid = laid;
+          if (!is_laid)
+            for (const PairedPoint<dim> &point : paired)
+              surface.laid.push_back({point.face, point.xi, point.weight});
           if (needs_gaps_at_rest(pair))
             gaps = gaps_at_rest(elasticity, pair, obstacle, slave, limit, paired);
         }
@@ -320,6 +336,8 @@ namespace Signorini
         keep_touching(pair, slave, paired, surface.points);
       else if (surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
+      if (!at_rest)
+        set_drift(configuration.displacement(), surface.points);
       surface.largest_angle = largest_angle(slave, paired, comm);
       surface.sees_nothing  = n_paired == 0;
       compare(elasticity, slave, paired, obstacle != nullptr, comm, surface);

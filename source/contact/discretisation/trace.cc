@@ -44,6 +44,30 @@ namespace Signorini
 
 
 
+  std::vector<double>
+  row_values(const std::vector<const SparseRow *> &rows, const LA::Vector &u)
+  {
+    std::vector<types::global_dof_index> indices;
+    for (const SparseRow *row : rows)
+      for (const auto &entry : *row)
+        indices.push_back(entry.first);
+    std::sort(indices.begin(), indices.end());
+    IndexSet readable = u.locally_owned_elements();
+    readable.add_indices(indices.begin(), indices.end());
+    LA::Vector values(u.locally_owned_elements(), readable, u.get_mpi_communicator());
+    values = u;
+    std::vector<double> result;
+    for (const SparseRow *row : rows)
+      {
+        result.push_back(0);
+        for (const auto &[index, value] : *row)
+          result.back() += value * values(index);
+      }
+    return result;
+  }
+
+
+
   template <int dim>
   Trace<dim>::Trace(const Elasticity<dim> &elasticity)
     : hanging(elasticity.hanging_nodes())

@@ -1,6 +1,8 @@
 #include <signorini/contact/obstacles/shapes.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <cmath>
 
 namespace Signorini
@@ -60,7 +62,11 @@ namespace Signorini
             if (step.norm() <= small * length)
               break;
           }
-        return {(x - foot) * n, n, curvature(foot, length)};
+        const double         distance = (x - foot) * n;
+        const Tensor<2, dim> of_foot  = curvature(foot, length);
+        // Curvatures k become k/(1 + k distance).
+        const Tensor<2, dim> stretch = unit_symmetric_tensor<dim>() + distance * of_foot;
+        return {distance, n, invert(stretch) * of_foot};
       }
 
     private:

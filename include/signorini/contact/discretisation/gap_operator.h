@@ -108,6 +108,13 @@ namespace Signorini
     std::size_t
     memory() const;
 
+    /// False: contact was looked for on surfaces that have moved.
+    bool
+    at_rest() const
+    {
+      return drift.size() == 0;
+    }
+
     bool
     has_stress() const
     {

@@ -55,9 +55,6 @@ namespace Signorini
   /// covered more than once by segments; it is paired by Gauss points, which take the nearest
   /// layer.
   ///
-  /// Where points are laid already, these get the closest partners: so the rule stays as it is
-  /// while Newton's method moves the surfaces to where they balance.
-  ///
   /// Points come face by face. Faces take part as a whole, or not at all if no point of theirs has
   /// a partner within the limit. Collective.
   template <int dim>
@@ -65,10 +62,20 @@ namespace Signorini
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,
-              const std::vector<LaidPoint<dim>> &laid,
               double                             limit,
               MPI_Comm                           comm,
               SearchStatistics                  &statistics);
+
+  /// The closest partners of points that are laid already: so the rule stays as it is while
+  /// Newton's method moves the surfaces to where they balance. Collective.
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  pair_laid_points(const std::vector<FacePatch<dim>> &slave,
+                   const std::vector<LaidPoint<dim>> &laid,
+                   const MasterFaces<dim>            &master,
+                   double                             limit,
+                   MPI_Comm                           comm,
+                   SearchStatistics                  &statistics);
 
   /// Distances change by no more than its diameter on a face: this finds all points of a face that
   /// has one within the limit.

@@ -25,6 +25,7 @@ namespace Signorini
     double                 facing;   ///< minus the product of both surfaces' unit normals
     double                 gap;      ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
     double             closing = 0;  ///< by which it is less where the surfaces are now; at rest 0
+    double             drift   = 0;  ///< to be added there: g = row . d + gap + drift about it
     dealii::Point<dim> master_position; ///< of the partner at rest; not of obstacles
     double             stiffness;       ///< E/h of slave and master in series [force/length^3]
     double             depth;           ///< of the slave's cell behind the face: h

@@ -17,6 +17,11 @@ namespace Signorini
   void
   resolve(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
 
+  /// row . u of each, whose degrees of freedom may be on other ranks. Collective.
+  /// @param u without ghosts
+  std::vector<double>
+  row_values(const std::vector<const SparseRow *> &rows, const LA::Vector &u);
+
   /// Shape functions of a cell at points of one of its faces, in terms of degrees of freedom
   /// (hanging nodes resolved). Keeps a reference to its argument.
   template <int dim>
