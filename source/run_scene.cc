@@ -19,16 +19,15 @@ namespace Signorini
     class Prepared : public PreparedScene
     {
     public:
-      Prepared(RawSection &raw, const SceneTask &task, const Origin &origin)
+      Prepared(RawSection &raw, const SceneTask &task, const std::string &name)
         : only_check(task.only_check)
         , goes_on(!task.restart.empty())
       {
         Section section(raw);
         scene.declare(section);
         section.close();
-        scene.given   = raw;
-        scene.name    = origin.name;
-        scene.folders = origin.folders;
+        scene.given = raw;
+        scene.name  = name;
         scene.check();
       }
 
@@ -47,31 +46,19 @@ namespace Signorini
       const bool only_check, goes_on;
     };
 
-    Origin
-    origin_of(const SceneTask &task)
-    {
-      if (!task.restart.empty())
-        return read_origin(task.restart);
-      const std::filesystem::path scene(task.scene);
-      std::error_code             error;
-      return {scene.stem(),
-              "",
-              {scene.parent_path().string(),
-               std::filesystem::absolute(scene, error).parent_path().string(),
-               std::filesystem::current_path(error).string()}};
-    }
-
-    RawSection
-    raw_of(const SceneTask &task, const Origin &origin)
+    /// The scene of a task, without its overrides, and its name.
+    std::pair<RawSection, std::string>
+    read_task(const SceneTask &task)
     {
       if (task.restart.empty())
-        return read_raw(task.scene);
+        return {read_raw(task.scene), std::filesystem::path(task.scene).stem()};
+      const Origin       origin = read_origin(task.restart);
       std::istringstream text(origin.scene);
       RawSection         raw = read_raw(text, task.restart + "/restart.scene");
       for (const std::string &assignment : task.overrides)
         check_change(assignment);
       override_value(raw, "Output/Directory=" + task.restart);
-      return raw;
+      return {raw, origin.name};
     }
   } // namespace
 
@@ -80,20 +67,19 @@ namespace Signorini
   std::unique_ptr<PreparedScene>
   PreparedScene::read(const SceneTask &task)
   {
-    const Origin origin = origin_of(task);
-    RawSection   raw    = raw_of(task, origin);
+    auto [raw, name] = read_task(task);
     for (const std::string &assignment : task.overrides)
       override_value(raw, assignment);
-    mesh_search_path() = origin.folders;
+    mesh_search_path() = {std::filesystem::path(task.scene).parent_path().string()};
 
     const RawSection::Value *dimension = raw.find_value("Dimension");
     if (!dimension)
       throw SceneError(task.scene +
                        ": 'Dimension' is not set; write set Dimension = 2 or 3 at the top");
     if (dimension->text == "2")
-      return std::make_unique<Prepared<2>>(raw, task, origin);
+      return std::make_unique<Prepared<2>>(raw, task, name);
     if (dimension->text == "3")
-      return std::make_unique<Prepared<3>>(raw, task, origin);
+      return std::make_unique<Prepared<3>>(raw, task, name);
     throw SceneError(dimension->where + ": Dimension = " + dimension->text + ": must be 2 or 3");
   }
 

@@ -53,8 +53,9 @@ namespace Signorini
   ExitCode
   Simulation<dim>::run()
   {
-    if (goes_on && is_finished())
-      return solved;
+    if (goes_on)
+      if (const auto code = code_of_finished_run())
+        return *code;
     recorder     = std::make_unique<Recorder<dim>>(scene, clock, timer, comm, goes_on);
     interruption = std::make_unique<Interruption>(clock, 60 * scene.output.time_limit, comm);
     if (!recorder->note().empty())
@@ -112,6 +113,8 @@ namespace Signorini
         is_interrupted   = true;
         report.converged = false;
         report.reason    = interruption.what();
+        if (!has_gained)
+          report.reason += "; nothing was reached that a restart could start from";
       }
     return finish();
   }
@@ -167,13 +170,12 @@ namespace Signorini
   void
   Simulation<dim>::report_set_up()
   {
-    const unsigned int cycle = recorder ? recorder->n_cycles() : 0;
-    out << "\nMesh " << cycle << ": " << elasticity->dof_handler().n_dofs()
+    out << "\nMesh " << position.cycle << ": " << elasticity->dof_handler().n_dofs()
         << " degrees of freedom, " << mesh->triangulation().n_global_active_cells() << " cells"
         << std::endl;
     if (recorder)
       recorder->add_sizes(*elasticity, *contact);
-    if (cycle > 0)
+    if (position.cycle > 0 || is_restored)
       return;
     make_free_motions(); // refuses those that nothing stops
     check_wanted();
@@ -200,16 +202,8 @@ namespace Signorini
       return;
     const LA::Vector nothing = contact->gap_operator().zero(),
                      gap     = contact->gap_operator().gap(state.displacement);
-    const Snapshot<dim> start{*elasticity,
-                              scene.pairs,
-                              contact->surfaces(),
-                              contact->gap_operator(),
-                              state.displacement,
-                              gap,
-                              nothing,
-                              nothing,
-                              scene.load_steps.ends().front(),
-                              0};
+    const Snapshot<dim> start =
+      snapshot(state.displacement, gap, nothing, nothing, scene.load_steps.ends().front(), 0);
     Json                step =
       results_at(scene, start, is_final ? scene.output.probes : std::vector<Probe<dim>>());
     for (const char *number :
@@ -479,8 +473,9 @@ namespace Signorini
     hierarchy.reset();
     mesh_clock.reset();
     reached.reset(); // it belongs to the mesh
-    assembled     = false;
-    former_cycles = 0;
+    assembled      = false;
+    former_cycles  = 0;
+    former_seconds = 0;
     const double estimate =
       refine(scene.refinement, *mesh, *elasticity, state.displacement, {&state.displacement});
     if (follows)
@@ -578,6 +573,7 @@ namespace Signorini
         if (solve(t, tolerance))
           {
             state.time = t;
+            failure.reset();
             return true;
           }
       }
@@ -587,6 +583,10 @@ namespace Signorini
         report.reason = failure.what();
         report.reason += contact->pressed_twice(active);
       }
+    failure = Failure{t, state.displacement, pressure, active};
+    for (const auto i : report.chattering.locally_owned_elements())
+      failure->active(i) = report.chattering(i) > 0 ? 2 : active(i);
+    failure->active.compress(VectorOperation::insert);
     state = before;
     rows_of_places(state.contact, contact->gap_operator(), pressure, active);
     return false;
@@ -600,16 +600,7 @@ namespace Signorini
   {
     TimerOutput::Scope scope(timer, "output");
     const LA::Vector   gap = contact->gap_operator().gap(state.displacement);
-    recorder->add_step({*elasticity,
-                        scene.pairs,
-                        contact->surfaces(),
-                        contact->gap_operator(),
-                        state.displacement,
-                        gap,
-                        pressure,
-                        active,
-                        t,
-                        step},
+    recorder->add_step(snapshot(state.displacement, gap, pressure, active, t, step),
                        report,
                        former_cycles + newton->multigrid_cycles());
   }
@@ -618,9 +609,59 @@ namespace Signorini
 
   template <int dim>
   void
+  Simulation<dim>::record_failure()
+  {
+    if (!std::isfinite(failure->displacement.l2_norm() + failure->pressure.l2_norm()))
+      return; // nothing to be drawn
+    const LA::Vector gap = contact->gap_operator().gap(failure->displacement);
+    recorder->add_failure(snapshot(failure->displacement,
+                                   gap,
+                                   failure->pressure,
+                                   failure->active,
+                                   failure->time,
+                                   position.step + 1),
+                          report);
+  }
+
+
+
+  template <int dim>
+  Snapshot<dim>
+  Simulation<dim>::snapshot(const LA::Vector  &displacement,
+                            const LA::Vector  &gap,
+                            const LA::Vector  &pressure,
+                            const LA::Vector  &active,
+                            const double       t,
+                            const unsigned int step) const
+  {
+    return {*elasticity,
+            scene.pairs,
+            contact->surfaces(),
+            contact->gap_operator(),
+            displacement,
+            gap,
+            pressure,
+            active,
+            t,
+            step};
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::mesh_seconds() const
+  {
+    return former_seconds + Utilities::MPI::max(mesh_clock.wall_time(), comm);
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::compare_with_linear_solve()
   {
-    const double          seconds = Utilities::MPI::max(mesh_clock.wall_time(), comm);
+    const double          seconds = mesh_seconds();
     const double          cycles  = former_cycles + newton->multigrid_cycles();
     const LinearReference linear  = [&]() {
       newton.reset(); // looks at the stiffness matrix
@@ -639,8 +680,10 @@ namespace Signorini
     recorder->add_sizes(*elasticity, *contact);
     std::ostringstream text;
     leave_checkpoint();
+    if (failure && !report.converged && !is_interrupted)
+      record_failure();
     const ExitCode code = recorder->finish(report, text, is_interrupted);
-    if (report.converged)
+    if (report.converged) // after results.json has said so
       checkpoints->remove();
     out << text.str() << "\n"
         << seconds(clock.wall_time()) << ", results in " << recorder->directory()

@@ -1,4 +1,5 @@
 #include <signorini/checkpoint/cells.h>
+#include <signorini/checkpoint/origin.h>
 #include <signorini/parameters/text.h>
 #include <signorini/simulation.h>
 
@@ -53,16 +54,17 @@ namespace Signorini
 
 
   template <int dim>
-  bool
-  Simulation<dim>::is_finished() const
+  std::optional<ExitCode>
+  Simulation<dim>::code_of_finished_run() const
   {
     std::ifstream file(scene.output.directory + "/results.json");
     const Json    results = Json::parse(file, nullptr, false);
-    const bool    is_done = results.is_object() && results.value("converged", false);
-    if (is_done)
-      out << "The run in " << scene.output.directory << " is finished: nothing was done."
-          << std::endl;
-    return is_done;
+    if (!results.is_object() || !results.value("complete", false))
+      return {};
+    const int code = results.at("exit_code");
+    out << "The run in " << scene.output.directory << " is finished, with exit code " << code
+        << ": nothing was done." << std::endl;
+    return static_cast<ExitCode>(code);
   }
 
 
@@ -72,6 +74,9 @@ namespace Signorini
   Simulation<dim>::find_checkpoint()
   {
     checkpoints = std::make_unique<Checkpoints>(recorder->directory(), comm);
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      origin = checksum_of_origin(recorder->directory());
+    origin = Utilities::MPI::broadcast(comm, origin);
     if (!goes_on)
       return;
     former = checkpoints->newest(out);
@@ -82,7 +87,10 @@ namespace Signorini
         return;
       }
     const Json &head = former->head;
-    position         = {head.at("cycle"), head.at("time"), head.at("step"), head.at("longest")};
+    if (head.at("origin") != origin)
+      throw SceneError("--restart " + recorder->directory() + ": " + former->name +
+                       " and restart.scene are of different runs; solve the scene from the start");
+    position = {head.at("cycle"), head.at("time"), head.at("step"), head.at("longest")};
     out << "Restart from " << recorder->directory() << "/" << former->name << ", written by "
         << head.at("parts").size() << " ranks: mesh " << position.cycle << ", load step "
         << position.step << ", t = " << position.time << std::endl;
@@ -117,10 +125,21 @@ namespace Signorini
     follows    = head.at("follows");
     if (follows)
       placed = state.displacement;
-    former_cycles = head.at("multigrid_cycles");
+    former_cycles  = head.at("multigrid_cycles");
+    former_seconds = head.at("mesh_seconds");
     recorder->restore(head.at("results"));
     former.reset();
     is_restored = true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_over() const
+  {
+    return position.cycle == scene.refinement.cycles &&
+           position.time >= scene.load_steps.ends().back();
   }
 
 
@@ -139,9 +158,10 @@ namespace Signorini
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
                  {"pairs", contact->memory()}};
     reached   = Reached{state, head};
-    if (position.cycle + position.step == 0 || std::exchange(is_restored, false))
+    if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_over())
       return; // nothing to lose
 
+    has_gained = true;
     ++steps_since;
     const OutputSettings<dim> &settings = scene.output;
     const double               passed   = clock.wall_time() - written_at;
@@ -161,6 +181,8 @@ namespace Signorini
   {
     TimerOutput::Scope scope(timer, "checkpoint");
     Json               head = reached->head;
+    head["origin"]          = origin;
+    head["mesh_seconds"]    = mesh_seconds();
     head["mesh"]            = mark_of_mesh(*mesh);
     head["results"]         = recorder->memory();
     Part part{values_of_cells(*elasticity, reached->state.displacement), {}};
@@ -205,7 +227,8 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template bool        Simulation<dim>::is_finished() const;                                       \
+  template std::optional<ExitCode> Simulation<dim>::code_of_finished_run() const;                  \
+  template bool        Simulation<dim>::is_over() const;                                           \
   template void        Simulation<dim>::find_checkpoint();                                         \
   template void        Simulation<dim>::restore_mesh();                                            \
   template void        Simulation<dim>::restore_state();                                           \

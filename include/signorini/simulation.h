@@ -101,6 +101,19 @@ namespace Signorini
     attempt(double t, double tolerance);
     void
     record_step(unsigned int step, double t);
+    /// Of the load step that was not solved: which body and which contact points do not settle.
+    void
+    record_failure();
+    Snapshot<dim>
+    snapshot(const LA::Vector &displacement,
+             const LA::Vector &gap,
+             const LA::Vector &pressure,
+             const LA::Vector &active,
+             double            t,
+             unsigned int      step) const;
+    /// What the solves on this mesh have taken.
+    double
+    mesh_seconds() const;
     void
     compare_with_linear_solve();
     ExitCode
@@ -108,9 +121,9 @@ namespace Signorini
 
     // Checkpoints, in simulation_restart.cc:
 
-    /// True if the output directory has a run that is finished.
-    bool
-    is_finished() const;
+    /// Of the run in the output directory, if it has got to its end.
+    std::optional<ExitCode>
+    code_of_finished_run() const;
     void
     find_checkpoint();
     /// The mesh as it was.
@@ -119,6 +132,9 @@ namespace Signorini
     /// All the rest, but for the results.
     void
     restore_state();
+    /// Nothing is left to be solved.
+    bool
+    is_over() const;
     /// The run has come to a point from which it could go on; writes a checkpoint if it is time.
     void
     reach();
@@ -150,12 +166,22 @@ namespace Signorini
     LA::Vector                         placed; ///< displacement of surfaces; empty: at rest
     std::vector<NewtonStep> steps_before;      ///< of this load step, with surfaces placed before
     unsigned int            former_cycles = 0; ///< multigrid cycles before `newton`, on this mesh
-    unsigned int            n_steps       = 0; ///< of Newton's method on a coarse mesh
+    double                  former_seconds = 0; ///< on this mesh, before a restart
+    unsigned int            n_steps        = 0; ///< of Newton's method on a coarse mesh
 
     State      state;
     LA::Vector pressure, active;             ///< state.contact at the rows of the gap operator
     std::unique_ptr<Recorder<dim>> recorder; ///< none where nothing is to be written
     NewtonReport                   report;
+
+    /// The last iterate of a load step that was not solved. Contact points that change to and fro
+    /// have 2 in `active`.
+    struct Failure
+    {
+      double     time;
+      LA::Vector displacement, pressure, active;
+    };
+    std::optional<Failure> failure;
 
     /// What a checkpoint needs beside the results: copies, since attempts change the originals.
     struct Reached
@@ -166,9 +192,11 @@ namespace Signorini
     const bool                          goes_on;
     bool                                is_interrupted = false;
     bool                                is_restored    = false; ///< and nothing was solved since
+    bool                                has_gained     = false; ///< something, since the start
     Position                            position;
     std::unique_ptr<Checkpoints>        checkpoints;
     std::unique_ptr<Interruption>       interruption;
+    std::uint32_t                       origin = 0; ///< checksum_of_origin()
     std::optional<Checkpoints::Content> former; ///< until it is restored
     std::optional<Reached>              reached;
     double                              written_at  = 0; ///< seconds: the last checkpoint

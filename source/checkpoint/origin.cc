@@ -1,10 +1,14 @@
 #include <signorini/checkpoint/origin.h>
 #include <signorini/checkpoint/sealed_file.h>
+#include <signorini/mesh/generators/file.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/text.h>
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace Signorini
 {
@@ -17,14 +21,51 @@ namespace Signorini
     {
       return directory + "/restart.scene";
     }
+
+    std::uint32_t
+    checksum_of_file(const std::string &path)
+    {
+      std::ifstream      file(path, std::ios::binary);
+      std::ostringstream content;
+      content << file.rdbuf();
+      if (!file)
+        throw SceneError("file '" + path + "' cannot be read");
+      return checksum(content.str());
+    }
+
+    void
+    add_files(const RawSection &section, std::map<std::string, std::uint32_t> &files)
+    {
+      if (const auto *file = section.find_value("File"); file && !file->text.empty())
+        files[file->text] = checksum_of_file(file->text);
+      for (const RawSection &one : section.sections)
+        add_files(one, files);
+    }
+
+    [[noreturn]] void
+    refuse(const std::string &why)
+    {
+      throw SceneError("--restart: " + why + "; solve the scene from the start");
+    }
   } // namespace
+
+
+
+  Origin
+  origin_of(const std::string &name, const std::string &scene)
+  {
+    Origin             result{name, scene, {}};
+    std::istringstream text(scene);
+    add_files(read_raw(text, name), result.files);
+    return result;
+  }
 
 
 
   void
   write_origin(const std::string &directory, const Origin &origin)
   {
-    const Json json = {{"name", origin.name}, {"folders", origin.folders}, {"scene", origin.scene}};
+    const Json json = {{"name", origin.name}, {"files", origin.files}, {"scene", origin.scene}};
     write_sealed(file_in(directory) + ".part", json.dump());
     std::filesystem::rename(file_in(directory) + ".part", file_in(directory));
     sync_folder(directory);
@@ -39,16 +80,30 @@ namespace Signorini
       throw SceneError("--restart " + directory +
                        ": no run has begun there, since there is no file restart.scene; give the "
                        "output directory of a run, or solve its scene from the start");
+    Origin result;
     try
       {
         const Json json = Json::parse(read_sealed(file_in(directory)));
-        return {json.at("name"), json.at("scene"), json.at("folders")};
+        result          = {json.at("name"), json.at("scene"), json.at("files")};
       }
     catch (const std::exception &error)
       {
-        throw SceneError("--restart: " + std::string(error.what()) +
-                         "; solve the scene from the start");
+        refuse(error.what());
       }
+    for (const auto &[path, sum] : result.files)
+      if (!file_exists(path) || checksum_of_file(path) != sum)
+        throw SceneError("--restart: file '" + path + "' " +
+                         (file_exists(path) ? "is not what it was when the run began" : "is gone") +
+                         "; put it back, or solve the scene from the start");
+    return result;
+  }
+
+
+
+  std::uint32_t
+  checksum_of_origin(const std::string &directory)
+  {
+    return checksum_of_file(file_in(directory));
   }
 
 
@@ -58,11 +113,11 @@ namespace Signorini
   {
     const std::string section = assignment.substr(0, assignment.find('/')),
                       key     = assignment.substr(0, assignment.find('='));
-    if (section != "Newton" && section != "Solver" && section != "Output")
-      throw SceneError(
-        "--restart: --set " + key +
-        " would change what is solved; only keys of Newton, Solver and Output may change half-way. "
-        "Solve the scene from the start with it");
+    if (section != "Newton" && section != "Solver" && section != "Output" &&
+        key != "Load steps/Cut-backs")
+      refuse("--set " + key +
+             " would change what is solved; only keys of Newton, Solver and Output, and "
+             "Load steps/Cut-backs, may change half-way");
     if (key == "Output/Directory")
       throw SceneError("--restart: --set Output/Directory: the run goes on where it is; copy its "
                        "directory, and restart from the copy");

@@ -216,7 +216,7 @@ namespace Signorini
           for (unsigned int d = 0; d < dim; ++d)
             data[d][q] = u[q][d];
           data[Row::pressure][q] = p[q];
-          data[Row::status][q]   = active[q] >= 0.5 ? 1 : 0;
+          data[Row::status][q]   = active[q] >= 1.5 ? 2 : active[q] >= 0.5 ? 1 : 0;
           // A gap of zero would look like contact where there is no partner at all.
           data[Row::gap][q] =
             coverage[q] > 1 - 1e-6 ? g[q] : std::numeric_limits<double>::quiet_NaN();
@@ -228,20 +228,22 @@ namespace Signorini
 
   template <int dim>
   std::string
-  write_contact(const Snapshot<dim> &snapshot, const std::string &directory)
+  write_contact(const Snapshot<dim> &snapshot,
+                const std::string   &directory,
+                const std::string   &name)
   {
     std::vector<std::string> names;
     for (const ContactPair<dim> &pair : snapshot.pairs)
       names.push_back(pair.name);
     return ContactFaces<dim>(snapshot).write(
-      {directory, "contact", snapshot.step, snapshot.time, "pair", names},
+      {directory, name, snapshot.step, snapshot.time, "pair", names},
       snapshot.elasticity.mesh().communicator());
   }
 
 
 
   template std::string
-  write_contact(const Snapshot<2> &, const std::string &);
+  write_contact(const Snapshot<2> &, const std::string &, const std::string &);
   template std::string
-  write_contact(const Snapshot<3> &, const std::string &);
+  write_contact(const Snapshot<3> &, const std::string &, const std::string &);
 } // namespace Signorini

@@ -35,8 +35,8 @@ namespace Signorini
       {"", "results\\.json(\\.part)?", "^\\s*\\{\\s*\"(program|scene)\"", true},
       {"", "scene\\.prm", "^# Written by Signorini", true},
       {"", "(solution|contact)\\.pvd", "deal\\.II|Signorini", true},
-      {"", "(solution|contact)_[0-9]{4,}\\.pvtu", "deal\\.II|Signorini", true},
-      {"", "(solution|contact)_[0-9]{4,}\\.[0-9]+\\.vtu", "deal\\.II|Signorini", true},
+      {"", "(solution|contact|failed)_[0-9]{4,}\\.pvtu", "deal\\.II|Signorini", true},
+      {"", "(solution|contact|failed)_[0-9]{4,}\\.[0-9]+\\.vtu", "deal\\.II|Signorini", true},
       {"", "restart\\.scene(\\.part)?", "^Signorini checkpoint", true},
       {"checkpoint-[0-9]{4,}(\\.tmp)?", "head|part-[0-9]+", "^Signorini checkpoint", false},
       {"", "(bodies|pressure)\\.png", "Signorini", false},
@@ -131,7 +131,7 @@ namespace Signorini
       const std::string folder = file.parent_path().filename(), name = file.filename();
       std::smatch       found;
       if (std::regex_match(folder, found, std::regex("step-([0-9]{4,9})")) ||
-          std::regex_search(name, found, std::regex("^(?:solution|contact)_([0-9]{4,9})\\.")))
+          std::regex_search(name, found, std::regex("^(?:solution|contact|failed)_([0-9]{4,9})\\.")))
         return std::stoul(found[1]);
       return 0;
     }

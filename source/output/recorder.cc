@@ -31,7 +31,7 @@ namespace Signorini
       Section section(text, false, 0, &scene.given);
       Scene<dim>(scene).declare(section);
       replace_file(path + "/scene.prm", text.str());
-      write_origin(path, {scene.name, text.str(), scene.folders});
+      write_origin(path, origin_of(scene.name, text.str()));
     }
   } // namespace
 
@@ -96,6 +96,7 @@ namespace Signorini
                              {"ranks", Utilities::MPI::n_mpi_processes(comm)},
                              {"dimension", dim},
                              {"method", scene.contact.method},
+                             {"complete", false},
                              {"converged", false},
                              {"reason", unfinished},
                              {"output_directory", path}};
@@ -116,6 +117,7 @@ namespace Signorini
     results["version"]          = SIGNORINI_VERSION;
     results["libraries"]        = library_versions();
     results["ranks"]            = Utilities::MPI::n_mpi_processes(comm);
+    results["complete"]         = false;
     results["converged"]        = false;
     results["reason"]           = unfinished;
     results["output_directory"] = path;
@@ -238,6 +240,32 @@ namespace Signorini
 
   template <int dim>
   void
+  Recorder<dim>::add_failure(const Snapshot<dim> &now, const NewtonReport &report)
+  {
+    Json one = {{"step", now.step}, {"time", now.time}, {"reason", report.reason}};
+    if (!report.steps.empty())
+      {
+        one["residual"]     = report.steps.back().residual;
+        one["gap_residual"] = report.steps.back().gap_residual;
+      }
+    const auto &mesh = now.elasticity.mesh();
+    if (report.worst_body < mesh.n_bodies())
+      one["body"] = mesh.body_name(report.worst_body);
+    std::vector<unsigned int> chattering(now.pairs.size(), 0);
+    auto                      pair = now.contact.pair.begin();
+    for (const double status : now.active)
+      chattering[*pair++] += status > 1.5;
+    Utilities::MPI::sum(chattering, comm, chattering);
+    for (unsigned int i = 0; i < now.pairs.size(); ++i)
+      one["pairs"].push_back({{"pair", now.pairs[i].name}, {"chattering_points", chattering[i]}});
+    results["failed_step"] = one;
+    writer.write_failure(now);
+  }
+
+
+
+  template <int dim>
+  void
   Recorder<dim>::add_linear_reference(const LinearReference &linear,
                                       const double           seconds,
                                       const double           cycles)
@@ -318,19 +346,22 @@ namespace Signorini
     results["converged"] = report.converged && is_answer;
     results["reason"] = report.converged && !is_answer ? verdict.summary(outcome) : report.reason;
     add_costs();
-    write();
-    if (!report.converged)
+    ExitCode code = is_interrupted ? interrupted : not_converged;
+    if (report.converged)
       {
-        text << "\n" << (is_interrupted ? "Ended: " : "Not solved: ") << report.reason << "\n";
-        return is_interrupted ? interrupted : not_converged;
+        print_summary(results, text);
+        verdict.print(text);
+        const bool as_expected = compare(scene.expected, results, text);
+        code                   = !is_answer ? not_converged : as_expected ? solved : missed;
       }
-    print_summary(results, text);
-    verdict.print(text);
-    const bool as_expected = compare(scene.expected, results, text);
+    if (!report.converged || !is_answer)
+      text << "\n"
+           << (is_interrupted ? "Ended: " : report.converged ? "No answer: " : "Not solved: ")
+           << results["reason"].get<std::string>() << "\n";
+    results["complete"]  = report.converged;
+    results["exit_code"] = code;
     write();
-    if (!is_answer)
-      text << "\nNo answer: " << results["reason"].get<std::string>() << "\n";
-    return !is_answer ? not_converged : as_expected ? solved : missed;
+    return code;
   }
 
 

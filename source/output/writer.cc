@@ -3,6 +3,8 @@
 #include <signorini/output/vtu.h>
 #include <signorini/output/writer.h>
 
+#include <filesystem>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -36,12 +38,24 @@ namespace Signorini
 
   template <int dim>
   void
+  Writer<dim>::write_failure(const Snapshot<dim> &snapshot)
+  {
+    if (settings.vtu && !snapshot.pairs.empty())
+      write_contact(snapshot, directory, "failed");
+  }
+
+
+
+  template <int dim>
+  void
   Writer<dim>::restore(const std::vector<std::pair<double, unsigned int>> &times)
   {
     const auto files = [&](const std::string &name) {
       std::vector<std::pair<double, std::string>> result;
       for (const auto &[time, step] : times)
-        result.emplace_back(time, name + "_" + Utilities::int_to_string(step, 4) + ".pvtu");
+        if (const std::string file = name + "_" + Utilities::int_to_string(step, 4) + ".pvtu";
+            std::filesystem::exists(directory + "/" + file)) // not if Output/VTU is new
+          result.emplace_back(time, file);
       return result;
     };
     bodies.restore(files("solution"));

@@ -271,15 +271,28 @@ namespace Signorini
 
 
 
+  LA::Vector
+  ActiveSet::chattering() const
+  {
+    LA::Vector result = contact.zero();
+    for (const auto i : result.locally_owned_elements())
+      result(i) = changes(i) >= 3 ? 1 : 0;
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
   std::string
   ActiveSet::chattering_points() const
   {
     if (contact.empty())
       return "";
+    const LA::Vector   often = chattering();
     std::ostringstream text;
     unsigned int       n = 0;
     for (const auto i : changes.locally_owned_elements())
-      if (changes(i) >= 3)
+      if (often(i) > 0)
         {
           if (n++ < 3)
             {

@@ -99,15 +99,33 @@ namespace Signorini
 
 
 
+  std::vector<double>
+  Balance::residuals_of_bodies(const LA::Vector &r) const
+  {
+    std::vector<double> result = norms_of_bodies(r);
+    for (unsigned int body = 0; body < n_bodies; ++body)
+      result[body] = at_work[body] > 0 ? result[body] / at_work[body] : 0.;
+    return result;
+  }
+
+
+
   double
   Balance::residual_of_bodies(const LA::Vector &r) const
   {
-    const std::vector<double> norms   = norms_of_bodies(r);
-    double                    largest = 0;
-    for (unsigned int body = 0; body < n_bodies; ++body)
-      if (at_work[body] > 0)
-        largest = std::max(largest, norms[body] / at_work[body]);
+    double largest = 0;
+    for (const double residual : residuals_of_bodies(r))
+      largest = std::max(largest, residual);
     return largest;
+  }
+
+
+
+  unsigned int
+  Balance::worst_body(const LA::Vector &r) const
+  {
+    const std::vector<double> residuals = residuals_of_bodies(r);
+    return std::max_element(residuals.begin(), residuals.end()) - residuals.begin();
   }
 
 

@@ -126,9 +126,14 @@ namespace Signorini
       report.reason = "the residual is not a number: loads, supports or the mesh are invalid";
     else if (!report.converged && n == settings.maximum_steps)
       report.reason = "Newton's method did not converge in " + std::to_string(n) +
-                      " steps (Newton/Maximum steps)" + strategy.chattering_points();
+                      " steps (Newton/Maximum steps)" + strategy.set().chattering_points();
     if (!report.is_over())
       return;
+    if (!report.converged)
+      {
+        report.chattering = strategy.set().chattering();
+        report.worst_body = balance.worst_body(stage.rhs.block(0));
+      }
     report.undetermined = system.free_motions().loose();
     if (!report.converged || report.undetermined.empty() || settings.undetermined != "refuse")
       return;

@@ -16,7 +16,7 @@ namespace Signorini
     const GapOperator                      &contact;
     const LA::Vector                       &displacement; ///< owned, satisfies its constraints
     /// On the rows of the gap operator: gap positive when open, pressure positive in compression,
-    /// active 1 or 0.
+    /// active 1 or 0, or 2 where it changes to and fro, of a load step that was not solved.
     const LA::Vector &gap, &pressure, &active;
     double            time;
     unsigned int      step;

@@ -80,6 +80,11 @@ namespace Signorini
     void
     add_sizes(const Elasticity<dim> &elasticity, const ContactSetup<dim> &contact);
 
+    /// The load step that was not solved: its last iterate, where `active` is 2 at contact points
+    /// that change to and fro. Collective.
+    void
+    add_failure(const Snapshot<dim> &now, const NewtonReport &report);
+
     /// The end. A run that has converged is compared with what the scene expects. @param text gets
     /// the summary for a person. Collective.
     /// @param is_interrupted from outside

@@ -22,6 +22,10 @@ namespace Signorini
     void
     write(const Snapshot<dim> &snapshot, const Formula &reference_pressure);
 
+    /// Only the contact surfaces, as failed_STEP.pvtu, unless settings.vtu is false. Collective.
+    void
+    write_failure(const Snapshot<dim> &snapshot);
+
     /// Of a run that goes on: the load steps that have their files.
     /// @param times of each, and its number
     void

@@ -76,11 +76,10 @@ namespace Signorini
   template <int dim>
   struct Scene
   {
-    std::string              model = model_names<dim>().front();
-    std::string              title;
-    std::string              name;    ///< of the scene file, without folder and .prm
-    RawSection               given;   ///< what was read
-    std::vector<std::string> folders; ///< where its mesh files are looked for
+    std::string model = model_names<dim>().front();
+    std::string title;
+    std::string name;  ///< of the scene file, without folder and .prm
+    RawSection  given; ///< what was read
 
     Definitions                   definitions;
     std::vector<Body<dim>>        bodies;

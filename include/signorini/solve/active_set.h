@@ -82,7 +82,11 @@ namespace Signorini
     unsigned int
     count_changes();
 
-    /// Names of the contact points that changed often, for messages.
+    /// 1 at the contact points that changed often.
+    LA::Vector
+    chattering() const;
+
+    /// Where they are, for messages.
     std::string
     chattering_points() const;
 

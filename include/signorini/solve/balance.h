@@ -49,6 +49,10 @@ namespace Signorini
     double
     residual_of_bodies(const LA::Vector &r) const;
 
+    /// That one.
+    unsigned int
+    worst_body(const LA::Vector &r) const;
+
     /// Forces and the active set are those of a solution; with augmentations, of the present one.
     /// @param before residual of the last step, to see that it does not fall any more
     bool
@@ -63,6 +67,8 @@ namespace Signorini
     /// acts on a soft one; so it counts up to a thousand times the contact force.
     std::vector<double>
     forces_at_work(const LA::Vector &contact_force, double scale) const;
+    std::vector<double>
+    residuals_of_bodies(const LA::Vector &r) const;
     /// Of the parts of a vector.
     std::vector<double>
     norms_of_bodies(const LA::Vector &force) const;

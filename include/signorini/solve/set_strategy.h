@@ -54,10 +54,10 @@ namespace Signorini
       return my_reduction;
     }
 
-    std::string
-    chattering_points() const
+    const ActiveSet &
+    set() const
     {
-      return active_set.chattering_points();
+      return active_set;
     }
 
   private:
