@@ -204,7 +204,7 @@ namespace Signorini
                      gap     = contact->gap_operator().gap(state.displacement);
     const Snapshot<dim> start =
       snapshot(state.displacement, gap, nothing, nothing, scene.load_steps.ends().front(), 0);
-    Json                step =
+    Json step =
       results_at(scene, start, is_final ? scene.output.probes : std::vector<Probe<dim>>());
     for (const char *number :
          {"time", "newton_iterations", "active_points", "residual", "multigrid_cycles"})
@@ -317,6 +317,8 @@ namespace Signorini
   Simulation<dim>::follow_surfaces(const double t, const double tolerance, const bool is_placed)
   {
     constexpr unsigned int most = 20, most_rules = 5;
+    // What surfaces leave that are placed once more need not be solved for again.
+    const double enough = std::max(tolerance, scene.newton.of_geometry);
     for (unsigned int n = 1; n <= most; ++n)
       {
         const bool keep_rule =
@@ -327,11 +329,10 @@ namespace Signorini
             build_contact(true, keep_rule);
             steps_before = report.steps;
           }
-        if (!solve_in_place(t, tolerance, true))
+        if (!solve_in_place(t, n > 1 ? enough : tolerance, true))
           return false;
         const NewtonStep &first = report.steps[steps_before.size()];
-        if (std::max(first.residual_of_bodies, first.gap_residual) <=
-              std::max(tolerance, scene.newton.of_geometry) &&
+        if (std::max(first.residual_of_bodies, first.gap_residual) <= enough &&
             (keep_rule || contact->has_settled(placed)))
           return true;
       }

@@ -228,14 +228,14 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template std::optional<ExitCode> Simulation<dim>::code_of_finished_run() const;                  \
-  template bool        Simulation<dim>::is_over() const;                                           \
-  template void        Simulation<dim>::find_checkpoint();                                         \
-  template void        Simulation<dim>::restore_mesh();                                            \
-  template void        Simulation<dim>::restore_state();                                           \
-  template void        Simulation<dim>::reach();                                                   \
-  template void        Simulation<dim>::write_checkpoint();                                        \
-  template void        Simulation<dim>::leave_checkpoint();                                        \
-  template StepVisitor Simulation<dim>::watch();
+  template bool                    Simulation<dim>::is_over() const;                               \
+  template void                    Simulation<dim>::find_checkpoint();                             \
+  template void                    Simulation<dim>::restore_mesh();                                \
+  template void                    Simulation<dim>::restore_state();                               \
+  template void                    Simulation<dim>::reach();                                       \
+  template void                    Simulation<dim>::write_checkpoint();                            \
+  template void                    Simulation<dim>::leave_checkpoint();                            \
+  template StepVisitor             Simulation<dim>::watch();
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -163,9 +163,9 @@ namespace Signorini
     bool                               only_checks = false;
     bool                               assembled   = false;
     bool                               follows     = false; ///< contact is where the surfaces are
-    LA::Vector                         placed; ///< displacement of surfaces; empty: at rest
-    std::vector<NewtonStep> steps_before;      ///< of this load step, with surfaces placed before
-    unsigned int            former_cycles = 0; ///< multigrid cycles before `newton`, on this mesh
+    LA::Vector                         placed;  ///< displacement of surfaces; empty: at rest
+    std::vector<NewtonStep> steps_before;       ///< of this load step, with surfaces placed before
+    unsigned int            former_cycles  = 0; ///< multigrid cycles before `newton`, on this mesh
     double                  former_seconds = 0; ///< on this mesh, before a restart
     unsigned int            n_steps        = 0; ///< of Newton's method on a coarse mesh
 
@@ -197,7 +197,7 @@ namespace Signorini
     std::unique_ptr<Checkpoints>        checkpoints;
     std::unique_ptr<Interruption>       interruption;
     std::uint32_t                       origin = 0; ///< checksum_of_origin()
-    std::optional<Checkpoints::Content> former; ///< until it is restored
+    std::optional<Checkpoints::Content> former;     ///< until it is restored
     std::optional<Reached>              reached;
     double                              written_at  = 0; ///< seconds: the last checkpoint
     unsigned int                        steps_since = 0;

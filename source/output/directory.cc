@@ -131,7 +131,9 @@ namespace Signorini
       const std::string folder = file.parent_path().filename(), name = file.filename();
       std::smatch       found;
       if (std::regex_match(folder, found, std::regex("step-([0-9]{4,9})")) ||
-          std::regex_search(name, found, std::regex("^(?:solution|contact|failed)_([0-9]{4,9})\\.")))
+          std::regex_search(name,
+                            found,
+                            std::regex("^(?:solution|contact|failed)_([0-9]{4,9})\\.")))
         return std::stoul(found[1]);
       return 0;
     }

@@ -356,7 +356,9 @@ namespace Signorini
       }
     if (!report.converged || !is_answer)
       text << "\n"
-           << (is_interrupted ? "Ended: " : report.converged ? "No answer: " : "Not solved: ")
+           << (is_interrupted   ? "Ended: " :
+               report.converged ? "No answer: " :
+                                  "Not solved: ")
            << results["reason"].get<std::string>() << "\n";
     results["complete"]  = report.converged;
     results["exit_code"] = code;

@@ -30,7 +30,7 @@ namespace Signorini
     std::vector<std::string> undetermined;
     double                   holding_force = 0;
     bool                     is_loose      = false; ///< that is why it did not converge
-    LA::Vector   chattering; ///< if not: 1 at the contact points that change to and fro
+    LA::Vector               chattering; ///< if not: 1 at the contact points that change to and fro
     unsigned int worst_body = dealii::numbers::invalid_unsigned_int; ///< likewise, out of balance
 
     bool

@@ -46,7 +46,7 @@ namespace Signorini
         partner.modulus   = moduli[i];
         partner.size      = sizes[i];
         partner.rest      = boundary.rest[i].position(xi);
-        if (with_bend)
+        if (with_bend && is_near_enough(partner.distance, sizes[i]))
           partner.bend = bend_of_master(boundary.patches[i], xi, n, trace, face);
         if (!with_stress)
           return;

@@ -254,17 +254,30 @@ namespace Signorini
           "x^2/20 for Normal = 0, 1, or take Contact method/Contact geometry = reference");
     }
 
-    /// So that the gap is true where the surfaces are.
+    /// So that the gap is true where the surfaces are: less row . u, which is how far slave and
+    /// master have moved along the normal.
     template <int dim>
     void
-    set_drift(const LA::Vector &u, std::vector<ContactPoint<dim>> &points)
+    set_drift(const LA::Vector                    &u,
+              const BoundaryFaces<dim>            &slave,
+              const std::vector<PairedPoint<dim>> &paired,
+              const bool                           is_obstacle,
+              std::vector<ContactPoint<dim>>      &points)
     {
-      std::vector<const SparseRow *> rows;
-      for (const ContactPoint<dim> &point : points)
-        rows.push_back(&point.row);
-      const std::vector<double> opened = row_values(rows, u);
+      std::vector<const SparseRow *> rigid_rows;
+      for (const PairedPoint<dim> &point : paired)
+        if (is_obstacle)
+          rigid_rows.push_back(&point.partner.row);
+      const std::vector<double> rigid = row_values(rigid_rows, u);
       for (std::size_t i = 0; i < points.size(); ++i)
-        points[i].drift = -points[i].closing - opened[i];
+        {
+          const PairedPoint<dim> &pair = paired[i];
+          const Tensor<1, dim>   &n    = pair.partner.normal;
+          const Point<dim>        x    = slave.patches[pair.face].position(pair.xi);
+          const double            master =
+            is_obstacle ? rigid[i] : (pair.partner.position - points[i].master_position) * n;
+          points[i].drift = -points[i].closing - (x - points[i].position) * n + master;
+        }
     }
 
     /// With the pair's slave and master as they are.
@@ -337,7 +350,7 @@ namespace Signorini
       else if (surface.reach < limit)
         keep_candidates(surface.reach, slave, paired, surface.points);
       if (!at_rest)
-        set_drift(configuration.displacement(), surface.points);
+        set_drift(configuration.displacement(), slave, paired, obstacle != nullptr, surface.points);
       surface.largest_angle = largest_angle(slave, paired, comm);
       surface.sees_nothing  = n_paired == 0;
       compare(elasticity, slave, paired, obstacle != nullptr, comm, surface);

@@ -52,16 +52,21 @@ namespace Signorini
       for (const auto &entry : *row)
         indices.push_back(entry.first);
     std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     IndexSet readable = u.locally_owned_elements();
     readable.add_indices(indices.begin(), indices.end());
-    LA::Vector values(u.locally_owned_elements(), readable, u.get_mpi_communicator());
-    values = u;
-    std::vector<double> result;
+    LA::Vector ghosted(u.locally_owned_elements(), readable, u.get_mpi_communicator());
+    ghosted = u;
+    std::vector<double> values(indices.size()), result;
+    ghosted.extract_subvector_to(indices, values);
+    const auto value_of = [&](const types::global_dof_index index) {
+      return values[std::lower_bound(indices.begin(), indices.end(), index) - indices.begin()];
+    };
     for (const SparseRow *row : rows)
       {
         result.push_back(0);
         for (const auto &[index, value] : *row)
-          result.back() += value * values(index);
+          result.back() += value * value_of(index);
       }
     return result;
   }

@@ -4,19 +4,28 @@
 #include <signorini/contact/geometry/search.h>
 #include <signorini/contact/obstacles/obstacle.h>
 
+#include <cmath>
+
 namespace Signorini
 {
   // The second variation of the gap g of a point x of the slave, which makes Newton's method
-  // quadratic where surfaces move.
+  // quadratic where surfaces move. It matters where there is pressure only.
+
+  /// Points that are farther from their partner can hardly have a pressure.
+  /// @param face_size a diameter
+  inline bool
+  is_near_enough(const double distance, const double face_size)
+  {
+    return std::abs(distance) <= 0.1 * face_size;
+  }
 
   /// On a face y(xi) of a body, whose closest point makes (x - y).y_a = 0 (Laursen and Simo, Int.
   /// J. Numer. Methods Eng. 36 (1993) 3451; here in the form without division by g):
   ///
   ///   - [w.A^-1 K H^-1 w' + m.H^-1 w' + w.H^-1 m' + g m.H^-1 m'],
   ///
-  /// with w_a = y_a.(u^S - u^M), m_a = n.u^M_a, the metric A, the curvature K_ab = n.y_ab, and H =
-  /// A
-  /// - g K. All but the factors, which need g: A and K in their place.
+  /// with w_a = y_a.(u^S - u^M), m_a = n.u^M_a, the metric A, the curvature K_ab = n.y_ab, and
+  /// H = A - g K. All but the factors, which need g: A and K in their place.
   template <int dim>
   GapBend<dim>
   bend_of_master(const FacePatch<dim>         &patch,
