@@ -1,5 +1,7 @@
-// What is carried over from mesh to mesh, and where meshes are refined.
+// What is carried over from mesh to mesh and from run to run, and where meshes are refined.
 
+#include <signorini/body_setup.h>
+#include <signorini/checkpoint/cells.h>
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/state/state.h>
 
@@ -157,6 +159,73 @@ namespace
       }
   }
 } // namespace
+
+
+
+namespace
+{
+  template <int dim>
+  Lines
+  degrees_one_and_two()
+  {
+    const bool plane = dim == 2;
+    return boxes(plane ? "0,0 : 1,1" : "0,0,0 : 1,1,1",
+                 plane ? "2,2" : "1,1,1",
+                 plane ? "0,1 : 1,2" : "0,0,1 : 1,1,2",
+                 plane ? "3,2" : "1,2,1") +
+           Lines{"Dimension=" + std::to_string(dim),
+                 "Bodies/upper/Degree=2",
+                 "Mesh/Refinements=2",
+                 "Mesh/Distribution=p4est"};
+  }
+
+  /// What the next rank has told.
+  std::vector<CellValues>
+  of_the_next_rank(const std::vector<CellValues> &cells)
+  {
+    const unsigned int n    = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                       next = (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + 1) % n;
+    return Utilities::MPI::all_gather(MPI_COMM_WORLD, cells)[next];
+  }
+
+  template <int dim>
+  void
+  check_restart()
+  {
+    CAPTURE(dim);
+    SmallScene<dim> before(degrees_one_and_two<dim>());
+    LA::Vector      bent = interpolant(before, [](const Point<dim> &x, auto) {
+      Tensor<1, dim> u;
+      u[0] = std::abs(x[0] + x[1] - 0.3);
+      return u;
+    });
+    for (unsigned int cycle = 0; cycle < 2; ++cycle)
+      refine(by_estimate(), *before.mesh, *before.elasticity, bent, {&bent});
+    const LA::Vector field = interpolant(before, polynomial<dim>);
+    const auto       cells = of_the_next_rank(values_of_cells(*before.elasticity, field));
+
+    SmallScene<dim> after(degrees_one_and_two<dim>());
+    const auto      mark = mark_of_mesh(*before.mesh);
+    CHECK_THROWS_AS(check_mark(*after.mesh, mark), SceneError);
+    CHECK_THROWS_AS(vector_of_cells(*after.elasticity, cells), SceneError);
+    after.elasticity.reset();
+    restore_cells(*after.mesh, cells);
+    CHECK_NOTHROW(check_mark(*after.mesh, mark));
+    after.elasticity = make_elasticity(after.scene, *after.mesh);
+    after.elasticity->setup();
+    CHECK(after.elasticity->dof_handler().n_dofs() == before.elasticity->dof_handler().n_dofs());
+    CHECK(difference<dim>(vector_of_cells(*after.elasticity, cells),
+                          interpolant(after, polynomial<dim>)) == 0);
+  }
+} // namespace
+
+
+
+TEST_CASE("mesh and displacement are those that other ranks have written")
+{
+  check_restart<2>();
+  check_restart<3>();
+}
 
 
 

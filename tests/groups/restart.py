@@ -1,0 +1,150 @@
+"""Runs that end before their end, and go on: killed, interrupted by signals, at the limit of their time, at a load step that
+cannot be solved."""
+
+import json
+import re
+import signal
+import subprocess
+import sys
+import time
+
+from case import PRM, ROOT, TESTS, Case
+
+WAVY = [str(PRM / "wavy-surfaces.prm"), "--set", "Accuracy/Refinement cycles=1"]
+
+
+def start(test, words, ranks=1):
+    launcher = [test.mpiexec, "-n", str(ranks)] if ranks > 1 else []
+    return subprocess.Popen(launcher + [test.program, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            text=True)
+
+
+def ends(test, words, code, text="", ranks=1):
+    """Runs to its end with that exit code, having said that text once."""
+    process = start(test, words, ranks)
+    output = process.communicate(timeout=300)[0]
+    test.print(output)
+    test.check(process.returncode == code, f"exit code {process.returncode} instead of {code}")
+    if text:
+        test.check(output.count(text) == 1, f"'{text}' is there {output.count(text)} times, not once")
+
+
+def folder_of(test):
+    return test.directory / ("restart-" + re.sub(r"\W", "-", test.case))
+
+
+def results_in(folder):
+    return json.loads((folder / "results.json").read_text())
+
+
+def check_same(test, folder, undisturbed):
+    """All load steps are there, with the same forces and pressures."""
+    steps, expected = results_in(folder)["load_steps"], results_in(undisturbed)["load_steps"]
+    test.check([step["time"] for step in steps] == [step["time"] for step in expected], "there are other load steps")
+    largest = expected[-1]["largest_force"]
+    for a, b in zip(steps, expected):
+        for name, pair in a["pairs"].items():
+            other = b["pairs"][name]
+            test.check(abs(pair["normal_force"] - other["normal_force"]) <= 1e-7 * largest, f"force at t = {a['time']:g}")
+            test.check(abs(pair["max_pressure"] / other["max_pressure"] - 1) <= 1e-6, f"pressure at t = {a['time']:g}")
+
+
+def kills(ranks, number):
+    def body(test):
+        run = subprocess.run([sys.executable, ROOT / "scripts" / "kills", PRM / "wavy-surfaces.prm",
+                              "--set", "Accuracy/Refinement cycles=2", "-np", ranks, "--kills", str(number),
+                              "--program", test.program, "--mpiexec", test.mpiexec],
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=600)
+        test.print(run.stdout)
+        test.check(run.returncode == 0, "not all runs have ended as the undisturbed one")
+        test.check(f"{number} kills" in run.stdout, f"there were not {number} kills")
+    return body
+
+
+def interrupted(number, ranks):
+    """Launchers hand SIGUSR1 on, but end their processes soon after SIGTERM."""
+    def body(test):
+        folder, whole = folder_of(test), folder_of(test) / "whole"
+        ends(test, [*WAVY, "--set", f"Output/Directory={whole}"], 0, ranks=ranks)
+        # Two directories: nobody knows how far the run gets.
+        process = start(test, [*WAVY, "--set", f"Output/Directory={folder}"], ranks)
+        seen = ""
+        for line in process.stdout:
+            seen += line
+            if "load step 3" in line:
+                process.send_signal(number)
+                break
+        seen += process.stdout.read()
+        process.wait(timeout=60)
+        test.print(seen)
+        test.check(process.returncode == 5, f"exit code {process.returncode} instead of 5")
+        results = results_in(folder)
+        test.check(results["reason"] == f"interrupted by {signal.Signals(number).name}", f"the reason is {results['reason']}")
+        test.check(results["exit_code"] == 5 and not results["complete"], "results.json does not tell that it is not complete")
+        test.check(2 <= len(results["load_steps"]) <= 4, "results.json has not the load steps that were solved")
+        test.check(len(list(folder.glob("checkpoint-*/head"))) == 1, "there is no checkpoint")
+        ends(test, ["--restart", folder], 0, "Restart from", ranks=3 - ranks)
+        check_same(test, folder, whole)
+        test.check(not list(folder.glob("checkpoint-*")), "checkpoints are left")
+        test.check(len(results_in(folder)["restarts"]) == 1, "results.json does not tell of the restart")
+        ends(test, ["--restart", folder], 0, "is finished, with exit code 0: nothing was done")
+    return body
+
+
+def time_limit(test):
+    folder, whole = folder_of(test), folder_of(test) / "whole"
+    ends(test, [*WAVY, "--set", f"Output/Directory={whole}"], 0)
+    ends(test, [*WAVY, "--set", f"Output/Directory={folder}", "--set", "Output/Time limit=1e-6"], 5,
+         "nothing was reached that a restart could start from")
+    # The reserve for a checkpoint is a second.
+    limit = ["--set", f"Output/Time limit={1.6 / 60}"]
+    code, runs = 5, 0
+    while code == 5 and runs < 20:
+        process = start(test, ["--restart", folder, *limit])
+        test.print(process.communicate(timeout=60)[0])
+        code, runs = process.returncode, runs + 1
+        if "nothing was reached" in results_in(folder)["reason"]:  # a slow machine
+            limit = ["--set", f"Output/Time limit={2 ** runs / 60}"]
+    test.check(code == 0, f"exit code {code} after {runs} restarts")
+    check_same(test, folder, whole)
+
+
+def refused(test):
+    folder = folder_of(test)
+    folder.mkdir(parents=True, exist_ok=True)
+    ends(test, ["--restart"], 2, "--restart needs the output directory of a run")
+    ends(test, ["--restart", folder], 2, "no run has begun there")
+    scene = [str(TESTS / "failures" / "missed-result.prm"), "--set", f"Output/Directory={folder}"]
+    ends(test, scene, 4)
+    ends(test, ["--restart", folder], 4, "is finished, with exit code 4: nothing was done")
+    ends(test, ["--restart", folder, scene[0]], 2, "knows its scene")
+    ends(test, ["--restart", folder, "--set", "Load steps/Number=7"], 2, "would change what is solved")
+    origin = folder / "restart.scene"
+    origin.write_bytes(origin.read_bytes()[:-1])
+    ends(test, ["--restart", folder], 2, "has not the length that it says")
+
+
+def failed_step(test):
+    """A load step that is not solved leaves the last good state, and goes on from there with other settings."""
+    folder, whole = folder_of(test), folder_of(test) / "whole"
+    ends(test, [*WAVY, "--set", f"Output/Directory={whole}"], 0)
+    # The steps from the state before take fewer than the first one.
+    few = ["--set", "Newton/Maximum steps=5", "--set", "Load steps/Cut-backs=0", "--set", "Accuracy/Refinement cycles=0"]
+    ends(test, [*WAVY[:1], *few, "--set", f"Output/Directory={whole}"], 3)
+    results = results_in(whole)
+    failed, n = results["failed_step"], len(results["load_steps"])
+    test.check(failed["step"] == n + 1, f"step {failed['step']} failed after {n}")
+    test.check(failed["body"] in ("flat", "wavy"), "no body is named")
+    test.check(failed["pairs"][0]["pair"] == "contact", "no pair is named")
+    test.check((whole / f"failed_{n + 1:04}.pvtu").exists(), "its surfaces are not drawn")
+
+
+def cases():
+    yield Case("restart", "kills/np1", kills("1", 4))
+    yield Case("restart", "kills/np4", kills("4,1,2", 4), 4, {"full"})
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
+        yield Case("restart", f"{number.name}/np1", interrupted(number, 1))
+    yield Case("restart", "SIGUSR1/np2", interrupted(signal.SIGUSR1, 2), 2)
+    yield Case("restart", "time-limit", time_limit)
+    yield Case("restart", "refused", refused)
+    yield Case("restart", "failed-step", failed_step)
