@@ -39,10 +39,11 @@ namespace Signorini
     /// The rows of a bend, with those of the slave point.
     template <int dim>
     void
-    set_bend(const GapBend<dim> &bend,
-             const Point<dim>   &unit_point,
-             const Trace<dim>   &trace,
-             ContactPoint<dim>  &point)
+    set_bend(const GapBend<dim>              &bend,
+             const Point<dim>                &unit_point,
+             const Trace<dim>                &trace,
+             const AffineConstraints<double> &constraints,
+             ContactPoint<dim>               &point)
     {
       point.bend_factors = bend.factors;
       for (unsigned int i = 0; !bend.factors.empty() && i < bend.rows.size(); ++i)
@@ -50,6 +51,7 @@ namespace Signorini
           SparseRow row;
           if (bend.directions[i].norm_square() > 0)
             row = trace.normal_displacement(unit_point, bend.directions[i]);
+          resolve(constraints, row);
           row.insert(row.end(), bend.rows[i].begin(), bend.rows[i].end());
           unite(row);
           point.bend_rows.push_back(std::move(row));
@@ -63,6 +65,7 @@ namespace Signorini
                   const PairedPoint<dim> &paired,
                   const Point<dim>       &unit_point,
                   const double            stiffness,
+                  const Elasticity<dim>  &elasticity,
                   const Trace<dim>       &trace)
     {
       const Partner<dim> &partner = paired.partner;
@@ -81,7 +84,11 @@ namespace Signorini
       unite(point.row);
       const bool on_body = partner.modulus > 0;
       if (!partner.bend.rows.empty())
-        set_bend(on_body ? bend_of_bodies(x, partner) : partner.bend, unit_point, trace, point);
+        set_bend(on_body ? bend_of_bodies(x, partner) : partner.bend,
+                 unit_point,
+                 trace,
+                 elasticity.constraints(),
+                 point);
       point.face = paired.face;
       point.xi   = paired.xi;
       return point;
@@ -199,8 +206,8 @@ namespace Signorini
             face_stiffness = slave.stiffness(elasticity, paired.face);
             face_depth     = slave.depth(paired.face);
           }
-        result.push_back(
-          contact_point(slave.patches[paired.face], rest, paired, place, face_stiffness, trace));
+        result.push_back(contact_point(
+          slave.patches[paired.face], rest, paired, place, face_stiffness, elasticity, trace));
         ContactPoint<dim> &point = result.back();
         point.depth              = face_depth;
         point.weight *=

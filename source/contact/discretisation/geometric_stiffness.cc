@@ -21,20 +21,13 @@ namespace Signorini
     /// sum_ij C_ij T_i T_j^T
     template <int dim>
     PointMatrix
-    point_matrix(const ContactPoint<dim>         &point,
-                 const AffineConstraints<double> &constraints,
-                 const double                     force)
+    point_matrix(const ContactPoint<dim> &point, const double force)
     {
-      const unsigned int     m = point.bend_rows.size();
-      std::vector<SparseRow> rows;
-      PointMatrix            result;
+      const unsigned int m = point.bend_rows.size();
+      PointMatrix        result;
       for (const SparseRow &row : point.bend_rows)
-        {
-          rows.push_back(row);
-          resolve(constraints, rows.back()); // supports tie some to others, or prescribe them
-          for (const auto &entry : rows.back())
-            result.indices.push_back(entry.first);
-        }
+        for (const auto &entry : row)
+          result.indices.push_back(entry.first);
       auto &indices = result.indices;
       std::sort(indices.begin(), indices.end());
       indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
@@ -44,7 +37,7 @@ namespace Signorini
       FullMatrix<double> T(m, indices.size()), C(m, m);
       for (unsigned int i = 0; i < m; ++i)
         {
-          for (const auto &[index, value] : rows[i])
+          for (const auto &[index, value] : point.bend_rows[i])
             T(i, number(index)) += value;
           for (unsigned int j = 0; j < m; ++j)
             C(i, j) = force * point.bend_factors[i * m + j];
@@ -76,7 +69,7 @@ namespace Signorini
             force += weight * p(row);
           if (force == 0 || surfaces[s].points[q].bend_rows.empty())
             continue;
-          PointMatrix matrix = point_matrix(surfaces[s].points[q], elasticity.constraints(), force);
+          PointMatrix matrix = point_matrix(surfaces[s].points[q], force);
           // Points between the same two faces.
           if (!matrices.empty() && matrices.back().indices == matrix.indices)
             matrices.back().values.add(1, matrix.values);

@@ -19,7 +19,8 @@ namespace Signorini
                  const BoundaryFaces<dim> &boundary,
                  const bool                with_stress,
                  const bool                with_bend)
-        : boundary(boundary)
+        : elasticity(elasticity)
+        , boundary(boundary)
         , trace(elasticity)
         , stress(std::make_shared<NormalStress<dim>>(elasticity))
         , bound(boundary)
@@ -47,7 +48,11 @@ namespace Signorini
         partner.size      = sizes[i];
         partner.rest      = boundary.rest[i].position(xi);
         if (with_bend && is_near_enough(partner.distance, sizes[i]))
-          partner.bend = bend_of_master(boundary.patches[i], xi, n, trace, face);
+          {
+            partner.bend = bend_of_master(boundary.patches[i], xi, n, trace, face);
+            for (SparseRow &row : partner.bend.rows)
+              resolve(elasticity.constraints(), row); // other ranks do not know them
+          }
         if (!with_stress)
           return;
         stress->reinit(cell);
@@ -58,6 +63,7 @@ namespace Signorini
       }
 
     private:
+      const Elasticity<dim>             &elasticity;
       const BoundaryFaces<dim>           boundary;
       Trace<dim>                         trace;
       std::shared_ptr<NormalStress<dim>> stress;

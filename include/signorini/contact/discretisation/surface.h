@@ -43,7 +43,7 @@ namespace Signorini
     double    bound = 0;      ///< of its square by the energy of the cells [force/length^3]
 
     // Where surfaces have moved, the second variation of the gap, see GapBend:
-    std::vector<SparseRow> bend_rows;    ///< T_i
+    std::vector<SparseRow> bend_rows;    ///< T_i, what supports tie or prescribe resolved
     std::vector<double>    bend_factors; ///< C
 
     double
