@@ -199,8 +199,8 @@ TEST_CASE("gaps between bodies that have moved bend as their second variation sa
 {
   for (const Case &which : cases_2d())
     check_bodies<2>(which);
-  for (const Case &which : cases_3d())
-    check_bodies<3>(which);
+  for (const unsigned int which : {1, 3}) // curved; inclined supports
+    check_bodies<3>(cases_3d()[which]);
 }
 
 
@@ -249,9 +249,18 @@ namespace
 
 TEST_CASE("the forces of pressures change with the surfaces as the geometric stiffness says")
 {
-  for (const Lines &method : all_methods())
+  // Those whose gap operators differ.
+  const Lines multiplier = {"Method=Lagrange multiplier"},
+              pointwise  = {"Method=penalty", "penalty/Factor=5", "penalty/Weighting=pointwise"};
+  const std::vector<Lines> others = {{"Method=Lagrange multiplier", "Pressure basis=standard"},
+                                     {"Method=Nitsche", "Nitsche/Theta=1"},
+                                     {"Method=Nitsche", "Nitsche/Unbiased=yes"},
+                                     {"Method=direct elimination"}};
+  for (const Lines &method : {multiplier, pointwise})
     {
       check_forces<2>(cases_2d()[1], method);
       check_forces<3>(cases_3d()[1], method);
     }
+  for (const Lines &method : others)
+    check_forces<2>(cases_2d()[1], method);
 }
