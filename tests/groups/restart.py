@@ -83,7 +83,7 @@ def interrupted(number, ranks):
         test.check(results["exit_code"] == 5 and not results["complete"], "results.json does not tell that it is not complete")
         test.check(2 <= len(results["load_steps"]) <= 4, "results.json has not the load steps that were solved")
         test.check(len(list(folder.glob("checkpoint-*/head"))) == 1, "there is no checkpoint")
-        ends(test, ["--restart", folder], 0, "Restart from", ranks=3 - ranks)
+        ends(test, ["--restart", folder], 0, "Restart from", ranks=3 - ranks if number == signal.SIGUSR1 else ranks)
         check_same(test, folder, whole)
         test.check(not list(folder.glob("checkpoint-*")), "checkpoints are left")
         test.check(len(results_in(folder)["restarts"]) == 1, "results.json does not tell of the restart")
@@ -127,16 +127,21 @@ def refused(test):
 def failed_step(test):
     """A load step that is not solved leaves the last good state, and goes on from there with other settings."""
     folder, whole = folder_of(test), folder_of(test) / "whole"
-    ends(test, [*WAVY, "--set", f"Output/Directory={whole}"], 0)
-    # The steps from the state before take fewer than the first one.
-    few = ["--set", "Newton/Maximum steps=5", "--set", "Load steps/Cut-backs=0", "--set", "Accuracy/Refinement cycles=0"]
-    ends(test, [*WAVY[:1], *few, "--set", f"Output/Directory={whole}"], 3)
-    results = results_in(whole)
+    scene = [*WAVY, "--set", "Accuracy/Refinement cycles=0"]
+    ends(test, [*scene, "--set", f"Output/Directory={whole}"], 0)
+    few = ["--set", "Newton/Maximum steps=4", "--set", "Load steps/Cut-backs=0"]
+    ends(test, [*scene, *few, "--set", f"Output/Directory={folder}"], 3)
+    results = results_in(folder)
     failed, n = results["failed_step"], len(results["load_steps"])
+    test.check(n > 0, "already the first load step failed")
     test.check(failed["step"] == n + 1, f"step {failed['step']} failed after {n}")
     test.check(failed["body"] in ("flat", "wavy"), "no body is named")
     test.check(failed["pairs"][0]["pair"] == "contact", "no pair is named")
-    test.check((whole / f"failed_{n + 1:04}.pvtu").exists(), "its surfaces are not drawn")
+    drawn = folder / f"failed_{n + 1:04}.pvtu"
+    test.check(drawn.exists(), "its surfaces are not drawn")
+    ends(test, ["--restart", folder, "--set", "Newton/Maximum steps=30"], 0)
+    check_same(test, folder, whole)
+    test.check(not drawn.exists() and "failed_step" not in results_in(folder), "the failure is still told")
 
 
 def cases():
