@@ -116,15 +116,14 @@ namespace Signorini
     const Part  part = joined(former->parts);
     contact->remember(head.at("pairs"));
     const std::vector<double> rigid = head.at("rigid_motion");
-    state.displacement              = vector_of_cells(*elasticity, part.displacement);
-    elasticity->set_rigid_motion(rigid, state.displacement);
-    state.contact = SurfaceField(dim);
+    State                     there;
+    there.displacement = vector_of_cells(*elasticity, part.displacement);
+    elasticity->set_rigid_motion(rigid, there.displacement);
+    there.contact = SurfaceField(dim);
     for (const auto &[face, values] : part.contact)
-      state.contact.set(face, values);
-    state.time = head.at("state_time");
-    follows    = head.at("follows");
-    if (follows)
-      placed = state.displacement;
+      there.contact.set(face, values);
+    there.time = head.at("state_time");
+    equilibrium->set_state(there, head.at("follows"));
     former_cycles  = head.at("multigrid_cycles");
     former_seconds = head.at("mesh_seconds");
     recorder->restore(head.at("results"));
@@ -153,8 +152,8 @@ namespace Signorini
                  {"step", position.step},
                  {"longest", position.longest},
                  {"state_time", state.time},
-                 {"follows", follows},
-                 {"multigrid_cycles", former_cycles + (newton ? newton->multigrid_cycles() : 0)},
+                 {"follows", equilibrium->follows()},
+                 {"multigrid_cycles", multigrid_cycles()},
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
                  {"pairs", contact->memory()}};
     reached   = Reached{state, head};
@@ -206,7 +205,7 @@ namespace Signorini
   void
   Simulation<dim>::leave_checkpoint()
   {
-    if (!report.converged && reached && steps_since > 0)
+    if (reached && steps_since > 0)
       write_checkpoint();
   }
 

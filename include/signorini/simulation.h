@@ -2,7 +2,7 @@
 
 #include <signorini/checkpoint/checkpoints.h>
 #include <signorini/checkpoint/interruption.h>
-#include <signorini/contact_setup.h>
+#include <signorini/equilibrium.h>
 #include <signorini/exit_code.h>
 #include <signorini/output/recorder.h>
 #include <signorini/scene/scene.h>
@@ -56,32 +56,6 @@ namespace Signorini
     /// Probes and expected results, before they cost a solution. Throws SceneError.
     void
     check_wanted();
-    /// Where the surfaces are placed; see ContactSetup::build().
-    void
-    build_contact(bool is_near = false, bool keep_rule = false);
-    void
-    forget_newton();
-    bool
-    solve(double t, double tolerance);
-    /// With contact on the surfaces as they are placed.
-    bool
-    solve_in_place(double t, double tolerance, bool is_near = false);
-    /// Do the surfaces move so far that contact has to be looked for where they are now?
-    bool
-    leaves_place();
-    /// Place the surfaces where they are, and solve, until they stay: Newton's method for the
-    /// dependence of gaps and normals on the displacement, of second order near the end.
-    /// @param is_placed they are where they are
-    bool
-    follow_surfaces(double t, double tolerance, bool is_placed);
-    /// For contact as it was found last.
-    void
-    make_newton(double tolerance);
-    void
-    solve_with_candidates(double t, double tolerance);
-    /// Throws SceneError for motions that nothing can stop.
-    FreeMotions
-    make_free_motions();
     void
     refine_mesh();
     /// The end of the load history, on a mesh that is still to be refined.
@@ -93,31 +67,25 @@ namespace Signorini
     /// @param from where they start, and then where they are
     /// @param visit called after each
     bool
-    follow_loads(double                                                  tolerance,
-                 Position                                               &from,
-                 const std::function<void(unsigned int step, double t)> &visit);
-    /// Solve at time t. If that fails, the state before it is restored.
-    bool
-    attempt(double t, double tolerance);
+    follow_loads(double                                        tolerance,
+                 Position                                     &from,
+                 const std::function<void(unsigned int step)> &visit);
     void
-    record_step(unsigned int step, double t);
-    /// Of the load step that was not solved: which body and which contact points do not settle.
-    void
-    record_failure();
-    Snapshot<dim>
-    snapshot(const LA::Vector &displacement,
-             const LA::Vector &gap,
-             const LA::Vector &pressure,
-             const LA::Vector &active,
-             double            t,
-             unsigned int      step) const;
-    /// What the solves on this mesh have taken.
+    record_step(unsigned int step);
+    const NewtonReport &
+    report() const
+    {
+      return equilibrium->report();
+    }
+    /// Of the solves on this mesh.
+    unsigned int
+    multigrid_cycles() const;
     double
     mesh_seconds() const;
     void
     compare_with_linear_solve();
     ExitCode
-    finish();
+    finish(const NewtonReport &end);
 
     // Checkpoints, in simulation_restart.cc:
 
@@ -152,36 +120,18 @@ namespace Signorini
     const MPI_Comm             comm;
     dealii::ConditionalOStream out;
     dealii::TimerOutput        timer;
-    dealii::Timer              clock, mesh_clock; ///< since the start, of the solves on this mesh
+    dealii::Timer              clock; ///< since the start
 
     std::unique_ptr<Mesh<dim>>         mesh;
     std::unique_ptr<Elasticity<dim>>   elasticity;
     std::unique_ptr<ContactSetup<dim>> contact;
-    std::shared_ptr<const Hierarchy>   hierarchy; ///< of the stiffness
-    std::unique_ptr<LA::SparseMatrix>  geometric; ///< stiffness of contact; null at rest
-    std::unique_ptr<Newton>            newton;
+    State                              state;
+    std::unique_ptr<Equilibrium<dim>>  equilibrium;
+    std::unique_ptr<Recorder<dim>>     recorder; ///< none where nothing is to be written
     bool                               only_checks = false;
-    bool                               assembled   = false;
-    bool                               follows     = false; ///< contact is where the surfaces are
-    LA::Vector                         placed;  ///< displacement of surfaces; empty: at rest
-    std::vector<NewtonStep> steps_before;       ///< of this load step, with surfaces placed before
-    unsigned int            former_cycles  = 0; ///< multigrid cycles before `newton`, on this mesh
-    double                  former_seconds = 0; ///< on this mesh, before a restart
-    unsigned int            n_steps        = 0; ///< of Newton's method on a coarse mesh
-
-    State      state;
-    LA::Vector pressure, active;             ///< state.contact at the rows of the gap operator
-    std::unique_ptr<Recorder<dim>> recorder; ///< none where nothing is to be written
-    NewtonReport                   report;
-
-    /// The last iterate of a load step that was not solved. Contact points that change to and fro
-    /// have 2 in `active`.
-    struct Failure
-    {
-      double     time;
-      LA::Vector displacement, pressure, active;
-    };
-    std::optional<Failure> failure;
+    unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
+    unsigned int former_cycles  = 0; ///< of multigrid on this mesh, before a restart
+    double       former_seconds = 0; ///< likewise
 
     /// What a checkpoint needs beside the results: copies, since attempts change the originals.
     struct Reached

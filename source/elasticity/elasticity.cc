@@ -2,6 +2,7 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/elasticity/kernel.h>
+#include <signorini/elasticity/rigid_pose.h>
 #include <signorini/elasticity/stress.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/parameters/text.h>
@@ -314,6 +315,30 @@ namespace Signorini
     for (const auto i : dofs.locally_owned_dofs())
       u(i) = part(i);
     u.compress(VectorOperation::insert);
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::turn_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const
+  {
+    using Body = RigidBody<dim>;
+    for (unsigned int b = 0; b < my_rigid_bodies.size(); ++b)
+      {
+        std::array<double, Body::n_dofs> motion;
+        std::copy_n(rigid_motion.begin() + b * Body::n_dofs, motion.size(), motion.begin());
+        typename RigidPose<dim>::Moment moment;
+        for (unsigned int i = 0; i < Body::n_rotations; ++i)
+          moment[i] = my_rigid_bodies[b].load(dim + i, time, my_lever) * my_lever;
+        const auto turned =
+          RigidPose<dim>(my_rigid_bodies[b].reference, motion, my_lever).on_rotations(moment);
+        for (unsigned int i = 0; i < Body::n_rotations; ++i)
+          if (const auto dof = first_dof(b) + dim + i; locally_owned.is_element(dof))
+            load(dof) = turned[i];
+      }
+    load.compress(VectorOperation::insert);
+    all_constraints.set_zero(load);
   }
 
 

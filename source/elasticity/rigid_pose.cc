@@ -1,6 +1,7 @@
 #include <signorini/elasticity/rigid_pose.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -112,6 +113,35 @@ namespace Signorini
     std::array<double, n_dofs> result{};
     for (unsigned int j = 0; j < n_rotations; ++j)
       result[dim + j] = jacobian[i][j];
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename RigidPose<dim>::Moment
+  RigidPose<dim>::on_rotations(const Moment &moment) const
+  {
+    return moment * jacobian;
+  }
+
+
+
+  template <int dim>
+  typename RigidPose<dim>::Moment
+  RigidPose<dim>::moment_of(const Moment &on_rotations) const
+  {
+    constexpr double singular = 1e-8;
+    const double     scale    = std::pow(jacobian.norm(), n_rotations);
+    if (std::abs(determinant(jacobian)) > singular * scale)
+      return on_rotations * invert(jacobian);
+    // J leaves the axis as it is, and takes what is across to nothing.
+    Moment       result;
+    const double lever = std::sqrt(1 / (jacobian * transpose(jacobian)).norm());
+    for (unsigned int i = 0; i < n_rotations; ++i)
+      result[i] = std::abs(lever * jacobian[i][i] - 1) < singular ?
+                    lever * on_rotations[i] :
+                    std::numeric_limits<double>::quiet_NaN();
     return result;
   }
 

@@ -1,3 +1,4 @@
+#include <signorini/elasticity/rigid_pose.h>
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/point_values.h>
 #include <signorini/fields/recovered_pressure.h>
@@ -213,8 +214,9 @@ namespace Signorini
       Json result                      = Json::object();
       for (unsigned int b = 0; b < e.rigid_bodies().size(); ++b)
         {
-          Json               u, w, f, m;
-          const unsigned int first = b * Body::n_dofs;
+          Json                            u, w, f, m;
+          typename RigidPose<dim>::Moment moment; // about the reference point, where it is now
+          const unsigned int              first = b * Body::n_dofs;
           // Around the axis radial forces are in balance, and so are moments.
           const bool on_circles = e.model() == Model::axisymmetric;
           for (unsigned int d = 0; d < dim; ++d)
@@ -223,9 +225,18 @@ namespace Signorini
               f.push_back(on_circles && d == 0 ? 0. : 0. - force[first + d]);
             }
           for (unsigned int d = 0; d < Body::n_rotations; ++d)
+            moment[d] = force[first + dim + d] * e.lever();
+          if (!s.contact.at_rest())
+            {
+              std::array<double, Body::n_dofs> now;
+              std::copy_n(motion.begin() + first, now.size(), now.begin());
+              moment = RigidPose<dim>(e.rigid_bodies()[b].reference, now, e.lever())
+                         .moment_of(moment / e.lever());
+            }
+          for (unsigned int d = 0; d < Body::n_rotations; ++d)
             {
               w.push_back(motion[first + dim + d] / e.lever());
-              m.push_back(on_circles ? 0. : 0. - force[first + dim + d] * e.lever());
+              m.push_back(on_circles ? 0. : 0. - moment[d]);
             }
           result[e.rigid_bodies()[b].name] = {{"displacement", u},
                                               {"rotation", w},

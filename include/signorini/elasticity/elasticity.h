@@ -99,6 +99,11 @@ namespace Signorini
     LA::Vector
     load() const;
 
+    /// In such a load, moments that act on rigid bodies that have turned so far, see
+    /// RigidPose::on_rotations(). Collective.
+    void
+    turn_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const;
+
     /// A vector that vanishes but at prescribed displacements (and what hangs on them).
     LA::Vector
     lift() const;

@@ -63,6 +63,19 @@ namespace Signorini
     std::array<double, n_dofs>
     spin(unsigned int i) const;
 
+    /// Moments about the center (2D: about z).
+    using Moment = dealii::Tensor<1, n_rotations>;
+
+    /// J^T M / lever: what a moment is to the rotational degrees of freedom, by the work that it
+    /// does.
+    Moment
+    on_rotations(const Moment &moment) const;
+
+    /// Back again. After whole turns in 3D J is singular: only the component along the axis is
+    /// known then, and components that are not are not numbers.
+    Moment
+    moment_of(const Moment &on_rotations) const;
+
   private:
     dealii::Point<dim>             reference, center;
     dealii::Tensor<2, dim>         turn;

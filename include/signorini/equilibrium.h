@@ -1,0 +1,170 @@
+#pragma once
+
+#include <signorini/contact_setup.h>
+#include <signorini/fields/snapshot.h>
+#include <signorini/solve/newton.h>
+#include <signorini/state/state.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace Signorini
+{
+  /// The bodies in balance at a time: Newton's method, on contact that is found again where
+  /// surfaces come closer or move farther than it was looked for. Lives as long as a run; what
+  /// depends on the mesh it makes when it is needed, and forgets when that changes.
+  template <int dim>
+  class Equilibrium
+  {
+  public:
+    /// Refers to all of them.
+    /// @param watch makes what is called in each step of Newton's method; what it throws ends the
+    /// solution, with `state` as the last iterate left it
+    Equilibrium(const Scene<dim>            &scene,
+                Elasticity<dim>             &elasticity,
+                ContactSetup<dim>           &contact,
+                State                       &state,
+                dealii::TimerOutput         &timer,
+                dealii::ConditionalOStream  &out,
+                std::function<StepVisitor()> watch);
+
+    /// Look for contact where the surfaces are placed now.
+    void
+    find_contact();
+
+    /// Throws SceneError for motions that nothing can stop.
+    void
+    check_motions();
+
+    /// Solve at time t, starting from `state`, which becomes the solution. If there is none, it
+    /// stays as it was.
+    bool
+    solve(double t, double tolerance);
+
+    /// The state is another one: nothing at all, or that of a checkpoint.
+    /// @param follows contact is where the surfaces are, from now on
+    void
+    set_state(const State &other, bool follows);
+
+    /// Pressure and active set of the state, as the last load step left them; find_contact() keeps
+    /// the pressure only.
+    void
+    recall_active_set();
+
+    /// The mesh is another one, and the state carried over to it.
+    void
+    forget_mesh();
+
+    /// Newton's method, multigrid and all that they hold; the results stay.
+    void
+    release();
+
+    // Of the last solution:
+
+    const NewtonReport &
+    report() const
+    {
+      return my_report;
+    }
+
+    Snapshot<dim>
+    snapshot(unsigned int step) const;
+
+    /// The last iterate of a time that was not solved, where contact points that change to and fro
+    /// have 2 in `active`; none if there is nothing to be drawn.
+    std::optional<Snapshot<dim>>
+    failure(unsigned int step) const;
+
+    /// Contact is where the surfaces are, not where they were at rest.
+    bool
+    follows() const
+    {
+      return my_follows;
+    }
+
+    /// What following them would change: the share of the pressure, if it was estimated.
+    std::optional<double>
+    neglected() const
+    {
+      return my_neglected;
+    }
+
+    // On this mesh so far:
+
+    unsigned int
+    multigrid_cycles() const;
+
+    /// Of this rank.
+    double
+    seconds() const
+    {
+      return clock.wall_time();
+    }
+
+  private:
+    bool
+    solve_from_state(double t, double tolerance);
+    void
+    keep_failure(double t);
+    /// With contact on the surfaces as they are placed.
+    bool
+    solve_in_place(double t, double tolerance, bool is_near = false);
+    /// Do the surfaces move so far that contact has to be looked for where they are now?
+    bool
+    leaves_place();
+    /// Place the surfaces where they are, and solve, until they stay: Newton's method for the
+    /// dependence of gaps and normals on the displacement, of second order near the end.
+    /// @param is_placed they are where they are
+    bool
+    follow_surfaces(double t, double tolerance, bool is_placed);
+    void
+    solve_with_candidates(double t, double tolerance);
+    /// For contact as it was found last.
+    void
+    make_newton(double tolerance);
+    FreeMotions
+    make_free_motions();
+    /// See ContactSetup::build().
+    void
+    build_contact(bool is_near = false, bool keep_rule = false);
+    void
+    forget_newton();
+    Snapshot<dim>
+    snapshot(const State      &state,
+             const LA::Vector &gap,
+             const LA::Vector &pressure,
+             const LA::Vector &active,
+             unsigned int      step) const;
+
+    const Scene<dim>                  &scene;
+    Elasticity<dim>                   &elasticity;
+    ContactSetup<dim>                 &contact;
+    State                             &state;
+    dealii::TimerOutput               &timer;
+    dealii::ConditionalOStream        &out;
+    const std::function<StepVisitor()> watch;
+
+    LA::Vector            pressure, active, gap; ///< state.contact at the rows of the gap operator
+    LA::Vector            placed;                ///< displacement of surfaces; empty: at rest
+    bool                  my_follows = false;
+    std::optional<double> my_neglected;
+
+    bool                              assembled = false;
+    std::shared_ptr<const Hierarchy>  hierarchy; ///< of the stiffness
+    std::unique_ptr<LA::SparseMatrix> geometric; ///< stiffness of contact; null at rest
+    std::unique_ptr<Newton>           newton;
+
+    NewtonReport            my_report;
+    std::vector<NewtonStep> steps_before;      ///< of this load step, with surfaces placed before
+    unsigned int            former_cycles = 0; ///< of multigrid, before `newton`
+    dealii::Timer           clock;             ///< of the solves on this mesh
+
+    struct Failure
+    {
+      State      state;
+      LA::Vector gap, pressure, active;
+    };
+    std::optional<Failure> my_failure;
+  };
+} // namespace Signorini

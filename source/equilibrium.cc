@@ -1,0 +1,422 @@
+#include <signorini/equilibrium.h>
+#include <signorini/parameters/text.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Equilibrium<dim>::Equilibrium(const Scene<dim>            &scene,
+                                Elasticity<dim>             &elasticity,
+                                ContactSetup<dim>           &contact,
+                                State                       &state,
+                                TimerOutput                 &timer,
+                                ConditionalOStream          &out,
+                                std::function<StepVisitor()> watch)
+    : scene(scene)
+    , elasticity(elasticity)
+    , contact(contact)
+    , state(state)
+    , timer(timer)
+    , out(out)
+    , watch(std::move(watch))
+  {
+    clock.reset();
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::find_contact()
+  {
+    build_contact(my_follows);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::check_motions()
+  {
+    make_free_motions();
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::set_state(const State &other, const bool follows)
+  {
+    state      = other;
+    my_follows = follows;
+    placed     = follows ? state.displacement : LA::Vector();
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::recall_active_set()
+  {
+    rows_of_places(state.contact, contact.gap_operator(), pressure, active);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::forget_mesh()
+  {
+    newton.reset();
+    hierarchy.reset();
+    clock.reset();
+    assembled     = false;
+    former_cycles = 0;
+    if (my_follows)
+      placed = state.displacement;
+    contact.forget_mesh();
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::release()
+  {
+    forget_newton();
+    hierarchy.reset();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Equilibrium<dim>::multigrid_cycles() const
+  {
+    return former_cycles + (newton ? newton->multigrid_cycles() : 0);
+  }
+
+
+
+  template <int dim>
+  Snapshot<dim>
+  Equilibrium<dim>::snapshot(const State       &at,
+                             const LA::Vector  &gap,
+                             const LA::Vector  &pressure,
+                             const LA::Vector  &active,
+                             const unsigned int step) const
+  {
+    return {elasticity,
+            scene.pairs,
+            contact.surfaces(),
+            contact.gap_operator(),
+            at.displacement,
+            gap,
+            pressure,
+            active,
+            at.time,
+            step};
+  }
+
+
+
+  template <int dim>
+  Snapshot<dim>
+  Equilibrium<dim>::snapshot(const unsigned int step) const
+  {
+    return snapshot(state, gap, pressure, active, step);
+  }
+
+
+
+  template <int dim>
+  std::optional<Snapshot<dim>>
+  Equilibrium<dim>::failure(const unsigned int step) const
+  {
+    if (!my_failure ||
+        !std::isfinite(my_failure->state.displacement.l2_norm() + my_failure->pressure.l2_norm()))
+      return {};
+    return snapshot(
+      my_failure->state, my_failure->gap, my_failure->pressure, my_failure->active, step);
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::solve(const double t, const double tolerance)
+  {
+    const State before = state;
+    my_failure.reset();
+    try
+      {
+        if (solve_from_state(t, tolerance))
+          {
+            state.time = t;
+            gap        = contact.gap_operator().gap(state.displacement);
+            return true;
+          }
+      }
+    catch (const SolverFailure &failure)
+      {
+        my_report        = NewtonReport();
+        my_report.reason = failure.what();
+        my_report.reason += contact.pressed_twice(active);
+      }
+    keep_failure(t);
+    state = before;
+    recall_active_set();
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::keep_failure(const double t)
+  {
+    my_failure = Failure{state, contact.gap_operator().gap(state.displacement), pressure, active};
+    my_failure->state.time       = t;
+    const LA::Vector &chattering = my_report.chattering;
+    for (const auto i : chattering.locally_owned_elements())
+      my_failure->active(i) = chattering(i) > 0 ? 2 : active(i);
+    my_failure->active.compress(VectorOperation::insert);
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::solve_from_state(const double t, const double tolerance)
+  {
+    elasticity.set_time(t);
+    elasticity.distribute(state.displacement);
+    steps_before.clear();
+    if (my_follows && t == state.time)
+      return follow_surfaces(t, tolerance, true); // only the mesh is another
+    if (my_follows)
+      {
+        placed = state.displacement;
+        build_contact();
+      }
+    if (!solve_in_place(t, tolerance))
+      return false;
+    return my_follows || leaves_place() ? follow_surfaces(t, tolerance, false) : true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::leaves_place()
+  {
+    const std::string &wanted = scene.contact.geometry;
+    if (wanted == "automatic")
+      {
+        TimerOutput::Scope scope(timer, "contact geometry");
+        if (const std::string unknown = contact.unknown_elsewhere(); !unknown.empty())
+          out << "  contact geometry: that of surfaces at rest, since the Gap of '" << unknown
+              << "' says nothing of other places" << std::endl;
+        else
+          {
+            const double change = contact.neglected(state.displacement, pressure).pressure;
+            my_follows          = change > scene.contact.geometry_share;
+            my_neglected        = change;
+            out << "  contact geometry: surfaces as they are now change the pressure by about "
+                << short_text(100 * change, 2) << " %"
+                << (my_follows ? ": contact is found again there" : "") << std::endl;
+          }
+      }
+    else
+      my_follows = wanted == "updated";
+    return my_follows;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::follow_surfaces(const double t, const double tolerance, const bool is_placed)
+  {
+    constexpr unsigned int most = 20, most_rules = 5;
+    // What surfaces leave that are placed once more need not be solved for again.
+    const double enough = std::max(tolerance, scene.newton.of_geometry);
+    for (unsigned int n = 1; n <= most; ++n)
+      {
+        const bool keep_rule = n > 1 && (n > most_rules || contact.has_settled(state.displacement));
+        if (n > 1 || !is_placed)
+          {
+            placed = state.displacement;
+            build_contact(true, keep_rule);
+            steps_before = my_report.steps;
+          }
+        if (!solve_in_place(t, n > 1 ? enough : tolerance, true))
+          return false;
+        const NewtonStep &first = my_report.steps[steps_before.size()];
+        if (std::max(first.residual_of_bodies, first.gap_residual) <= enough &&
+            (keep_rule || contact.has_settled(placed)))
+          return true;
+      }
+    my_report.converged = false;
+    my_report.reason =
+      "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load "
+      "steps/Number), or take Contact method/Contact geometry = reference";
+    return false;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::solve_in_place(const double t, const double tolerance, const bool is_near)
+  {
+    for (;;)
+      {
+        solve_with_candidates(t, tolerance);
+        if (my_report.converged ? !contact.needs_more(state.displacement) :
+                                  !my_report.is_loose || !contact.look_farther())
+          return my_report.converged;
+        build_contact(is_near);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::solve_with_candidates(const double t, const double tolerance)
+  {
+    if (!newton)
+      make_newton(tolerance);
+    clock.start();
+    LA::Vector f;
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      f = elasticity.load();
+    }
+    // Forces of contact are linear about where it was looked for.
+    if (geometric)
+      {
+        elasticity.turn_moments(elasticity.rigid_motion(placed), f);
+        LA::Vector moved;
+        moved.reinit(f);
+        geometric->vmult(moved, placed);
+        f -= moved;
+      }
+    elasticity.distribute(state.displacement);
+    contact.set_time(t);
+    my_report = newton->solve(f, state.displacement, pressure, active, watch());
+    my_report.steps.insert(my_report.steps.begin(), steps_before.begin(), steps_before.end());
+    elasticity.distribute(state.displacement);
+    state.contact = places_of_rows(contact.gap_operator(), pressure, active, dim);
+    clock.stop();
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::make_newton(const double tolerance)
+  {
+    if (!assembled)
+      {
+        clock.start();
+        TimerOutput::Scope scope(timer, "assembly");
+        elasticity.assemble();
+        assembled = true;
+        clock.stop();
+      }
+    FreeMotions free_motions = make_free_motions(); // may search farther
+    clock.start();
+    if (!hierarchy)
+      {
+        TimerOutput::Scope scope(timer, "preconditioner");
+        hierarchy =
+          make_hierarchy(scene.solver, elasticity.stiffness(), elasticity.rigid_body_modes(), dim);
+      }
+    geometric.reset();
+    if (placed.size() > 0)
+      {
+        TimerOutput::Scope scope(timer, "contact");
+        geometric = std::make_unique<LA::SparseMatrix>(contact.geometric_stiffness(pressure));
+      }
+    NewtonSettings settings = scene.newton;
+    settings.tolerance      = tolerance;
+    newton                  = std::make_unique<Newton>(settings,
+                                      scene.solver,
+                                      scene.contact.chosen(),
+                                      elasticity.stiffness(),
+                                      elasticity.constraints(),
+                                      contact.gap_operator(),
+                                      hierarchy,
+                                      elasticity.bodies_of_dofs(),
+                                      dim,
+                                      timer,
+                                      std::move(free_motions),
+                                      geometric.get());
+    clock.stop();
+  }
+
+
+
+  template <int dim>
+  FreeMotions
+  Equilibrium<dim>::make_free_motions()
+  {
+    if (!elasticity.has_free_motions())
+      return {};
+    const auto make = [&] {
+      return FreeMotions(elasticity.free_motions(),
+                         elasticity.stabilising_springs(),
+                         contact.gap_operator());
+    };
+    FreeMotions motions = make();
+    while (!motions.never_held().empty() && contact.look_farther())
+      {
+        build_contact();
+        motions = make();
+      }
+    if (!motions.never_held().empty() && scene.newton.undetermined == "refuse")
+      throw SceneError("Supports/Names: no support holds " + join(motions.never_held()) +
+                       ", and no contact can; " + NewtonSettings::how_to_hold() +
+                       ". There are these boundaries: " + join(elasticity.mesh().boundaries()) +
+                       ".");
+    return motions;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::build_contact(const bool is_near, const bool keep_rule)
+  {
+    forget_newton();
+    clock.start();
+    contact.build(placed.size() > 0 ? Configuration<dim>(elasticity, placed) :
+                                      Configuration<dim>(elasticity),
+                  is_near,
+                  keep_rule);
+    rows_of_places(state.contact, contact.gap_operator(), pressure, active);
+    active = contact.gap_operator().zero(); // the law finds it better: there may be more points
+    clock.stop();
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::forget_newton()
+  {
+    if (newton)
+      former_cycles += newton->multigrid_cycles();
+    newton.reset(); // it refers to what is replaced
+  }
+
+
+
+  template class Equilibrium<2>;
+  template class Equilibrium<3>;
+} // namespace Signorini
