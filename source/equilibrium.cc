@@ -242,8 +242,7 @@ namespace Signorini
   Equilibrium<dim>::follow_surfaces(const double t, const double tolerance, const bool is_placed)
   {
     constexpr unsigned int most = 20, most_rules = 5;
-    // What surfaces leave that are placed once more need not be solved for again.
-    const double enough = std::max(tolerance, scene.newton.of_geometry);
+    const double           enough = std::max(tolerance, scene.newton.of_geometry);
     for (unsigned int n = 1; n <= most; ++n)
       {
         const bool keep_rule = n > 1 && (n > most_rules || contact.has_settled(state.displacement));
@@ -253,7 +252,7 @@ namespace Signorini
             build_contact(true, keep_rule);
             steps_before = my_report.steps;
           }
-        if (!solve_in_place(t, n > 1 ? enough : tolerance, true))
+        if (!solve_in_place(t, tolerance, true))
           return false;
         const NewtonStep &first = my_report.steps[steps_before.size()];
         if (std::max(first.residual_of_bodies, first.gap_residual) <= enough &&
