@@ -75,7 +75,11 @@ namespace Signorini
   {
     checkpoints = std::make_unique<Checkpoints>(recorder->directory(), comm);
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      origin = checksum_of_origin(recorder->directory());
+      {
+        if (!goes_on)
+          write_origin(recorder->directory(), origin_of(scene.name, text_with_defaults(scene)));
+        origin = checksum_of_origin(recorder->directory());
+      }
     origin = Utilities::MPI::broadcast(comm, origin);
     if (!goes_on)
       return;

@@ -1,4 +1,3 @@
-#include <signorini/checkpoint/origin.h>
 #include <signorini/output/recorder.h>
 #include <signorini/output/summary.h>
 #include <signorini/parameters/section.h>
@@ -22,18 +21,20 @@ namespace Signorini
       return scene.output.directory.empty() ? "output/" + scene.name : scene.output.directory;
     }
 
-    template <int dim>
-    void
-    leave_scene(const Scene<dim> &scene, const std::string &path)
-    {
-      std::ostringstream text;
-      text << mark_of_scene_file();
-      Section section(text, false, 0, &scene.given);
-      Scene<dim>(scene).declare(section);
-      replace_file(path + "/scene.prm", text.str());
-      write_origin(path, origin_of(scene.name, text.str()));
-    }
   } // namespace
+
+
+
+  template <int dim>
+  std::string
+  text_with_defaults(const Scene<dim> &scene)
+  {
+    std::ostringstream text;
+    text << mark_of_scene_file();
+    Section section(text, false, 0, &scene.given);
+    Scene<dim>(scene).declare(section);
+    return text.str();
+  }
 
 
 
@@ -77,7 +78,7 @@ namespace Signorini
     if (goes_on)
       return;
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      leave_scene(scene, path);
+      replace_file(path + "/scene.prm", text_with_defaults(scene));
     begin();
     write();
   }
@@ -388,6 +389,10 @@ namespace Signorini
 
 
 
+  template std::string
+  text_with_defaults(const Scene<2> &);
+  template std::string
+  text_with_defaults(const Scene<3> &);
   template Json
   results_at(const Scene<2> &, const Snapshot<2> &, const std::vector<Probe<2>> &);
   template Json

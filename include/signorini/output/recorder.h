@@ -22,6 +22,11 @@ namespace Signorini
              const Snapshot<dim>           &now,
              const std::vector<Probe<dim>> &probes);
 
+  /// The scene as it is left in the output directory, runnable again.
+  template <int dim>
+  std::string
+  text_with_defaults(const Scene<dim> &scene);
+
   /// What a run leaves behind: results.json, which grows from step to step and says `unfinished`
   /// until the end, so that a run that is killed leaves what it had; the files of Writer; and
   /// scene.prm. doc/results.md describes all of it. Keeps references to its arguments.
