@@ -152,7 +152,7 @@ namespace Signorini
     contact           = make_gap_operator(configuration, my_surfaces, *rows, method);
     built_at          = configuration.displacement();
     const auto n_rows = [&](const unsigned int i) {
-      const auto own = std::count(contact->pair.begin(), contact->pair.end(), i);
+      const auto own = std::count(contact->origin.pair.begin(), contact->origin.pair.end(), i);
       return Utilities::MPI::sum(own, elasticity.mesh().communicator());
     };
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
@@ -173,10 +173,15 @@ namespace Signorini
 
 
   template <int dim>
-  LA::SparseMatrix
-  ContactSetup<dim>::geometric_stiffness(const LA::Vector &pressure) const
+  void
+  ContactSetup<dim>::turn_forces(const LA::Vector &pressure)
   {
-    return Signorini::geometric_stiffness(elasticity, my_surfaces, *rows, pressure);
+    if (contact->at_rest())
+      return;
+    TimerOutput::Scope scope(timer, "contact");
+    contact->moved.place = built_at;
+    contact->moved.G     = std::make_unique<LA::SparseMatrix>(
+      geometric_stiffness(elasticity, my_surfaces, *rows, pressure));
   }
 
 
@@ -344,13 +349,14 @@ namespace Signorini
     unsigned int                                    both[2] = {0, 0}; // one more than numbers
     const IndexSet                                  rows    = active.locally_owned_elements();
     auto                                            row     = rows.begin();
-    for (unsigned int k = 0; k < contact->node.size(); ++k, ++row)
+    for (unsigned int k = 0; k < contact->origin.node.size(); ++k, ++row)
       if (active(*row) > 0)
-        if (const auto [at, is_new] = pair_of_node.insert({contact->node[k], contact->pair[k]});
+        if (const auto [at, is_new] =
+              pair_of_node.insert({contact->origin.node[k], contact->origin.pair[k]});
             !is_new)
           {
             both[0] = at->second + 1;
-            both[1] = contact->pair[k] + 1;
+            both[1] = contact->origin.pair[k] + 1;
           }
     const unsigned int code = both[0] * scene.pairs.size() + both[1],
                        most = Utilities::MPI::max(code, elasticity.mesh().communicator());

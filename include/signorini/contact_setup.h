@@ -72,9 +72,10 @@ namespace Signorini
       return *contact;
     }
 
-    /// G of geometric_stiffness(), zero at rest. Collective.
-    LA::SparseMatrix
-    geometric_stiffness(const LA::Vector &pressure) const;
+    /// Where surfaces have moved: let forces of such pressures turn with them, by
+    /// geometric_stiffness(). Collective.
+    void
+    turn_forces(const LA::Vector &pressure);
 
     /// An obstacle of which nobody knows where it is beside surfaces that have moved, see
     /// ObstacleShape::has_closest_point(); empty if there is none. Collective.

@@ -2,7 +2,7 @@
 
 #include <signorini/contact_setup.h>
 #include <signorini/fields/snapshot.h>
-#include <signorini/solve/newton.h>
+#include <signorini/solve/contact_solver.h>
 #include <signorini/state/state.h>
 
 #include <functional>
@@ -120,16 +120,17 @@ namespace Signorini
     follow_surfaces(double t, double tolerance, bool is_placed);
     void
     solve_with_candidates(double t, double tolerance);
-    /// For contact as it was found last.
     void
-    make_newton(double tolerance);
+    make_solver(double tolerance);
+    void
+    assemble();
     FreeMotions
     make_free_motions();
     /// See ContactSetup::build().
     void
     build_contact(bool is_near = false, bool keep_rule = false);
     void
-    forget_newton();
+    forget_solver();
     Snapshot<dim>
     snapshot(const State      &state,
              const LA::Vector &gap,
@@ -150,14 +151,14 @@ namespace Signorini
     bool                  my_follows = false;
     std::optional<double> my_neglected;
 
-    bool                              assembled = false;
-    std::shared_ptr<const Hierarchy>  hierarchy; ///< of the stiffness
-    std::unique_ptr<LA::SparseMatrix> geometric; ///< stiffness of contact; null at rest
-    std::unique_ptr<Newton>           newton;
+    // On this mesh:
+    std::optional<LinearBodies>    bodies; ///< once they are assembled
+    std::optional<BodiesHierarchy> hierarchies;
+    std::unique_ptr<ContactSolver> solver; ///< for contact as it was found last
 
     NewtonReport            my_report;
     std::vector<NewtonStep> steps_before;      ///< of this load step, with surfaces placed before
-    unsigned int            former_cycles = 0; ///< of multigrid, before `newton`
+    unsigned int            former_cycles = 0; ///< of multigrid, before `solver`
     dealii::Timer           clock;             ///< of the solves on this mesh
 
     struct Failure

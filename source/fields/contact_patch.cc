@@ -281,13 +281,13 @@ namespace Signorini
     of_points(const Snapshot<dim> &s, const unsigned int pair)
     {
       Moments<dim> result;
-      auto         which = s.contact.pair.begin();
+      auto         which = s.contact.origin.pair.begin();
       for (const auto i : s.active.locally_owned_elements())
         if (*which++ == pair && s.active(i) > 0)
           {
             Point<dim> x;
             for (unsigned int d = 0; d < dim; ++d)
-              x[d] = s.contact.position[d](i);
+              x[d] = s.contact.geometry.position[d](i);
             result.add(s.contact.weight(i), x);
           }
       return result;

@@ -17,9 +17,9 @@ namespace Signorini
       LA::Vector     field = snapshot.elasticity.zero_vector();
       const IndexSet rows  = values.locally_owned_elements();
       auto           row   = rows.begin();
-      for (unsigned int k = 0; k < snapshot.contact.node.size(); ++k, ++row)
-        if (snapshot.contact.pair[k] == pair)
-          field(snapshot.contact.node[k]) = values(*row);
+      for (unsigned int k = 0; k < snapshot.contact.origin.node.size(); ++k, ++row)
+        if (snapshot.contact.origin.pair[k] == pair)
+          field(snapshot.contact.origin.node[k]) = values(*row);
       field.compress(VectorOperation::insert);
       return field;
     }
@@ -97,7 +97,7 @@ namespace Signorini
   bool
   samples_nodes(const GapOperator &contact)
   {
-    return Utilities::MPI::max(contact.node.empty() ? 0u : 1u,
+    return Utilities::MPI::max(contact.origin.node.empty() ? 0u : 1u,
                                contact.weight.get_mpi_communicator()) == 1;
   }
 

@@ -51,7 +51,7 @@ namespace Signorini
         gap                        = nodal(snapshot.gap);
         status                     = nodal(snapshot.active);
         coverage = snapshot.elasticity.with_ghosts(nodal_coverage(snapshot, pair));
-        for (const LA::Vector &normal : snapshot.contact.normal)
+        for (const LA::Vector &normal : snapshot.contact.geometry.normal)
           {
             LA::Vector component = nodal_field(snapshot, normal, pair);
             component.scale(recovered);

@@ -35,18 +35,18 @@ namespace Signorini
       const IndexSet      rows  = snapshot.pressure.locally_owned_elements();
       auto                row   = rows.begin();
       const LA::Vector    nodal = recovered_pressure(snapshot, pair);
-      for (unsigned int k = 0; k < contact.pair.size(); ++k, ++row)
-        if (contact.pair[k] == pair)
+      for (unsigned int k = 0; k < contact.origin.pair.size(); ++k, ++row)
+        if (contact.origin.pair[k] == pair)
           {
             Tensor<1, dim> normal;
             for (unsigned int d = 0; d < dim; ++d)
-              normal[d] = contact.normal[d](*row);
+              normal[d] = contact.geometry.normal[d](*row);
             if (normal.norm() > 0)
               normal /= normal.norm();
             for (unsigned int d = 0; d < 3; ++d)
-              numbers.push_back(d < dim ? contact.position[d](*row) : 0.);
-            numbers.push_back(contact.node.empty() ? snapshot.pressure(*row) :
-                                                     nodal(contact.node[k]));
+              numbers.push_back(d < dim ? contact.geometry.position[d](*row) : 0.);
+            numbers.push_back(contact.origin.node.empty() ? snapshot.pressure(*row) :
+                                                            nodal(contact.origin.node[k]));
             for (const LA::Vector *v : {&snapshot.gap, &snapshot.active, &contact.rest_gap})
               numbers.push_back((*v)(*row));
             for (unsigned int d = 0; d < 3; ++d)

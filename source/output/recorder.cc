@@ -253,7 +253,7 @@ namespace Signorini
     if (report.worst_body < mesh.n_bodies())
       one["body"] = mesh.body_name(report.worst_body);
     std::vector<unsigned int> chattering(now.pairs.size(), 0);
-    auto                      pair = now.contact.pair.begin();
+    auto                      pair = now.contact.origin.pair.begin();
     for (const double status : now.active)
       chattering[*pair++] += status > 1.5;
     Utilities::MPI::sum(chattering, comm, chattering);

@@ -61,22 +61,23 @@ namespace Signorini
       // Around the axis radial forces are in balance, and so are moments.
       const bool on_circles = s.elasticity.model() == Model::axisymmetric;
       const bool exchanged  = s.pairs[pair].exchanged;
-      auto       which      = s.contact.pair.begin();
+      auto       which      = s.contact.origin.pair.begin();
       for (const auto i : s.pressure.locally_owned_elements())
         if (*which++ == pair)
           {
             const double force    = s.pressure(i) * s.contact.weight(i);
             const double on_slave = exchanged ? -force : force;
             for (unsigned int d = on_circles; d < dim; ++d)
-              sum.resultant.force[d] += on_slave * s.contact.normal[d](i);
-            const auto &on_master =
-              s.contact.master_moment.empty() ? s.contact.moment : s.contact.master_moment;
-            for (unsigned int d = 0; !on_circles && d < s.contact.moment.size(); ++d)
+              sum.resultant.force[d] += on_slave * s.contact.geometry.normal[d](i);
+            const auto &on_master = s.contact.geometry.master_moment.empty() ?
+                                      s.contact.geometry.moment :
+                                      s.contact.geometry.master_moment;
+            for (unsigned int d = 0; !on_circles && d < s.contact.geometry.moment.size(); ++d)
               {
                 sum.resultant.moment[d] +=
-                  on_slave * (exchanged ? on_master : s.contact.moment)[d](i);
+                  on_slave * (exchanged ? on_master : s.contact.geometry.moment)[d](i);
                 sum.reaction_moment[d] -=
-                  on_slave * (exchanged ? s.contact.moment : on_master)[d](i);
+                  on_slave * (exchanged ? s.contact.geometry.moment : on_master)[d](i);
               }
             sum.normal_force += force;
             sum.sum_of_sizes += std::abs(force);
@@ -122,7 +123,7 @@ namespace Signorini
     sums_of(const Snapshot<dim> &s, const unsigned int pair)
     {
       PairSums sums;
-      auto     which = s.contact.pair.begin();
+      auto     which = s.contact.origin.pair.begin();
       for (const auto i : s.pressure.locally_owned_elements())
         if (*which++ == pair)
           {

@@ -22,10 +22,10 @@ namespace Signorini
 
   ActiveSet::ActiveSet(const GapOperator &contact)
     : contact(contact)
-    , now(contact.permanent)
-    , last(contact.permanent)
+    , now(contact.coefficients.permanent)
+    , last(contact.coefficients.permanent)
     , changes(contact.zero())
-    , n_permanent(count(contact.permanent))
+    , n_permanent(count(contact.coefficients.permanent))
   {}
 
 
@@ -45,7 +45,7 @@ namespace Signorini
     unsigned int n_changes = 0;
     for (const auto i : now.locally_owned_elements())
       {
-        const double value = contact.permanent(i) > 0 || values(i) > 0 ? 1. : 0.;
+        const double value = contact.coefficients.permanent(i) > 0 || values(i) > 0 ? 1. : 0.;
         n_changes += value != now(i);
         now(i) = value;
       }
@@ -117,7 +117,7 @@ namespace Signorini
     std::vector<double>    deepest(n, 0.);
     std::vector<double>    share(n, 0.5); // of the deepest, from which on points count
     const auto             visit = [&](const auto &action) {
-      auto pair = contact.pair.begin();
+      auto pair = contact.origin.pair.begin();
       for (const auto i : gap.locally_owned_elements())
         action(i, *pair++);
     };
@@ -127,7 +127,7 @@ namespace Signorini
     Utilities::MPI::min(deepest, comm, deepest);
 
     const auto stays = [&](const auto i, const unsigned int pair) {
-      return last(i) > 0 || contact.permanent(i) > 0 || deepest[pair] >= -rounding ||
+      return last(i) > 0 || contact.coefficients.permanent(i) > 0 || deepest[pair] >= -rounding ||
              gap(i) <= share[pair] * deepest[pair];
     };
     constexpr unsigned int most_trials = 10;
@@ -162,7 +162,7 @@ namespace Signorini
   void
   ActiveSet::open_pulling_regions(const LA::Vector &trial)
   {
-    if (contact.regions.empty())
+    if (contact.origin.regions.empty())
       return;
     LA::Vector either = now, force = contact.zero();
     for (const auto i : now.locally_owned_elements())
@@ -172,16 +172,16 @@ namespace Signorini
       }
     either.compress(VectorOperation::insert);
     force.compress(VectorOperation::insert);
-    const LA::Vector sums    = contact.regions.sums(either, force);
+    const LA::Vector sums    = contact.origin.regions.sums(either, force);
     const auto       is_left = [&](const auto i) {
-      return now(i) > 0 && (sums(i) >= 0 || contact.permanent(i) > 0);
+      return now(i) > 0 && (sums(i) >= 0 || contact.coefficients.permanent(i) > 0);
     };
     std::vector<unsigned int> left(contact.n_pairs(), 0);
-    auto                      pair = contact.pair.begin();
+    auto                      pair = contact.origin.pair.begin();
     for (const auto i : now.locally_owned_elements())
       left[*pair++] += is_left(i);
     Utilities::MPI::sum(left, now.get_mpi_communicator(), left);
-    pair = contact.pair.begin();
+    pair = contact.origin.pair.begin();
     for (const auto i : now.locally_owned_elements())
       if (left[*pair++] > 0 && !is_left(i))
         now(i) = 0;
@@ -195,7 +195,7 @@ namespace Signorini
   ActiveSet::coordinate_rounding() const
   {
     double farthest = 0;
-    for (const LA::Vector &x : contact.position)
+    for (const LA::Vector &x : contact.geometry.position)
       farthest = std::max(farthest, x.linfty_norm());
     return 1e-10 * farthest;
   }
@@ -207,13 +207,13 @@ namespace Signorini
   {
     double deepest = 0;
     for (const auto i : gap.locally_owned_elements())
-      if (contact.permanent(i) == 0)
+      if (contact.coefficients.permanent(i) == 0)
         deepest = std::max(deepest, -gap(i));
     deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
     // So is a single one that overlaps, as the tip of a cone does by the mean over its faces.
     if (deepest > coordinate_rounding() && size_of_separating() > 1)
       return keep_deepest(gap);
-    now = contact.permanent;
+    now = contact.coefficients.permanent;
     return count(now);
   }
 
@@ -297,8 +297,8 @@ namespace Signorini
           if (n++ < 3)
             {
               text << " (";
-              for (unsigned int d = 0; d < contact.position.size(); ++d)
-                text << (d > 0 ? ", " : "") << contact.position[d](i);
+              for (unsigned int d = 0; d < contact.geometry.position.size(); ++d)
+                text << (d > 0 ? ", " : "") << contact.geometry.position[d](i);
               text << ")";
             }
         }

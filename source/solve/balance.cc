@@ -8,25 +8,16 @@ namespace Signorini
 {
   using namespace dealii;
 
-  Balance::Balance(const ContactSystem             &system,
-                   const ContactLaw                &law,
-                   const AffineConstraints<double> &constraints,
-                   const std::vector<unsigned int> &bodies,
-                   const double                     tolerance)
-    : system(system)
+  Balance::Balance(const Bodies &bodies, const ContactLaw &law, const double tolerance)
+    : bodies(bodies)
     , law(law)
     , contact(law.gap_operator())
-    , constraints(constraints)
-    , bodies(bodies)
     , tolerance(tolerance)
   {
-    const LA::SparseMatrix &K    = system.stiffness();
-    const auto              last = std::max_element(bodies.begin(), bodies.end());
-    n_bodies = Utilities::MPI::max(last == bodies.end() ? 0u : *last + 1, K.get_mpi_communicator());
-    stiffness_diagonal = system.zero().block(0);
-    for (const auto i : stiffness_diagonal.locally_owned_elements())
-      stiffness_diagonal(i) = K.diag_element(i);
-    stiffness_diagonal.compress(VectorOperation::insert);
+    const auto &body = bodies.body_of_dof();
+    const auto  last = std::max_element(body.begin(), body.end());
+    n_bodies =
+      Utilities::MPI::max(last == body.end() ? 0u : *last + 1, bodies.stiffness().communicator());
   }
 
 
@@ -40,26 +31,23 @@ namespace Signorini
 
 
   LA::Vector
-  Balance::residual(const LA::Vector &f,
-                    const LA::Vector &u,
+  Balance::residual(const LA::Vector &u,
                     const LA::Vector &p,
                     const LA::Vector &stress,
                     const LA::Vector &active)
   {
-    LA::Vector r;
-    r.reinit(f);
-    system.internal_force(r, u);
-    r.sadd(-1, 1, f);
-    double largest = f.l2_norm();
+    LA::Vector r       = bodies.residual(u);
+    double     largest = bodies.load_size();
     at_work.assign(n_bodies, largest);
     if (!contact.empty())
       {
         const LA::Vector force = contact.force(p, stress);
         r += force;
+        contact.add_moved_force(r, u);
         largest = std::max(largest, force.l2_norm());
         at_work = forces_at_work(force, largest);
       }
-    constraints.set_zero(r);
+    bodies.constraints().set_zero(r);
     force_scale = largest;
     // The forces of a cold start may be far larger, as penalties of bodies that overlap; their
     // rounding is all that they leave behind.
@@ -75,7 +63,7 @@ namespace Signorini
   Balance::norms_of_bodies(const LA::Vector &force) const
   {
     std::vector<double> squares(n_bodies, 0.);
-    auto                body = bodies.begin();
+    auto                body = bodies.body_of_dof().begin();
     for (const double x : force)
       squares[*body++] += x * x;
     Utilities::MPI::sum(squares, force.get_mpi_communicator(), squares);
@@ -143,15 +131,27 @@ namespace Signorini
   {
     // The terms of K u cancel where bodies move far and are strained little, as in bending.
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    LA::Vector       terms   = stiffness_diagonal;
+    if (version != bodies.stiffness().version())
+      {
+        stiffness_diagonal = bodies.stiffness().diagonal();
+        version            = bodies.stiffness().version();
+      }
+    LA::Vector terms = stiffness_diagonal;
     terms.scale(u);
-    constraints.set_zero(terms);
+    bodies.constraints().set_zero(terms);
     const double of_bodies = 2 * epsilon * terms.l2_norm();
     if (contact.empty() || law.is_mixed())
       return of_bodies;
-    LA::Vector springs = contact.zero();
-    for (const auto i : springs.locally_owned_elements())
-      springs(i) = contact.weight(i) * law.response(i, {}, active(i) > 0).dp_dg;
+    LA::Vector         springs = contact.zero();
+    const IndexSet     rows    = springs.locally_owned_elements();
+    const unsigned int n       = law.n_components();
+    for (auto row = rows.begin(); row != rows.end();)
+      {
+        const auto      i     = *row;
+        const LawMatrix dp_dg = law.response(i, {}, active(i) > 0).dp_dg;
+        for (unsigned int a = 0; a < n; ++a, ++row)
+          springs(*row) = contact.weight(*row) * dp_dg[a][a];
+      }
     springs.compress(VectorOperation::insert);
     const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
     return of_bodies + epsilon * length * springs.l2_norm();

@@ -14,19 +14,18 @@ namespace Signorini
 {
   using namespace dealii;
 
-  ContactSystem::ContactSystem(const LA::SparseMatrix &stiffness,
-                               const ContactLaw       &law,
-                               FreeMotions             free_motions,
-                               const LA::SparseMatrix *geometric)
+  ContactSystem::ContactSystem(const Stiffness  &stiffness,
+                               const ContactLaw &law,
+                               FreeMotions       free_motions)
     : K(stiffness)
-    , G(geometric)
     , law(law)
     , contact(law.gap_operator())
     , saddle(law.is_mixed())
     , motions(std::move(free_motions))
-    , D(contact.zero())
-    , X(contact.zero())
-    , Y(contact.zero())
+    , D(law.n_components(), contact.zero())
+    , X(D)
+    , Y(D)
+    , D_diagonal(contact.zero())
     , A(contact.zero())
     , I(contact.zero())
   {
@@ -67,6 +66,65 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// What has changed since `before`, which becomes what is now.
+    std::vector<std::vector<double>>
+    changes(const std::vector<LA::Vector> &now, std::vector<std::vector<double>> &before)
+    {
+      std::vector<std::vector<double>> result(now.size());
+      before.resize(now.size());
+      for (unsigned int b = 0; b < now.size(); ++b)
+        {
+          const double *const values = now[b].trilinos_vector()[0];
+          const unsigned int  n      = now[b].locally_owned_size();
+          before[b].resize(n, 0.);
+          result[b].resize(n);
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              result[b][i] = values[i] - before[b][i];
+              before[b][i] = values[i];
+            }
+        }
+      return result;
+    }
+
+    /// Springs between the components a (left) and b (right) of a point.
+    struct PointSprings
+    {
+      double d, x, y, theta;
+
+      bool
+      are_zero() const
+      {
+        return d == 0 && x == 0 && y == 0;
+      }
+
+      void
+      add_to(FullMatrix<double> &block, const double *B_a, const double *B_b) const
+      {
+        for (unsigned int k = 0; k < block.m(); ++k)
+          for (unsigned int l = 0; l < block.n(); ++l)
+            block(k, l) += d * B_a[k] * B_b[l];
+      }
+
+      void
+      add_to(FullMatrix<double> &block,
+             const double       *B_a,
+             const double       *S_a,
+             const double       *B_b,
+             const double       *S_b) const
+      {
+        for (unsigned int k = 0; k < block.m(); ++k)
+          for (unsigned int l = 0; l < block.n(); ++l)
+            block(k, l) +=
+              B_a[k] * (d * B_b[l] - x * S_b[l]) - theta * S_a[k] * (x * B_b[l] + y * S_b[l]);
+      }
+    };
+  } // namespace
+
+
+
   void
   ContactSystem::sum_up_surface_stiffness()
   {
@@ -80,55 +138,49 @@ namespace Signorini
         surface = 0;
         sums    = Sums();
       }
-    const auto change = [](const LA::Vector &now, std::vector<double> &before) {
-      const double *const values = now.trilinos_vector()[0];
-      before.resize(now.locally_owned_size(), 0.);
-      std::vector<double> difference(before.size());
-      for (unsigned int i = 0; i < before.size(); ++i)
-        {
-          difference[i] = values[i] - before[i];
-          before[i]     = values[i];
-        }
-      return difference;
-    };
-    const std::vector<double> d = change(D, sums.D), x = change(X, sums.X), y = change(Y, sums.Y);
-    const int                 n_rows = d.size();
-    const double              theta  = contact.theta;
-    FullMatrix<double>        block; // sum over points between the same two faces
+    const Sums         change{changes(D, sums.D), changes(X, sums.X), changes(Y, sums.Y)};
+    const int          n_rows = contact.weight.locally_owned_size();
+    FullMatrix<double> block; // sum over points between the same two faces
     std::vector<types::global_dof_index> indices;
     for (int first = 0, last = 0; first < n_rows; first = last)
       {
         const RowView columns(contact.B_free, first);
-        const int     n = columns.size;
-        block.reinit(n, n);
+        block.reinit(columns.size, columns.size);
         bool any = false;
-        for (; last < n_rows; ++last)
-          {
-            const RowView B(contact.B_free, last);
-            if (!B.has_columns_of(columns))
-              break;
-            if (d[last] == 0 && x[last] == 0 && y[last] == 0)
-              continue;
-            any = true;
-            if (!contact.has_stress())
-              for (int k = 0; k < n; ++k)
-                for (int l = 0; l < n; ++l)
-                  block(k, l) += d[last] * B.values[k] * B.values[l];
-            else
-              {
-                const RowView S(contact.S_free, last);
-                for (int k = 0; k < n; ++k)
-                  for (int l = 0; l < n; ++l)
-                    block(k, l) +=
-                      B.values[k] * (d[last] * B.values[l] - x[last] * S.values[l]) -
-                      theta * S.values[k] * (x[last] * B.values[l] + y[last] * S.values[l]);
-              }
-          }
+        for (; last < n_rows && RowView(contact.B_free, last).has_columns_of(columns); ++last)
+          any |= add_row(block, last, change);
         if (!any)
           continue;
-        indices.assign(columns.columns, columns.columns + n);
+        indices.assign(columns.columns, columns.columns + columns.size);
         surface.add(indices, block);
       }
+  }
+
+
+
+  bool
+  ContactSystem::add_row(FullMatrix<double> &block, const int row, const Sums &of) const
+  {
+    const int     n = law.n_components(), first = row - row % n;
+    const RowView B(contact.B_free, row);
+    bool          any = false;
+    for (int b = 0; b < n; ++b)
+      {
+        const PointSprings springs{of.D[b][row], of.X[b][row], of.Y[b][row], contact.theta};
+        if (springs.are_zero())
+          continue;
+        any = true;
+        const RowView B_b(contact.B_free, first + b);
+        if (!contact.has_stress())
+          springs.add_to(block, B.values, B_b.values);
+        else
+          springs.add_to(block,
+                         B.values,
+                         RowView(contact.S_free, row).values,
+                         B_b.values,
+                         RowView(contact.S_free, first + b).values);
+      }
+    return any;
   }
 
 
@@ -136,18 +188,20 @@ namespace Signorini
   void
   ContactSystem::set_active(const LA::Vector &active)
   {
-    for (const auto i : active.locally_owned_elements())
+    const unsigned int n    = law.n_components();
+    const IndexSet     rows = active.locally_owned_elements();
+    for (auto row = rows.begin(); row != rows.end();)
       {
-        const bool        touches  = active(i) > 0;
-        const LawResponse response = law.response(i, {}, touches);
-        const double      W = contact.weight(i), k = contact.stiffness(i);
-        D(i) = -response.dp_dg * W;
-        X(i) = response.dp_ds * W;
-        Y(i) = contact.has_stress() ? (1 - response.dp_ds) / contact.epsilon(i) * W : 0.;
-        A(i) = saddle && touches ? k * W : 0.;
-        I(i) = !saddle ? 0. : touches ? k * k * response.d_defect_d_p * W : k * W;
+        const auto        first    = *row;
+        const bool        touches  = active(first) > 0;
+        const LawResponse response = law.response(first, {}, touches);
+        for (unsigned int a = 0; a < n; ++a)
+          linearise(*row++, a, response, touches);
       }
-    for (LA::Vector *v : {&D, &X, &Y, &A, &I})
+    for (auto *blocks : {&D, &X, &Y})
+      for (LA::Vector &v : *blocks)
+        v.compress(VectorOperation::insert);
+    for (LA::Vector *v : {&D_diagonal, &A, &I})
       v->compress(VectorOperation::insert);
     if (!saddle && !contact.empty())
       sum_up_surface_stiffness();
@@ -156,11 +210,33 @@ namespace Signorini
 
 
 
+  void
+  ContactSystem::linearise(const types::global_dof_index i,
+                           const unsigned int            a,
+                           const LawResponse            &response,
+                           const bool                    touches)
+  {
+    const double W = contact.weight(i), k = contact.coefficients.stiffness(i);
+    for (unsigned int b = 0; b < law.n_components(); ++b)
+      {
+        D[b](i) = -response.dp_dg[a][b] * W;
+        X[b](i) = response.dp_ds[a][b] * W;
+        Y[b](i) = contact.has_stress() ? ((a == b ? 1 : 0) - response.dp_ds[a][b]) /
+                                           contact.coefficients.epsilon(i) * W :
+                                         0.;
+      }
+    D_diagonal(i) = -response.dp_dg[a][a] * W;
+    A(i)          = saddle && touches ? k * W : 0.;
+    I(i)          = !saddle ? 0. : touches ? k * k * response.compliance[a] * W : k * W;
+  }
+
+
+
   LA::BlockVector
   ContactSystem::zero() const
   {
-    const MPI_Comm comm = K.get_mpi_communicator();
-    return LA::BlockVector({K.locally_owned_range_indices(),
+    const MPI_Comm comm = K.communicator();
+    return LA::BlockVector({K.owned(),
                             saddle ? contact.weight.locally_owned_elements() : IndexSet(0)},
                            comm);
   }
@@ -181,17 +257,11 @@ namespace Signorini
 
 
   void
-  ContactSystem::internal_force(LA::Vector &dst, const LA::Vector &u) const
+  ContactSystem::internal_force(LA::Vector &dst, const LA::Vector &du) const
   {
-    K.vmult(dst, u);
-    if (G)
-      {
-        LA::Vector moved;
-        moved.reinit(dst, true);
-        G->vmult(moved, u);
-        dst -= moved;
-      }
-    motions.subtract_springs(dst, u);
+    K.vmult(dst, du);
+    contact.subtract_geometric(dst, du);
+    motions.subtract_springs(dst, du);
   }
 
 

@@ -73,7 +73,7 @@ namespace Signorini
   FreeMotions::shares_of_pairs(const LA::Vector &active) const
   {
     const MPI_Comm      comm = springs.get_mpi_communicator();
-    const auto         &pair = contact->pair;
+    const auto         &pair = contact->origin.pair;
     std::vector<double> area(contact->n_pairs(), 0.);
     auto                which = pair.begin();
     for (const auto i : active.locally_owned_elements())
@@ -227,23 +227,23 @@ namespace Signorini
       return 0;
     // The pressures that push, then those of each pair that never separates.
     std::vector<LA::Vector> pressures = {p};
-    pressures[0] -= product(p, contact->permanent);
-    const bool         any     = contact->permanent.linfty_norm() > 0;
+    pressures[0] -= product(p, contact->coefficients.permanent);
+    const bool         any     = contact->coefficients.permanent.linfty_norm() > 0;
     const unsigned int n_pairs = any ? contact->n_pairs() : 0;
     for (unsigned int k = 0; k < n_pairs; ++k)
       {
         pressures.push_back(contact->zero());
-        auto which = contact->pair.begin();
+        auto which = contact->origin.pair.begin();
         for (const auto i : p.locally_owned_elements())
           if (*which++ == k)
-            pressures.back()(i) = contact->permanent(i) * p(i);
+            pressures.back()(i) = contact->coefficients.permanent(i) * p(i);
         pressures.back().compress(VectorOperation::insert);
       }
     std::vector<LA::Vector> forces;
     for (const LA::Vector &some : pressures)
       forces.push_back(contact->force(some, stress));
 
-    const unsigned int dim     = contact->position.size();
+    const unsigned int dim     = contact->geometry.position.size();
     double             largest = 0;
     for (const Loose &one : loose_motions)
       {
@@ -277,7 +277,7 @@ namespace Signorini
     const double     crawls = 1e-8 * motion.linfty_norm(); // the rounding of normals
     double           first  = std::numeric_limits<double>::infinity();
     for (const auto i : gap.locally_owned_elements())
-      if (speed(i) < -crawls && contact->permanent(i) == 0)
+      if (speed(i) < -crawls && contact->coefficients.permanent(i) == 0)
         first = std::min(first, std::max(0., gap(i)) / -speed(i));
     first = Utilities::MPI::min(first, speed.get_mpi_communicator());
     if (std::isinf(first))

@@ -24,7 +24,8 @@ namespace Signorini
     const GapOperator &contact = law.gap_operator();
     // The energy along u + a du is convex; its derivative is minus the residual there:
     //   phi'(a) = -r.du + a du.K du - [B du].W (p(a) - p(0)) - [S du].W/eps (a S du - p(a) + p(0)),
-    // the last term with Nitsche's method (theta = 1) only, and p(a) from the law.
+    // the last term with Nitsche's method (theta = 1) only, and p(a) from the law. K is that of the
+    // linearisation at u.
     LA::Vector K_du, B_du = contact.zero();
     K_du.reinit(du);
     system.internal_force(K_du, du);
@@ -32,20 +33,30 @@ namespace Signorini
     LA::Vector S_du = contact.zero();
     if (contact.has_stress())
       contact.S_free.vmult(S_du, du);
-    const double   slope = -(r * du), curvature = K_du * du;
-    const double   theta      = contact.theta;
-    const MPI_Comm comm       = du.get_mpi_communicator();
-    const auto     derivative = [&](const double a) {
+    const double       slope = -(r * du), curvature = K_du * du;
+    const double       theta      = contact.theta;
+    const MPI_Comm     comm       = du.get_mpi_communicator();
+    const IndexSet     rows       = B_du.locally_owned_elements();
+    const unsigned int n          = law.n_components();
+    const auto         derivative = [&](const double a) {
       double sum = 0;
-      for (const auto i : B_du.locally_owned_elements())
+      for (auto row = rows.begin(); row != rows.end();)
         {
-          LawInput there = in(i);
-          there.gap += a * B_du(i);
-          there.stress += a * S_du(i);
-          const bool   pushes = law.pushes(i, law.trial(i, there));
-          const double dp     = law.response(i, there, pushes).pressure - in.pressure(i);
-          sum += contact.weight(i) *
-                 (dp * B_du(i) + theta / contact.epsilon(i) * S_du(i) * (a * S_du(i) - dp));
+          const auto i     = *row;
+          LawInput   there = in.at(i, n);
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              there.gap[k] += a * B_du(i + k);
+              there.stress[k] += a * S_du(i + k);
+            }
+          const bool      pushes = law.pushes(i, law.trial(i, there));
+          const LawVector p      = law.response(i, there, pushes).pressure;
+          for (unsigned int k = 0; k < n; ++k, ++row)
+            {
+              const double dp = p[k] - in.pressure(i + k), db = B_du(i + k), ds = S_du(i + k);
+              sum += contact.weight(i + k) *
+                     (dp * db + theta / contact.coefficients.epsilon(i + k) * ds * (a * ds - dp));
+            }
         }
       return slope + a * curvature - Utilities::MPI::sum(sum, comm);
     };

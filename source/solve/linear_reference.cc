@@ -1,4 +1,4 @@
-#include <signorini/contact/methods/method.h>
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/solve/linear_reference.h>
 
 #include <deal.II/base/timer.h>
@@ -43,15 +43,13 @@ namespace Signorini
       const LA::Vector f      = elasticity.load();
       result.seconds_assembly = lap();
 
-      const GapOperator   contact = nothing(elasticity.owned(), comm);
-      const ContactLaw    law     = ContactLaw::springs(contact, 0);
-      const ContactSystem system(elasticity.stiffness(), law);
-      LinearSolver        solver(
-        settings,
-        system,
-        make_hierarchy(settings, elasticity.stiffness(), elasticity.rigid_body_modes(), dim),
-        dim,
-        timer);
+      const GapOperator        contact = nothing(elasticity.owned(), comm);
+      const AssembledStiffness stiffness(elasticity.stiffness());
+      const NormalContact      law = NormalContact::springs(contact, 0);
+      const ContactSystem      system(stiffness, law);
+      BodiesHierarchy          hierarchies(
+        settings, stiffness, [&] { return elasticity.rigid_body_modes(); }, dim);
+      LinearSolver solver(settings, system, hierarchies, timer);
       solver.update();
       result.seconds_preconditioner = lap();
 

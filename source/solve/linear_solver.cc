@@ -18,7 +18,7 @@ namespace Signorini
     /// On one rank, KLU is quicker for what is small or as thin as a contact zone; for the whole
     /// system MUMPS is, five times and more in 3D.
     std::string
-    choose_direct(const LinearSolverSettings &settings, const LA::SparseMatrix &stiffness)
+    choose_direct(const LinearSolverSettings &settings, const Stiffness &stiffness)
     {
       const bool has_mumps = Amesos().Query("Amesos_Mumps");
       if (settings.direct_solver == "MUMPS" && !has_mumps)
@@ -26,8 +26,8 @@ namespace Signorini
       if (settings.direct_solver != "auto")
         return settings.direct_solver;
       constexpr unsigned int small = 2000;
-      const bool is_serial = Utilities::MPI::n_mpi_processes(stiffness.get_mpi_communicator()) == 1,
-                 is_large  = settings.preconditioner == "direct" && stiffness.m() > small;
+      const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1,
+                 is_large = settings.preconditioner == "direct" && stiffness.size() > small;
       return has_mumps && (!is_serial || is_large) ? "MUMPS" : "KLU";
     }
 
@@ -72,40 +72,49 @@ namespace Signorini
 
 
 
+  BodiesHierarchy::BodiesHierarchy(const LinearSolverSettings &settings,
+                                   const Stiffness            &stiffness,
+                                   std::function<Modes()>      modes,
+                                   const unsigned int          dim)
+    : is_needed(settings.preconditioner != "direct")
+    , translations_only(settings.near_null_space == "translations")
+    , stiffness(stiffness)
+    , modes(std::move(modes))
+    , my_dim(dim)
+  {}
+
+
+
   std::shared_ptr<const Hierarchy>
-  make_hierarchy(const LinearSolverSettings             &settings,
-                 const LA::SparseMatrix                 &stiffness,
-                 const std::vector<std::vector<double>> &modes,
-                 const unsigned int                      dim)
+  BodiesHierarchy::get()
   {
-    if (settings.preconditioner == "direct")
-      return {};
-    auto known = modes;
-    if (settings.near_null_space == "translations")
-      known.resize(dim); // they come first
-    return std::make_shared<const Hierarchy>(stiffness, known, dim);
+    if (!is_needed || version == stiffness.version())
+      return hierarchy;
+    hierarchy.reset(); // before there are two
+    Modes known = modes();
+    if (translations_only)
+      known.resize(my_dim); // they come first
+    hierarchy = std::make_shared<const Hierarchy>(stiffness.matrix(), known, my_dim);
+    version   = stiffness.version();
+    return hierarchy;
   }
 
 
 
-  LinearSolver::LinearSolver(const LinearSolverSettings      &settings,
-                             const ContactSystem             &system,
-                             std::shared_ptr<const Hierarchy> hierarchy,
-                             const unsigned int               dim,
-                             TimerOutput                     &timer)
+  LinearSolver::LinearSolver(const LinearSolverSettings &settings,
+                             const ContactSystem        &system,
+                             BodiesHierarchy            &hierarchies,
+                             TimerOutput                &timer)
     : settings(settings)
     , system(system)
-    , dim(dim)
+    , hierarchies(hierarchies)
     , timer(timer)
-    , hierarchy(std::move(hierarchy))
   {
-    TimerOutput::Scope scope(timer, "preconditioner");
     if (settings.preconditioner == "SIMPLE" && settings.augmentation > 0)
       throw SceneError(
         "Solver/Augmentation = " + short_text(settings.augmentation) +
         " does not go with Preconditioner = SIMPLE, which corrects by the diagonal of "
         "the plain stiffness; take 'block triangular'");
-    make_preconditioner();
   }
 
 
@@ -113,9 +122,16 @@ namespace Signorini
   void
   LinearSolver::make_preconditioner()
   {
+    if (preconditioner)
+      cycles_before += preconditioner->multigrid_cycles();
+    preconditioner.reset();
+    hierarchy.reset();
+    if (settings.preconditioner != "direct")
+      hierarchy = hierarchies.get();
     LinearSolverSettings chosen = settings;
     chosen.direct_solver        = choose_direct(settings, system.stiffness());
     preconditioner              = Preconditioner::create(chosen, system, hierarchy.get());
+    version                     = system.stiffness().version();
   }
 
 
@@ -124,8 +140,8 @@ namespace Signorini
   LinearSolver::can_factorise() const
   {
     // Of a minute or so.
-    const unsigned int most = dim == 2 ? 400000 : 60000;
-    return settings.preconditioner == "contact filter" && system.stiffness().m() <= most;
+    const unsigned int most = hierarchies.dim() == 2 ? 400000 : 60000;
+    return settings.preconditioner == "contact filter" && system.stiffness().size() <= most;
   }
 
 
@@ -134,6 +150,8 @@ namespace Signorini
   LinearSolver::update()
   {
     TimerOutput::Scope scope(timer, "preconditioner");
+    if (version != system.stiffness().version())
+      make_preconditioner();
     preconditioner->update();
   }
 
@@ -187,9 +205,6 @@ namespace Signorini
       }
     has_given_up_iterating  = true;
     settings.preconditioner = "direct";
-    cycles_before           = preconditioner->multigrid_cycles();
-    preconditioner.reset();
-    hierarchy.reset();
     make_preconditioner();
     preconditioner->update();
     return solve(x, rhs, reduction, absolute_tolerance);

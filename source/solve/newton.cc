@@ -8,25 +8,18 @@ namespace Signorini
 {
   using namespace dealii;
 
-  Newton::Newton(const NewtonSettings            &settings,
-                 const LinearSolverSettings      &linear_settings,
-                 const ContactMethod             &method,
-                 const LA::SparseMatrix          &stiffness,
-                 const AffineConstraints<double> &constraints,
-                 const GapOperator               &contact,
-                 std::shared_ptr<const Hierarchy> hierarchy,
-                 const std::vector<unsigned int> &bodies,
-                 const unsigned int               dim,
-                 TimerOutput                     &timer,
-                 FreeMotions                      free_motions,
-                 const LA::SparseMatrix          *geometric)
+  Newton::Newton(const NewtonSettings &settings,
+                 Bodies               &bodies,
+                 ContactLaw           &law,
+                 ContactSystem        &system,
+                 LinearSolver         &linear_solver)
     : settings(settings)
-    , constraints(constraints)
-    , contact(contact)
-    , law(method, contact)
-    , system(stiffness, law, std::move(free_motions), geometric)
-    , linear_solver(linear_settings, system, std::move(hierarchy), dim, timer)
-    , balance(system, law, constraints, bodies, settings.tolerance)
+    , bodies(bodies)
+    , law(law)
+    , contact(law.gap_operator())
+    , system(system)
+    , linear_solver(linear_solver)
+    , balance(bodies, law, settings.tolerance)
     , strategy(system, law, settings.reduction)
     , x(system.zero())
   {}
@@ -34,11 +27,10 @@ namespace Signorini
 
 
   NewtonReport
-  Newton::solve(
-    const LA::Vector &f, LA::Vector &u, LA::Vector &p, LA::Vector &active, const StepVisitor &visit)
+  Newton::solve(LA::Vector &u, LA::Vector &p, LA::Vector &active, const StepVisitor &visit)
   {
     if (strategy.start(p, active))
-      factorised = false;
+      is_same = false;
     balance.restart();
     if (law.augments())
       law.augment(p);
@@ -50,7 +42,7 @@ namespace Signorini
       {
         stage.step         = NewtonStep();
         stage.step.damping = stage.damping;
-        evaluate(f, u, p, active, report, stage);
+        evaluate(u, p, active, report, stage);
         judge(p, report, stage);
         if (!report.is_over() && !stage.step.augments)
           advance(u, p, report, stage);
@@ -64,12 +56,8 @@ namespace Signorini
 
 
   void
-  Newton::evaluate(const LA::Vector &f,
-                   const LA::Vector &u,
-                   LA::Vector       &p,
-                   LA::Vector       &active,
-                   NewtonReport     &report,
-                   Stage            &stage)
+  Newton::evaluate(
+    const LA::Vector &u, LA::Vector &p, LA::Vector &active, NewtonReport &report, Stage &stage)
   {
     NewtonStep &step    = stage.step;
     stage.gap           = contact.gap(u);
@@ -81,15 +69,15 @@ namespace Signorini
         const unsigned int n        = report.steps.size();
         const bool         was_idle = n > 0 && report.steps.back().krylov_iterations == 0;
         if (strategy.update(in, n, was_idle, step))
-          factorised = false;
+          is_same = false;
         active = strategy.values();
         p      = law.pressure(in, active);
       }
     stage.softness_changed = law.is_soft() != was_soft;
 
     LA::Vector &r = stage.rhs.block(0);
-    r             = balance.residual(f, u, p, stage.stress, active);
-    if (!factorised)
+    r             = balance.residual(u, p, stage.stress, active);
+    if (!is_same)
       system.find_loose_motions(active);
     if (settings.undetermined == "hold")
       report.holding_force = system.free_motions().hold(r, p, stage.stress);
@@ -156,6 +144,7 @@ namespace Signorini
     // good guess.
     const bool is_settled =
       contact.empty() || (n > 0 && step.changes == 0 && !step.withholds && !stage.softness_changed);
+    linearise(u);
     solve_linear(stage.rhs,
                  is_settled ? 0. : strategy.reduction(),
                  0.5 * settings.tolerance * balance.least(),
@@ -174,11 +163,26 @@ namespace Signorini
                         ": no support, and no contact within reach in that direction";
       }
     if (contact.tied)
-      constraints.distribute(u);
+      bodies.constraints().distribute(u);
     if (n > 0 && step.krylov_iterations == 0 && step.residual == report.steps.back().residual &&
         !step.withholds && report.reason.empty())
       report.reason = "Newton's method stagnates above its tolerance: the linear solver cannot "
                       "reduce the residual further; loosen Newton/Tolerance";
+  }
+
+
+
+  void
+  Newton::linearise(const LA::Vector &u)
+  {
+    bodies.linearise(u);
+    if (is_same && version == bodies.stiffness().version())
+      return;
+    if (!is_same)
+      system.set_active(strategy.values());
+    linear_solver.update();
+    is_same = true;
+    version = bodies.stiffness().version();
   }
 
 
@@ -189,20 +193,14 @@ namespace Signorini
                        const double           tolerance,
                        NewtonStep            &step)
   {
-    if (!factorised)
-      {
-        system.set_active(strategy.values());
-        linear_solver.update();
-        factorised = true;
-      }
     const bool iterates    = !linear_solver.has_given_up();
     step.krylov_iterations = linear_solver.solve(x, rhs, reduction, tolerance);
     step.gives_up          = iterates && linear_solver.has_given_up();
     // Constrained ones are unknowns of their own to the linear solver, zero up to its tolerance.
-    constraints.set_zero(x.block(0));
+    bodies.constraints().set_zero(x.block(0));
     if (system.is_saddle_point())
       {
-        x.block(1).scale(contact.stiffness);
+        x.block(1).scale(contact.coefficients.stiffness);
         x.block(1).scale(strategy.values());
       }
   }

@@ -52,9 +52,9 @@ namespace Signorini
   {
     double largest = 0;
     for (const auto i : p.locally_owned_elements())
-      if (contact.permanent(i) == 0)
+      if (contact.coefficients.permanent(i) == 0)
         largest = std::max(largest, std::abs(p(i)));
-    return Utilities::MPI::max(largest, system.stiffness().get_mpi_communicator()) == 0;
+    return Utilities::MPI::max(largest, system.stiffness().communicator()) == 0;
   }
 
 

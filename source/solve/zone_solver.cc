@@ -100,6 +100,7 @@ namespace Signorini
                          const LA::Vector    &marker,
                          const std::string   &direct_solver)
     : system(system)
+    , K(system.stiffness().rows(marker))
     , direct_solver("Amesos_" +
                     (direct_solver == "MUMPS" ? std::string("Mumps") : std::string("Klu")))
   {
@@ -107,10 +108,11 @@ namespace Signorini
     for (unsigned int i = 0; i < marker.locally_owned_size(); ++i)
       if (marks[i] != 0)
         dofs.emplace_back(i, 0);
-    const unsigned int n_rows = system.is_saddle_point() ? system.gap_operator().pair.size() : 0;
-    const MPI_Comm     comm   = marker.get_mpi_communicator();
-    owned                     = LA::contiguous_partition(dofs.size() + n_rows, comm);
-    writable                  = owned;
+    const unsigned int n_rows =
+      system.is_saddle_point() ? system.gap_operator().origin.pair.size() : 0;
+    const MPI_Comm comm = marker.get_mpi_communicator();
+    owned               = LA::contiguous_partition(dofs.size() + n_rows, comm);
+    writable            = owned;
 
     LA::Vector number;
     number.reinit(marker);
@@ -121,7 +123,7 @@ namespace Signorini
     if (n_rows > 0)
       first_row = *index;
 
-    number_in_K = on_columns(system.stiffness(), number);
+    number_in_K = on_columns(K, number);
     if (!system.gap_operator().empty())
       number_in_B = on_columns(system.gap_operator().B_free, number);
     for (const double zone : number_in_B)
@@ -141,7 +143,6 @@ namespace Signorini
   void
   ZoneSolver::collect(Entries &entries) const
   {
-    const LA::SparseMatrix &K = system.stiffness();
     for (const auto &[dof, zone] : dofs)
       {
         const RowView row(K, dof);
@@ -201,7 +202,7 @@ namespace Signorini
     Entries entries;
     collect(entries);
     TrilinosWrappers::SparsityPattern pattern(
-      owned, owned, writable, system.stiffness().get_mpi_communicator(), 0u);
+      owned, owned, writable, system.stiffness().communicator(), 0u);
     for (std::size_t i = 0; i < entries.values.size(); ++i)
       pattern.add(entries.rows[i], entries.columns[i]);
     pattern.compress();
@@ -247,7 +248,6 @@ namespace Signorini
   ZoneSolver::correct(LA::BlockVector &x, const LA::BlockVector &r) const
   {
     system.contact_terms(contact_terms, x);
-    const LA::SparseMatrix   &K   = system.stiffness();
     const std::vector<double> x_K = on_columns(K, x.block(0));
     double                   *at  = values_of(right);
     for (const auto &entry : dofs)

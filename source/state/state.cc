@@ -13,7 +13,7 @@ namespace Signorini
   {
     const auto with_ghosts = [&](const LA::Vector &rows) {
       LA::Vector result(contact.weight.locally_owned_elements(),
-                        contact.readable,
+                        contact.origin.readable,
                         contact.weight.get_mpi_communicator());
       result = rows;
       return result;
@@ -22,7 +22,7 @@ namespace Signorini
     if (contact.empty())
       return result;
     const LA::Vector p = with_ghosts(pressure), a = with_ghosts(active);
-    for (const FacePlaces &face : contact.places)
+    for (const FacePlaces &face : contact.origin.places)
       {
         std::vector<PlaceValue> values;
         for (const auto &[place, rows] : face.places)
@@ -54,7 +54,7 @@ namespace Signorini
       return;
     const MPI_Comm      comm = contact.weight.get_mpi_communicator();
     std::vector<FaceId> wanted;
-    for (const FacePlaces &face : contact.places)
+    for (const FacePlaces &face : contact.origin.places)
       wanted.push_back(face.id);
     const SurfaceField known = field.known_at(wanted, comm);
 
@@ -64,7 +64,7 @@ namespace Signorini
     std::vector<LA::Vector> sums(3); // number, pressure, active
     for (LA::Vector &sum : sums)
       sum.reinit(owned, comm);
-    for (const FacePlaces &face : contact.places)
+    for (const FacePlaces &face : contact.origin.places)
       for (const auto &[place, rows] : face.places)
         if (rows.size() == 1)
           if (const auto value = known.at(face.id, place))

@@ -34,7 +34,7 @@ namespace Signorini
     zone_of(const Snapshot<dim> &s, const unsigned int pair)
     {
       Zone zone;
-      auto which = s.contact.pair.begin();
+      auto which = s.contact.origin.pair.begin();
       for (const auto i : s.active.locally_owned_elements())
         if (*which++ == pair)
           {
@@ -47,7 +47,7 @@ namespace Signorini
             zone.least_rest_gap   = std::min(zone.least_rest_gap, s.contact.rest_gap(i));
             zone.largest_rest_gap = std::max(zone.largest_rest_gap, s.contact.rest_gap(i));
             zone.pressure         = std::max(zone.pressure, s.pressure(i));
-            zone.epsilon          = std::max(zone.epsilon, s.contact.epsilon(i));
+            zone.epsilon          = std::max(zone.epsilon, s.contact.coefficients.epsilon(i));
           }
       const PointValues values = point_values(s, pair);
       struct Face
@@ -193,15 +193,15 @@ namespace Signorini
       constexpr double   scale = dim == 2 ? 4. : 16. / 27, little = 0.02, few = 5;
       const GapOperator &contact = s.contact;
       LA::Vector         active = s.active, inner = contact.zero(), innermost = contact.zero();
-      auto               which = contact.pair.begin();
+      auto               which = contact.origin.pair.begin();
       for (const auto i : active.locally_owned_elements())
         if (*which++ != pair)
           active(i) = 0;
       active.compress(VectorOperation::insert);
-      LA::Vector more = contact.regions.means_of_neighbours(active, s.pressure, inner);
+      LA::Vector more = contact.origin.regions.means_of_neighbours(active, s.pressure, inner);
       more.sadd(-1, 1, s.pressure);
-      const LA::Vector around   = contact.regions.means_of_neighbours(inner, more, innermost);
-      const double     most     = scale * std::pow(little * zone.pressure, 2);
+      const LA::Vector around = contact.origin.regions.means_of_neighbours(inner, more, innermost);
+      const double     most   = scale * std::pow(little * zone.pressure, 2);
       double           counts[] = {0, 0};
       for (const auto i : more.locally_owned_elements())
         if (innermost(i) > 0)
@@ -324,7 +324,7 @@ namespace Signorini
                      "refine there, or divide the boundary"));
         findings.push_back(smooth(now, i, zone));
         // Of quadratic functions it is the recovered pressure that is reported.
-        if (now.contact.regions.has_nodes() && scene.degree_of(pair.slave) == 1)
+        if (now.contact.origin.regions.has_nodes() && scene.degree_of(pair.slave) == 1)
           findings.push_back(even(now, i, zone));
         if (pair.separates)
           findings.push_back(tight(now, i, zone, extremes));

@@ -1,7 +1,7 @@
 // What Newton's method decides: which points are active, which motions are loose, what overlaps
 // count; on contact points without bodies.
 
-#include <signorini/contact/law/contact_law.h>
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/solve/active_set.h>
 #include <signorini/solve/free_motions.h>
 
@@ -34,25 +34,25 @@ namespace
         diagonal.add(i, i);
       contact.B.reinit(owned, diagonal, comm);
       for (LA::Vector *v : {&contact.weight,
-                            &contact.stiffness,
-                            &contact.epsilon,
-                            &contact.permanent,
+                            &contact.coefficients.stiffness,
+                            &contact.coefficients.epsilon,
+                            &contact.coefficients.permanent,
                             &contact.rest_gap})
         v->reinit(owned, comm);
-      contact.weight    = 2.;
-      contact.stiffness = 1.;
-      contact.epsilon   = 10.;
-      contact.position.assign(2, contact.zero());
+      contact.weight                 = 2.;
+      contact.coefficients.stiffness = 1.;
+      contact.coefficients.epsilon   = 10.;
+      contact.geometry.position.assign(2, contact.zero());
       for (const auto i : owned)
         {
-          contact.pair.push_back(i / 2);
+          contact.origin.pair.push_back(i / 2);
           contact.B.set(i, i, 1);
-          contact.rest_gap(i)    = rest_gaps[i];
-          contact.position[0](i) = i;
+          contact.rest_gap(i)             = rest_gaps[i];
+          contact.geometry.position[0](i) = i;
         }
       contact.B.compress(VectorOperation::insert);
       contact.rest_gap.compress(VectorOperation::insert);
-      contact.position[0].compress(VectorOperation::insert);
+      contact.geometry.position[0].compress(VectorOperation::insert);
       contact.B_free.copy_from(contact.B);
       contact.initial_gap = contact.rest_gap;
     }
@@ -76,14 +76,15 @@ namespace
   trial(const GapOperator &contact, const LA::Vector &gap, const LA::Vector &p)
   {
     const LA::Vector none = contact.zero();
-    return ContactLaw(*ContactMethod::create("Lagrange multiplier"), contact).trial({gap, none, p});
+    return NormalContact(*ContactMethod::create("Lagrange multiplier"), contact)
+      .trial({gap, none, p});
   }
 
   /// The set where that pushes.
   LA::Vector
   pushes(const GapOperator &contact, const LA::Vector &gap, const LA::Vector &p)
   {
-    return ContactLaw(*ContactMethod::create("Lagrange multiplier"), contact)
+    return NormalContact(*ContactMethod::create("Lagrange multiplier"), contact)
       .pushes(trial(contact, gap, p));
   }
 
@@ -99,9 +100,9 @@ namespace
 TEST_CASE("the law: p^ - eps g where that pushes, at permanent points always")
 {
   Points points({0, 0, 0, 0, 0, 0});
-  points.contact.permanent = points.vector({0, 0, 0, 0, 1, 1});
-  const LA::Vector gap     = points.vector({-1, 1, 1, -1, 1, -1}),
-                   p       = points.vector({0, 0, 11, -11, 5, 5});
+  points.contact.coefficients.permanent = points.vector({0, 0, 0, 0, 1, 1});
+  const LA::Vector gap                  = points.vector({-1, 1, 1, -1, 1, -1}),
+                   p                    = points.vector({0, 0, 11, -11, 5, 5});
   CHECK(everywhere(pushes(points.contact, gap, p)) == Values({1, 0, 1, 0, 1, 1}));
 
   // A node without area is never active.
@@ -110,10 +111,10 @@ TEST_CASE("the law: p^ - eps g where that pushes, at permanent points always")
 
   const LA::Vector active = points.vector({1, 0, 1, 0, 1, 1}),
                    sevens = points.vector({7, 7, 7, 7, 7, 7}), none = points.contact.zero();
-  const LawInputs  in{gap, none, sevens};
-  const ContactLaw multiplier(*ContactMethod::create("Lagrange multiplier"), points.contact);
+  const LawInputs     in{gap, none, sevens};
+  const NormalContact multiplier(*ContactMethod::create("Lagrange multiplier"), points.contact);
   CHECK(everywhere(multiplier.pressure(in, active)) == Values({7, 0, 7, 0, 7, 7}));
-  ContactLaw augmented(*ContactMethod::create("augmented Lagrangian"), points.contact);
+  NormalContact augmented(*ContactMethod::create("augmented Lagrangian"), points.contact);
   augmented.augment(p);
   CHECK(everywhere(augmented.pressure(in, active)) == Values({10, 0, 1, 0, -5, 15}));
 }
@@ -123,7 +124,7 @@ TEST_CASE("the law: p^ - eps g where that pushes, at permanent points always")
 TEST_CASE("shares of overlaps: gaps stay, at permanent points they count as well")
 {
   Points points({-1, 1, -2, 2, -3, 3});
-  points.contact.permanent = points.vector({0, 0, 0, 0, 1, 1});
+  points.contact.coefficients.permanent = points.vector({0, 0, 0, 0, 1, 1});
   points.contact.set_interference({0.5, 0.25, 0.5});
   CHECK(everywhere(points.contact.initial_gap) == Values({-0.5, 1, -0.5, 2, -1.5, 1.5}));
   points.contact.set_interference({1, 1, 1});
@@ -155,7 +156,7 @@ TEST_CASE("of overlapping points the deepest half of each pair comes first")
 TEST_CASE("points that only touch do not count at first, those that never separate do")
 {
   Points points({0, -1e-13, 3, 0, 0, 0});
-  points.contact.permanent = points.vector({0, 0, 0, 0, 1, 1});
+  points.contact.coefficients.permanent = points.vector({0, 0, 0, 0, 1, 1});
   ActiveSet set(points.contact);
   set.update(pushes(points.contact, points.contact.initial_gap, points.contact.zero()));
   CHECK(set.size() == 3);

@@ -69,7 +69,7 @@ namespace
   pressure_norm(const ContactSurface<dim> &surface, const GapOperator &contact, const double h)
   {
     std::map<types::global_dof_index, unsigned int> row;
-    for (const auto node : contact.node)
+    for (const auto node : contact.origin.node)
       row.emplace(node, row.size());
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(row.size(), row.size());
     for (const ContactPoint<dim> &point : surface.points)

@@ -1,5 +1,6 @@
 // The multigrid method and the contact filter as operators.
 
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/solve/preconditioners/contact_filter.h>
 
 #include <doctest/doctest.h>
@@ -55,14 +56,15 @@ namespace
   {
     CAPTURE(dim);
     CAPTURE(factor);
-    const TwoBlocks<dim> scene(*make_method("penalty"), 1);
-    const Hierarchy      hierarchy(scene.elasticity.stiffness(),
+    const TwoBlocks<dim>     scene(*make_method("penalty"), 1);
+    const Hierarchy          hierarchy(scene.elasticity.stiffness(),
                               scene.elasticity.rigid_body_modes(),
                               dim);
-    const ContactLaw     law = ContactLaw::springs(*scene.contact, factor);
-    ContactSystem        system(scene.elasticity.stiffness(), law);
-    LA::Vector           active = scene.contact->zero();
-    active                      = 1.;
+    const NormalContact      law = NormalContact::springs(*scene.contact, factor);
+    const AssembledStiffness K(scene.elasticity.stiffness());
+    ContactSystem            system(K, law);
+    LA::Vector               active = scene.contact->zero();
+    active                          = 1.;
     system.set_active(active);
     ContactFilter filter(system,
                          hierarchy,

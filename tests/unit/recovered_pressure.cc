@@ -60,7 +60,7 @@ namespace
     LA::Vector     pressure = contact.zero(), active = contact.zero();
     const IndexSet rows = active.locally_owned_elements();
     auto           row  = rows.begin();
-    for (const auto node : contact.node)
+    for (const auto node : contact.origin.node)
       {
         pressure(*row) = value(node) / area(node);
         active(*row++) = 1;

@@ -219,7 +219,7 @@ namespace TestScene
     unsigned int                                        local = 0;
     for (const auto row : contact.weight.locally_owned_elements())
       {
-        own.push_back({{contact.pair[local], nodal ? contact.node[local] : 0, row}});
+        own.push_back({{contact.origin.pair[local], nodal ? contact.origin.node[local] : 0, row}});
         ++local;
       }
     for (const auto &some : Utilities::MPI::all_gather(MPI_COMM_WORLD, own))

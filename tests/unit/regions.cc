@@ -1,7 +1,7 @@
 // Regions of contact points that hang together, against a search over all pairs of points; and what
 // the active set makes of them.
 
-#include <signorini/contact/law/contact_law.h>
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/solve/active_set.h>
 
 #include <doctest/doctest.h>
@@ -52,7 +52,8 @@ namespace
     {
       LA::Vector v = contact->zero();
       for (const auto i : v.locally_owned_elements())
-        v(i) = of_place(contact->position[0](i), dim == 3 ? contact->position[1](i) : 0.5);
+        v(i) = of_place(contact->geometry.position[0](i),
+                        dim == 3 ? contact->geometry.position[1](i) : 0.5);
       v.compress(VectorOperation::insert);
       return v;
     }
@@ -71,8 +72,8 @@ namespace
   {
     std::vector<Place> own;
     for (const auto i : in.locally_owned_elements())
-      own.push_back({{contact.position[0](i),
-                      contact.position.size() == 3 ? contact.position[1](i) : 0.,
+      own.push_back({{contact.geometry.position[0](i),
+                      contact.geometry.position.size() == 3 ? contact.geometry.position[1](i) : 0.,
                       in(i),
                       values(i)}});
     std::vector<Place> all;
@@ -111,13 +112,13 @@ namespace
     const Surface<dim> surface("Lagrange multiplier");
     const LA::Vector   in     = surface.vector(in_at),
                      values   = surface.vector([](double x, double y) { return 1 + x - 2 * y; });
-    const LA::Vector sums     = surface.contact->regions.sums(in, values);
+    const LA::Vector sums     = surface.contact->origin.regions.sums(in, values);
     const auto       all      = gather(*surface.contact, in, values);
     unsigned int     n_inside = 0;
     for (const auto i : in.locally_owned_elements())
       {
-        const Place x{{surface.contact->position[0](i),
-                       dim == 3 ? surface.contact->position[1](i) : 0.,
+        const Place x{{surface.contact->geometry.position[0](i),
+                       dim == 3 ? surface.contact->geometry.position[1](i) : 0.,
                        in(i),
                        values(i)}};
         CHECK(sums(i) == doctest::Approx(in(i) > 0 ? sum_around(all, x) : 0.));
@@ -155,7 +156,7 @@ TEST_CASE("regions of points of integration: those on faces that share a node")
   const Surface<3> surface("Nitsche");
   const LA::Vector in     = surface.vector([](double x, double) { return x < 0.3 || x > 0.6; }),
                    ones   = surface.vector([](double, double) { return 1.; });
-  const LA::Vector sums   = surface.contact->regions.sums(in, ones);
+  const LA::Vector sums   = surface.contact->origin.regions.sums(in, ones);
   LA::Vector       left   = surface.vector([](double x, double) { return x < 0.3 ? 1. : 0.; });
   const double     n_left = left.l1_norm(), n_right = in.l1_norm() - n_left;
   for (const auto i : in.locally_owned_elements())
@@ -175,13 +176,13 @@ TEST_CASE("a region that pulls as a whole is opened, with what overlaps beside i
   }));
   // The ring is turned about its middle: its inner edge pulls more than its outer one presses, and
   // beyond that there is an overlap.
-  const LA::Vector gap = surface.vector([&](double x, double y) {
+  const LA::Vector    gap = surface.vector([&](double x, double y) {
     const double r = radius(x, y);
     return r < 0.16 ? -1. : r < 0.3 ? 1. : r < 0.36 ? 2. : r < 0.5 ? -0.01 : 0.1;
   });
-  const ContactLaw law(*ContactMethod::create("penalty"), *surface.contact);
-  const LA::Vector none  = surface.contact->zero();
-  const auto       trial = [&](const LA::Vector &gaps) { return law.trial({gaps, none, none}); };
+  const NormalContact law(*ContactMethod::create("penalty"), *surface.contact);
+  const LA::Vector    none  = surface.contact->zero();
+  const auto          trial = [&](const LA::Vector &gaps) { return law.trial({gaps, none, none}); };
   set.update(law.pushes(trial(gap)));
   set.open_pulling_regions(trial(gap));
   const LA::Vector expected =

@@ -83,23 +83,25 @@ namespace TestScene
   {
     elasticity->set_time(t);
     contact->set_time(t);
-    Newton newton(
-      scene.newton,
-      scene.solver,
-      method(),
-      elasticity->stiffness(),
-      elasticity->constraints(),
-      gap_operator(),
-      make_hierarchy(scene.solver, elasticity->stiffness(), elasticity->rigid_body_modes(), dim),
-      elasticity->bodies_of_dofs(),
-      dim,
-      timer,
-      free_motions());
+    LinearBodies bodies(elasticity->stiffness(),
+                        elasticity->stabilising_springs(),
+                        elasticity->constraints(),
+                        elasticity->bodies_of_dofs());
+    bodies.set_load(elasticity->load());
+    BodiesHierarchy hierarchies(
+      scene.solver, bodies.stiffness(), [&] { return elasticity->rigid_body_modes(); }, dim);
+    ContactSolver solver(scene.newton,
+                         scene.solver,
+                         method(),
+                         bodies,
+                         gap_operator(),
+                         free_motions(),
+                         hierarchies,
+                         timer);
     u                         = elasticity->lift();
     p                         = gap_operator().zero();
     LA::Vector         active = p;
-    const NewtonReport report =
-      newton.solve(elasticity->load(), u, p, active, [](const NewtonStep &) {});
+    const NewtonReport report = solver.solve(u, p, active, [](const NewtonStep &) {});
     elasticity->distribute(u);
     return report;
   }

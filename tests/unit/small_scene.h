@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/contact_setup.h>
-#include <signorini/solve/newton.h>
+#include <signorini/solve/contact_solver.h>
 
 #include <memory>
 #include <string>

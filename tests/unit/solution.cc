@@ -1,6 +1,7 @@
 // Solutions of all methods, judged by the weak forms once more from their definitions; and what
 // must not change them: the form of the linear system, and units.
 
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/solve/preconditioners/direct.h>
 
 #include <doctest/doctest.h>
@@ -107,9 +108,10 @@ namespace
             const LA::Vector      &p,
             const LA::Vector      &active)
   {
-    const GapOperator &contact = scene.gap_operator();
-    const ContactLaw   law(scene.method(), contact);
-    ContactSystem      system(scene.elasticity->stiffness(), law);
+    const GapOperator       &contact = scene.gap_operator();
+    const NormalContact      law(scene.method(), contact);
+    const AssembledStiffness K(scene.elasticity->stiffness());
+    ContactSystem            system(K, law);
     system.set_active(active);
     LA::BlockVector  right = system.zero(), x = system.zero();
     const LA::Vector gap = contact.gap(u), none = contact.zero(),
@@ -147,8 +149,8 @@ namespace
         scene.use({"Method=perturbed Lagrangian",
                    "perturbed Lagrangian/Factor=7",
                    "perturbed Lagrangian/Form=" + form});
-        const ContactLaw law(scene.method(), scene.gap_operator());
-        const LA::Vector gap = scene.gap_operator().gap(u), none = scene.gap_operator().zero(),
+        const NormalContact law(scene.method(), scene.gap_operator());
+        const LA::Vector    gap = scene.gap_operator().gap(u), none = scene.gap_operator().zero(),
                          active = law.pushes(law.trial({gap, none, none})),
                          p      = active; // any pressure: the system is linear in it
         results.push_back(direction(scene, u, p, active));

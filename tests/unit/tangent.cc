@@ -5,6 +5,7 @@
 // exact up to rounding, whatever the step: half of the distance to the first point that changes,
 // and an eighth of that.
 
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/solve/contact_system.h>
 
 #include <doctest/doctest.h>
@@ -143,7 +144,7 @@ namespace
     // The program's law and force.
     const LA::Vector gap = contact.gap(state.u), stress = contact.stress(state.u);
     const LA::Vector none = contact.zero();
-    ContactLaw       contact_law(scene.method(), contact);
+    NormalContact    contact_law(scene.method(), contact);
     contact_law.augment(predicted);
     const LawInputs  in{gap, stress, none};
     const LA::Vector active     = contact_law.pushes(contact_law.trial(in)),
@@ -161,7 +162,8 @@ namespace
     CHECK(std::abs(force * state.w + work) < 1e-13 * size);
 
     // Its derivative.
-    ContactSystem   system(scene.elasticity->stiffness(), contact_law, scene.free_motions());
+    const AssembledStiffness K(scene.elasticity->stiffness());
+    ContactSystem            system(K, contact_law, scene.free_motions());
     LA::BlockVector direction = system.zero(), change = system.zero(), whole = system.zero();
     REQUIRE(!system.is_saddle_point());
     system.set_active(active);
@@ -200,8 +202,9 @@ namespace
     const GapOperator &contact = scene.gap_operator();
     const Law          start   = law(scene, reference, state.all_u, everywhere(p)),
               end = law(scene, reference, sum(state.all_u, 1, state.all_du), everywhere(p));
-    const ContactLaw contact_law(scene.method(), contact);
-    ContactSystem    system(scene.elasticity->stiffness(), contact_law, scene.free_motions());
+    const NormalContact      contact_law(scene.method(), contact);
+    const AssembledStiffness K(scene.elasticity->stiffness());
+    ContactSystem            system(K, contact_law, scene.free_motions());
     REQUIRE(system.is_saddle_point());
     const LA::Vector gap = contact.gap(state.u), none = contact.zero();
     const LA::Vector active    = contact_law.pushes(contact_law.trial({gap, none, p}));
@@ -255,7 +258,7 @@ namespace
         const ReferenceContact<dim> reference(scene);
         const Values                areas = everywhere(scene.gap_operator().weight);
         CHECK(size_of(sum(areas, -1, reference.area)) < 1e-13 * size_of(areas));
-        const Values epsilon = everywhere(scene.gap_operator().epsilon);
+        const Values epsilon = everywhere(scene.gap_operator().coefficients.epsilon);
         CHECK(size_of(sum(epsilon, -1, reference.epsilon)) < 1e-13 * size_of(epsilon));
         const LA::Vector predicted = on_points(scene, 0.01, 0.2);
         if (scene.method().has_multipliers())

@@ -1,6 +1,6 @@
 // Thermal strain against closed forms: free bodies, held bodies, normal stresses at contact points.
 
-#include <signorini/contact/law/contact_law.h>
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/elasticity/stress.h>
 #include <signorini/mesh/mesh_file.h>
 
@@ -438,9 +438,10 @@ namespace
     for (const auto i : s.locally_owned_elements())
       CHECK(std::abs(s(i) - p) < 1e-12 * p); // the difference of stresses ten times as large
     LA::Vector active = scene.contact->zero(), r = scene.elasticity.zero_vector();
-    active                    = 1.;
-    const LA::Vector gap      = scene.contact->gap(u),
-                     pressure = ContactLaw(*method, *scene.contact).pressure({gap, s, s}, active);
+    active               = 1.;
+    const LA::Vector gap = scene.contact->gap(u),
+                     pressure =
+                       NormalContact(*method, *scene.contact).pressure({gap, s, s}, active);
     scene.elasticity.stiffness().vmult(r, u);
     const LA::Vector f = scene.elasticity.load();
     r -= f;

@@ -249,7 +249,7 @@ namespace
       {
         double value = 1;
         for (unsigned int d = 0; d < dim; ++d)
-          value += (2 + d) * contact.position[d](i);
+          value += (2 + d) * contact.geometry.position[d](i);
         p(i) = value;
       }
     p.compress(VectorOperation::insert);

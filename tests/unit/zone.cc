@@ -1,5 +1,6 @@
 // Solvers on small systems against dense matrices.
 
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/preconditioners/block.h>
 
@@ -100,8 +101,9 @@ TEST_CASE("systems of all methods are those of their definitions, the symmetric 
       const std::string how = join(method);
       CAPTURE(how);
       scene.use(method);
-      const ContactLaw law(scene.method(), scene.gap_operator());
-      ContactSystem    system(scene.elasticity->stiffness(), law);
+      const NormalContact      law(scene.method(), scene.gap_operator());
+      const AssembledStiffness stiffness(scene.elasticity->stiffness());
+      ContactSystem            system(stiffness, law);
       system.set_active(every_other(scene.gap_operator()));
       const Eigen::MatrixXd A =
         dense_matrix(system, [&](auto &dst, const auto &src) { system.vmult(dst, src); });
@@ -128,8 +130,9 @@ TEST_CASE("the zone solver is the inverse of its part of the system")
         {
           CAPTURE(method[0]);
           scene.use(method);
-          const ContactLaw law(scene.method(), scene.gap_operator());
-          ContactSystem    system(scene.elasticity->stiffness(), law);
+          const NormalContact      law(scene.method(), scene.gap_operator());
+          const AssembledStiffness stiffness(scene.elasticity->stiffness());
+          ContactSystem            system(stiffness, law);
           system.set_active(every_other(scene.gap_operator()));
           const LA::Vector zone = contact_zone(system);
           ZoneSolver       solver(system, zone, direct_solver());
@@ -182,8 +185,9 @@ TEST_CASE("the contact filter keeps all constraints")
   SmallScene<2> scene(small("2"));
   scene.use({"Method=Lagrange multiplier"});
   const Hierarchy hierarchy(scene.elasticity->stiffness(), scene.elasticity->rigid_body_modes(), 2);
-  const ContactLaw law(scene.method(), scene.gap_operator());
-  ContactSystem    system(scene.elasticity->stiffness(), law);
+  const NormalContact      law(scene.method(), scene.gap_operator());
+  const AssembledStiffness stiffness(scene.elasticity->stiffness());
+  ContactSystem            system(stiffness, law);
   system.set_active(every_other(scene.gap_operator()));
   ContactFilter filter(system, hierarchy, direct_solver());
   filter.update();
@@ -210,11 +214,12 @@ TEST_CASE("Schur complements are those of their definitions")
     {
       CAPTURE(method[0]);
       scene.use(method);
-      const Hierarchy  hierarchy(scene.elasticity->stiffness(),
+      const Hierarchy          hierarchy(scene.elasticity->stiffness(),
                                 scene.elasticity->rigid_body_modes(),
                                 2);
-      const ContactLaw law(scene.method(), scene.gap_operator());
-      ContactSystem    system(scene.elasticity->stiffness(), law);
+      const NormalContact      law(scene.method(), scene.gap_operator());
+      const AssembledStiffness stiffness(scene.elasticity->stiffness());
+      ContactSystem            system(stiffness, law);
       system.set_active(every_other(scene.gap_operator()));
       const AMG             amg(hierarchy, nullptr);
       const Eigen::MatrixXd A =
@@ -232,7 +237,7 @@ TEST_CASE("Schur complements are those of their definitions")
       const Eigen::MatrixXd diagonal =
         (AB * K.diagonal().asDiagonal().inverse() * AB.transpose()).diagonal().asDiagonal();
       const Values area    = everywhere(scene.gap_operator().weight),
-                   k       = everywhere(scene.gap_operator().stiffness),
+                   k       = everywhere(scene.gap_operator().coefficients.stiffness),
                    active  = everywhere(every_other(scene.gap_operator()));
       Eigen::MatrixXd mass = I;
       for (unsigned int i = 0; i < n_q; ++i)

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <signorini/solve/contact_system.h>
+#include <signorini/contact/law/contact_law.h>
+#include <signorini/solve/bodies.h>
 #include <signorini/solve/newton_report.h>
-
-#include <deal.II/lac/affine_constraints.h>
 
 #include <vector>
 
@@ -13,22 +12,16 @@ namespace Signorini
   class Balance
   {
   public:
-    /// Refers to all but the numbers.
-    /// @param bodies that of each locally owned degree of freedom, Elasticity::bodies_of_dofs()
-    Balance(const ContactSystem                     &system,
-            const ContactLaw                        &law,
-            const dealii::AffineConstraints<double> &constraints,
-            const std::vector<unsigned int>         &bodies,
-            double                                   tolerance);
+    /// Refers to both.
+    Balance(const Bodies &bodies, const ContactLaw &law, double tolerance);
 
     /// Forget the forces that there were.
     void
     restart();
 
-    /// f + B^T W p - K u, zero where the displacement is prescribed.
+    /// Forces of the bodies and of contact, zero where the displacement is prescribed.
     LA::Vector
-    residual(const LA::Vector &f,
-             const LA::Vector &u,
+    residual(const LA::Vector &u,
              const LA::Vector &p,
              const LA::Vector &stress,
              const LA::Vector &active);
@@ -77,15 +70,15 @@ namespace Signorini
     double
     rounding(const LA::Vector &u, const LA::Vector &active) const;
 
-    const ContactSystem                     &system;
-    const ContactLaw                        &law;
-    const GapOperator                       &contact;
-    const dealii::AffineConstraints<double> &constraints;
-    const std::vector<unsigned int>          bodies;
-    const double                             tolerance;
-    unsigned int                             n_bodies = 0;
-    LA::Vector                               stiffness_diagonal;
-    double                                   force_scale = 0, largest_force = 0, force_rounding = 0;
-    std::vector<double>                      at_work; ///< forces_at_work() now
+    const Bodies       &bodies;
+    const ContactLaw   &law;
+    const GapOperator  &contact;
+    const double        tolerance;
+    unsigned int        n_bodies    = 0;
+    double              force_scale = 0, largest_force = 0, force_rounding = 0;
+    std::vector<double> at_work; ///< forces_at_work() now
+
+    mutable LA::Vector   stiffness_diagonal;
+    mutable unsigned int version = 0; ///< of the stiffness that it is of
   };
 } // namespace Signorini

@@ -3,7 +3,9 @@
 #include <signorini/contact/law/contact_law.h>
 #include <signorini/linear_algebra.h>
 #include <signorini/solve/free_motions.h>
+#include <signorini/solve/stiffness.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 
@@ -31,19 +33,19 @@ namespace Signorini
   /// law is g + p/eps = 0 (else zero, and the right-hand side as well). The scaling with k = E/h
   /// makes q a length and both residuals forces: nothing depends on the units of the scene.
   ///
-  /// Where surfaces move, K - G takes the place of K, see geometric_stiffness().
+  /// Points of laws with several components have as many rows of B and S, one after the other, and
+  /// blocks in D, X, Y instead of numbers. Where surfaces move, K - G takes the place of K, see
+  /// MovedContact.
   ///
-  /// Vectors are blocks (u, q); q is empty in the condensed form. K belongs to the mesh and is
+  /// Vectors are blocks (u, q); q is empty in the condensed form. K belongs to the bodies and is
   /// never touched; what changes with the active set are vectors on the contact surface.
   class ContactSystem
   {
   public:
-    /// Refers to all, which must live as long.
-    /// @param geometric G; null: zero
-    ContactSystem(const LA::SparseMatrix &stiffness,
-                  const ContactLaw       &law,
-                  FreeMotions             free_motions = FreeMotions(),
-                  const LA::SparseMatrix *geometric    = nullptr);
+    /// Refers to both, which must live as long.
+    ContactSystem(const Stiffness  &stiffness,
+                  const ContactLaw &law,
+                  FreeMotions       free_motions = FreeMotions());
 
     ~ContactSystem();
 
@@ -54,10 +56,10 @@ namespace Signorini
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
-    /// The forces of the bodies' deformation: (K - G) u without the springs that K has against free
-    /// motions.
+    /// How the forces that are not the law's change: (K - G) du without the springs that K has
+    /// against free motions.
     void
-    internal_force(LA::Vector &dst, const LA::Vector &u) const;
+    internal_force(LA::Vector &dst, const LA::Vector &du) const;
 
     const FreeMotions &
     free_motions() const
@@ -93,7 +95,7 @@ namespace Signorini
     }
 
     /// K, with springs against free motions: that is what preconditioners are built of.
-    const LA::SparseMatrix &
+    const Stiffness &
     stiffness() const
     {
       return K;
@@ -105,10 +107,11 @@ namespace Signorini
       return contact;
     }
 
+    /// The diagonal of D.
     const LA::Vector &
-    spring() const ///< D
+    spring() const
     {
-      return D;
+      return D_diagonal;
     }
 
     /// What the points of this rank add to K in the condensed form: a matrix on the local columns
@@ -132,28 +135,41 @@ namespace Signorini
     }
 
   private:
+    /// D, X, Y at the rows of this rank.
+    struct Sums
+    {
+      std::vector<std::vector<double>> D, X, Y;
+    };
+
+    /// Row i, component a of a point with that response.
+    void
+    linearise(dealii::types::global_dof_index i,
+              unsigned int                    a,
+              const LawResponse              &response,
+              bool                            touches);
     void
     make_surface_pattern();
     /// B and S have a row a point, and often dozens of points between two faces: summing them up
     /// once an active set costs less than to apply them one by one in each iteration.
     void
     sum_up_surface_stiffness();
+    /// Returns false if there was nothing to add.
+    bool
+    add_row(dealii::FullMatrix<double> &block, int row, const Sums &of) const;
     void
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
 
-    const LA::SparseMatrix &K;
-    const LA::SparseMatrix *G;
-    const ContactLaw       &law;
-    const GapOperator      &contact;
-    const bool              saddle;
-    FreeMotions             motions;
-    LA::Vector              D, X, Y, A, I;
-    mutable LA::Vector      workspace;
+    /// A block a point: column b in vector b.
+    using Blocks = std::vector<LA::Vector>;
 
-    struct Sums
-    {
-      std::vector<double> D, X, Y;
-    };
+    const Stiffness   &K;
+    const ContactLaw  &law;
+    const GapOperator &contact;
+    const bool         saddle;
+    FreeMotions        motions;
+    Blocks             D, X, Y;
+    LA::Vector         D_diagonal, A, I;
+    mutable LA::Vector workspace;
 
     Sums                                   sums; ///< those in `surface`
     dealii::SparsityPattern                pattern;

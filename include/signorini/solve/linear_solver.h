@@ -5,6 +5,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <functional>
+#include <memory>
 #include <stdexcept>
 
 namespace Signorini
@@ -16,28 +18,52 @@ namespace Signorini
     using std::runtime_error::runtime_error;
   };
 
-  /// The multigrid hierarchy of a stiffness matrix, which outlives contact that is looked for
-  /// again; null where the preconditioner needs none.
-  /// @param modes rigid-body modes
-  std::shared_ptr<const Hierarchy>
-  make_hierarchy(const LinearSolverSettings             &settings,
-                 const LA::SparseMatrix                 &stiffness,
-                 const std::vector<std::vector<double>> &modes,
-                 unsigned int                            dim);
+  /// The multigrid hierarchy of the bodies' stiffness: made when it is first asked for, and anew
+  /// when the stiffness has changed. Outlives contact that is looked for again.
+  class BodiesHierarchy
+  {
+  public:
+    using Modes = std::vector<std::vector<double>>;
 
-  /// Solves the contact systems of one mesh. The multigrid hierarchy is built once; what changes
-  /// with the active set is what the preconditioner keeps on the surface.
+    /// Refers to the stiffness.
+    /// @param modes makes Elasticity::rigid_body_modes(), which are too large to be kept
+    BodiesHierarchy(const LinearSolverSettings &settings,
+                    const Stiffness            &stiffness,
+                    std::function<Modes()>      modes,
+                    unsigned int                dim);
+
+    /// Of the stiffness as it is now; null where the preconditioner needs none. Collective.
+    std::shared_ptr<const Hierarchy>
+    get();
+
+    unsigned int
+    dim() const
+    {
+      return my_dim;
+    }
+
+  private:
+    const bool                       is_needed, translations_only;
+    const Stiffness                 &stiffness;
+    const std::function<Modes()>     modes;
+    const unsigned int               my_dim;
+    std::shared_ptr<const Hierarchy> hierarchy;
+    unsigned int                     version = 0; ///< of the stiffness that it is of
+  };
+
+  /// Solves the contact systems of one mesh. Rebuilds as much as has changed: with the active set,
+  /// what the preconditioner keeps on the surface; with the values of the stiffness (its version),
+  /// the preconditioner and the multigrid hierarchy.
   class LinearSolver
   {
   public:
-    /// @param hierarchy make_hierarchy()
-    LinearSolver(const LinearSolverSettings      &settings,
-                 const ContactSystem             &system,
-                 std::shared_ptr<const Hierarchy> hierarchy,
-                 unsigned int                     dim,
-                 dealii::TimerOutput             &timer);
+    /// Refers to all but the settings.
+    LinearSolver(const LinearSolverSettings &settings,
+                 const ContactSystem        &system,
+                 BodiesHierarchy            &hierarchies,
+                 dealii::TimerOutput        &timer);
 
-    /// The system's active set has changed.
+    /// The system's active set has changed, or the stiffness. Collective; before the first solve().
     void
     update();
 
@@ -55,7 +81,7 @@ namespace Signorini
     unsigned int
     multigrid_cycles() const
     {
-      return preconditioner->multigrid_cycles() + cycles_before;
+      return cycles_before + (preconditioner ? preconditioner->multigrid_cycles() : 0);
     }
 
     /// True: the Krylov method did not converge, and the system is factorised instead.
@@ -73,6 +99,7 @@ namespace Signorini
             LA::BlockVector       &x,
             const LA::BlockVector &rhs);
 
+    /// For the stiffness as it is now.
     void
     make_preconditioner();
     bool
@@ -80,11 +107,12 @@ namespace Signorini
 
     LinearSolverSettings             settings;
     const ContactSystem             &system;
-    const unsigned int               dim;
+    BodiesHierarchy                 &hierarchies;
     dealii::TimerOutput             &timer;
     std::shared_ptr<const Hierarchy> hierarchy;
     std::unique_ptr<Preconditioner>  preconditioner;
+    unsigned int                     version                = 0; ///< of the stiffness, made for
     bool                             has_given_up_iterating = false;
-    unsigned int                     cycles_before          = 0; ///< giving up
+    unsigned int                     cycles_before          = 0; ///< of former preconditioners
   };
 } // namespace Signorini

@@ -7,9 +7,9 @@
 
 namespace Signorini
 {
-  /// Semismooth Newton method for K u = f + B^T W p with the contact law between p and the gap:
-  /// since all else is linear, it is the primal-dual active set strategy (Hintermueller, Ito,
-  /// Kunisch, SIAM J. Optim. 13 (2003) 865). Lives as long as the mesh does.
+  /// Semismooth Newton method for the balance of bodies and contact, F(u) = f + B^T W p, with the
+  /// contact law between p and the gap. Where all but the law is linear, it is the primal-dual
+  /// active set strategy (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2003) 865).
   ///
   /// Full steps, which find the active set in a few, until one comes up again. If it still does
   /// with finer linear solves, then from there on
@@ -20,39 +20,20 @@ namespace Signorini
   class Newton
   {
   public:
-    /// Refers to all but the settings and numbers.
-    /// @param hierarchy make_hierarchy() of the stiffness
-    /// @param bodies Elasticity::bodies_of_dofs()
-    /// @param geometric see ContactSystem
-    Newton(const NewtonSettings                    &settings,
-           const LinearSolverSettings              &linear_settings,
-           const ContactMethod                     &method,
-           const LA::SparseMatrix                  &stiffness,
-           const dealii::AffineConstraints<double> &constraints,
-           const GapOperator                       &contact,
-           std::shared_ptr<const Hierarchy>         hierarchy,
-           const std::vector<unsigned int>         &bodies,
-           unsigned int                             dim,
-           dealii::TimerOutput                     &timer,
-           FreeMotions                              free_motions = FreeMotions(),
-           const LA::SparseMatrix                  *geometric    = nullptr);
+    /// Refers to all but the settings.
+    /// @param system that of the bodies and the law
+    /// @param linear_solver of the system
+    Newton(const NewtonSettings &settings,
+           Bodies               &bodies,
+           ContactLaw           &law,
+           ContactSystem        &system,
+           LinearSolver         &linear_solver);
 
-    /// @param f load vector with prescribed displacements eliminated
     /// @param u in: start, with the prescribed displacements of this step; out: solution
     /// @param p pressure at the contact points, in: start, out: solution
     /// @param active the points that carry it, 1 or 0, likewise
     NewtonReport
-    solve(const LA::Vector  &f,
-          LA::Vector        &u,
-          LA::Vector        &p,
-          LA::Vector        &active,
-          const StepVisitor &visit);
-
-    unsigned int
-    multigrid_cycles() const
-    {
-      return linear_solver.multigrid_cycles();
-    }
+    solve(LA::Vector &u, LA::Vector &p, LA::Vector &active, const StepVisitor &visit);
 
   private:
     /// One step: where the bodies are out of balance, and the right-hand side of the next system.
@@ -67,12 +48,8 @@ namespace Signorini
 
     /// The law at u, and the residuals; updates the active set and the pressure.
     void
-    evaluate(const LA::Vector &f,
-             const LA::Vector &u,
-             LA::Vector       &p,
-             LA::Vector       &active,
-             NewtonReport     &report,
-             Stage            &stage);
+    evaluate(
+      const LA::Vector &u, LA::Vector &p, LA::Vector &active, NewtonReport &report, Stage &stage);
     /// Is that the solution, or why will there be none? Or it is that of an augmentation, and the
     /// next one starts.
     void
@@ -82,17 +59,21 @@ namespace Signorini
     advance(LA::Vector &u, LA::Vector &p, NewtonReport &report, Stage &stage);
     void
     solve_linear(const LA::BlockVector &rhs, double reduction, double tolerance, NewtonStep &step);
+    /// The linear system is that of the bodies at u, and of the active set.
+    void
+    linearise(const LA::Vector &u);
 
-    const NewtonSettings                     settings;
-    const dealii::AffineConstraints<double> &constraints;
-    const GapOperator                       &contact;
-    ContactLaw                               law;
-    ContactSystem                            system;
-    LinearSolver                             linear_solver;
-    Balance                                  balance;
-    SetStrategy                              strategy;
+    const NewtonSettings settings;
+    Bodies              &bodies;
+    ContactLaw          &law;
+    const GapOperator   &contact;
+    ContactSystem       &system;
+    LinearSolver        &linear_solver;
+    Balance              balance;
+    SetStrategy          strategy;
 
-    LA::BlockVector x;                  ///< the change of (u, q)
-    bool            factorised = false; ///< the system is that of the active set
+    LA::BlockVector x;               ///< the change of (u, q)
+    bool            is_same = false; ///< the linear system has the present active set
+    unsigned int    version = 0;     ///< and the stiffness of that version
   };
 } // namespace Signorini

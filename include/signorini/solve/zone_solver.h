@@ -61,8 +61,9 @@ namespace Signorini
     void
     add_solution(LA::BlockVector &x) const;
 
-    const ContactSystem &system;
-    const std::string    direct_solver;
+    const ContactSystem    &system;
+    const LA::SparseMatrix &K; ///< its rows of the zone
+    const std::string       direct_solver;
 
     /// The owned degrees of freedom of the zone: number among those that this rank owns, zone
     /// index. The zone's owned indices are these, then the multipliers of this rank.

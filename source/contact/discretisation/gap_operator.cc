@@ -158,16 +158,16 @@ namespace Signorini
       const unsigned int n_moments = dim == 2 ? 1 : 3;
       contact.weight.reinit(rows.owned, comm);
       contact.rest_gap.reinit(contact.weight);
-      contact.stiffness.reinit(contact.weight);
-      contact.permanent.reinit(contact.weight);
-      contact.epsilon.reinit(contact.weight);
-      contact.position.assign(dim, contact.zero());
-      contact.normal.assign(dim, contact.zero());
-      contact.moment.assign(n_moments, contact.zero());
+      contact.coefficients.stiffness.reinit(contact.weight);
+      contact.coefficients.permanent.reinit(contact.weight);
+      contact.coefficients.epsilon.reinit(contact.weight);
+      contact.geometry.position.assign(dim, contact.zero());
+      contact.geometry.normal.assign(dim, contact.zero());
+      contact.geometry.moment.assign(n_moments, contact.zero());
       if (moved)
         {
-          contact.drift = contact.zero();
-          contact.master_moment.assign(n_moments, contact.zero());
+          contact.moved.drift = contact.zero();
+          contact.geometry.master_moment.assign(n_moments, contact.zero());
         }
 
       for (unsigned int p = 0; p < surfaces.size(); ++p)
@@ -183,19 +183,19 @@ namespace Signorini
                 contact.weight(row) += weight;
                 contact.rest_gap(row) += weight * point.gap;
                 if (moved)
-                  contact.drift(row) += weight * point.drift;
-                contact.stiffness(row) += weight * point.stiffness;
-                contact.epsilon(row) += weight * epsilon;
+                  contact.moved.drift(row) += weight * point.drift;
+                contact.coefficients.stiffness(row) += weight * point.stiffness;
+                contact.coefficients.epsilon(row) += weight * epsilon;
                 for (unsigned int d = 0; d < dim; ++d)
                   {
-                    contact.position[d](row) += weight * point.position[d];
-                    contact.normal[d](row) += weight * point.normal[d];
+                    contact.geometry.position[d](row) += weight * point.position[d];
+                    contact.geometry.normal[d](row) += weight * point.normal[d];
                   }
                 for (unsigned int d = 0; d < n_moments; ++d)
                   {
-                    contact.moment[d](row) += weight * moment[d];
+                    contact.geometry.moment[d](row) += weight * moment[d];
                     if (moved)
-                      contact.master_moment[d](row) += weight * on_master[d];
+                      contact.geometry.master_moment[d](row) += weight * on_master[d];
                   }
               }
           }
@@ -209,7 +209,7 @@ namespace Signorini
     {
       // A node that is slave in two pairs has two rows.
       std::multimap<types::global_dof_index, types::global_dof_index> rows_of;
-      auto                                                            row = contact.node.begin();
+      auto row = contact.origin.node.begin();
       for (const auto i : contact.weight.locally_owned_elements())
         rows_of.emplace(*row++, i);
 
@@ -227,9 +227,9 @@ namespace Signorini
             for (unsigned int i = 0; i < indices.size(); ++i)
               for (auto [at, last] = rows_of.equal_range(indices[i]); at != last; ++at)
                 for (unsigned int d = 0; d < dim; ++d)
-                  contact.position[d](at->second) = nodes[i][d];
+                  contact.geometry.position[d](at->second) = nodes[i][d];
           }
-      for (LA::Vector &v : contact.position)
+      for (LA::Vector &v : contact.geometry.position)
         v.compress(VectorOperation::insert);
     }
 
@@ -243,11 +243,15 @@ namespace Signorini
         inverse(i) = 1 / contact.weight(i);
       inverse.compress(VectorOperation::insert);
 
-      std::vector<LA::Vector *> means = {&contact.rest_gap, &contact.stiffness, &contact.epsilon};
-      if (contact.drift.size() > 0)
-        means.push_back(&contact.drift);
-      for (auto *group :
-           {&contact.position, &contact.normal, &contact.moment, &contact.master_moment})
+      std::vector<LA::Vector *> means = {&contact.rest_gap,
+                                         &contact.coefficients.stiffness,
+                                         &contact.coefficients.epsilon};
+      if (contact.moved.drift.size() > 0)
+        means.push_back(&contact.moved.drift);
+      for (auto *group : {&contact.geometry.position,
+                          &contact.geometry.normal,
+                          &contact.geometry.moment,
+                          &contact.geometry.master_moment})
         for (LA::Vector &v : *group)
           means.push_back(&v);
       for (LA::Vector *v : means)
@@ -275,11 +279,11 @@ namespace Signorini
     auto                   result     = std::make_unique<GapOperator>();
     GapOperator           &contact    = *result;
     contact.dofs                      = elasticity.owned();
-    contact.pair                      = rows.pair;
-    contact.node                      = rows.node;
-    contact.places                    = rows.places;
-    contact.readable                  = rows.writable;
-    contact.regions = ContactRegions(elasticity, surfaces, rows, method.sampling());
+    contact.origin.pair               = rows.pair;
+    contact.origin.node               = rows.node;
+    contact.origin.places             = rows.places;
+    contact.origin.readable           = rows.writable;
+    contact.origin.regions = ContactRegions(elasticity, surfaces, rows, method.sampling());
     assemble_matrices(contact, rows, surfaces, method, comm);
     assemble_vectors(
       contact, rows, surfaces, method, elasticity.mesh().size(), !configuration.is_rest(), comm);
@@ -289,10 +293,10 @@ namespace Signorini
     auto pair = rows.pair.begin();
     for (const auto i : rows.owned)
       {
-        const bool stays     = !surfaces[*pair++].separates && contact.weight(i) > 0;
-        contact.permanent(i) = stays ? 1. : 0.;
+        const bool stays                  = !surfaces[*pair++].separates && contact.weight(i) > 0;
+        contact.coefficients.permanent(i) = stays ? 1. : 0.;
       }
-    contact.permanent.compress(VectorOperation::insert);
+    contact.coefficients.permanent.compress(VectorOperation::insert);
     if (method.sampling() == Sampling::nodes)
       move_to_nodes(contact, elasticity);
 
@@ -319,13 +323,13 @@ namespace Signorini
   GapOperator::set_interference(const std::vector<double> &shares)
   {
     interference = shares;
-    auto which   = pair.begin();
+    auto which   = origin.pair.begin();
     initial_gap.reinit(rest_gap);
     for (const auto i : rest_gap.locally_owned_elements())
       {
         const double share  = shares[*which++];
-        const bool   counts = rest_gap(i) < 0 || permanent(i) > 0;
-        const double change = drift.size() > 0 ? double(drift(i)) : 0.;
+        const bool   counts = rest_gap(i) < 0 || coefficients.permanent(i) > 0;
+        const double change = at_rest() ? 0. : double(moved.drift(i));
         initial_gap(i)      = (counts ? share : 1.) * rest_gap(i) + change;
       }
     initial_gap.compress(VectorOperation::insert);
@@ -359,7 +363,8 @@ namespace Signorini
   unsigned int
   GapOperator::n_pairs() const
   {
-    const unsigned int own = pair.empty() ? 0 : 1 + *std::max_element(pair.begin(), pair.end());
+    const auto        &pair = origin.pair;
+    const unsigned int own  = pair.empty() ? 0 : 1 + *std::max_element(pair.begin(), pair.end());
     return Utilities::MPI::max(own, weight.get_mpi_communicator());
   }
 
@@ -394,7 +399,7 @@ namespace Signorini
     if (theta == 0)
       return result;
     for (const auto i : weighted.locally_owned_elements())
-      weighted(i) = theta * weight(i) / epsilon(i) * (s(i) - p(i));
+      weighted(i) = theta * weight(i) / coefficients.epsilon(i) * (s(i) - p(i));
     weighted.compress(VectorOperation::insert);
     LA::Vector of_stress;
     of_stress.reinit(result);
@@ -421,14 +426,41 @@ namespace Signorini
 
 
 
+  void
+  GapOperator::add_moved_force(LA::Vector &dst, const LA::Vector &u) const
+  {
+    if (!moved.G)
+      return;
+    LA::Vector change = u;
+    change -= moved.place;
+    moved.G->vmult_add(dst, change);
+  }
+
+
+
+  void
+  GapOperator::subtract_geometric(LA::Vector &dst, const LA::Vector &v) const
+  {
+    if (!moved.G)
+      return;
+    LA::Vector force;
+    force.reinit(dst, true);
+    moved.G->vmult(force, v);
+    dst -= force;
+  }
+
+
+
   std::size_t
   GapOperator::memory() const
   {
     std::size_t bytes = 0;
-    for (const LA::SparseMatrix *matrix : {&B, &B_free, &S, &S_free, &S_thermal})
-      if (matrix->m() > 0)
+    for (const LA::SparseMatrix *matrix : std::initializer_list<const LA::SparseMatrix *>{
+           &B, &B_free, &S, &S_free, &S_thermal, moved.G.get()})
+      if (matrix && matrix->m() > 0)
         bytes += matrix->trilinos_matrix().NumMyNonzeros() * (sizeof(double) + sizeof(int));
-    const std::size_t n_vectors = 5 + position.size() + normal.size() + moment.size();
+    const std::size_t n_vectors =
+      5 + geometry.position.size() + geometry.normal.size() + geometry.moment.size();
     return bytes + weight.locally_owned_size() * n_vectors * sizeof(double);
   }
 

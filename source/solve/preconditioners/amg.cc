@@ -227,7 +227,7 @@ namespace Signorini
         LA::Vector         weight(LA::contiguous_partition(n, comm), comm);
         limit                = weight;
         const double *points = contact->weight.trilinos_vector()[0],
-                     *k      = contact->stiffness.trilinos_vector()[0];
+                     *k      = contact->coefficients.stiffness.trilinos_vector()[0];
         for (unsigned int i = 0; i < groups.size(); ++i)
           {
             weight.trilinos_vector()[0][groups[i]] += points[i];

@@ -22,17 +22,16 @@ namespace Signorini
     schur = SchurComplement::create(settings, system, amg);
     if (augmentation > 0)
       {
-        springs =
-          std::make_unique<ContactLaw>(ContactLaw::springs(system.gap_operator(), augmentation));
+        springs = std::make_unique<NormalContact>(
+          NormalContact::springs(system.gap_operator(), augmentation));
         augmented = std::make_unique<ContactSystem>(system.stiffness(), *springs);
         filter    = std::make_unique<ContactFilter>(*augmented, hierarchy, settings.direct_solver);
       }
     if (form == simple)
       {
-        inverse_diagonal.reinit(system.zero().block(0));
-        Epetra_Vector diagonal(system.stiffness().trilinos_matrix().RowMap());
-        system.stiffness().trilinos_matrix().ExtractDiagonalCopy(diagonal);
-        inverse_diagonal.trilinos_vector()(0)->Reciprocal(diagonal);
+        inverse_diagonal = system.stiffness().diagonal();
+        for (double &d : inverse_diagonal)
+          d = 1 / d;
       }
   }
 

@@ -19,12 +19,14 @@ namespace Signorini
   {
     /// diag(B diag(K)^-1 B^T)
     LA::Vector
-    point_flexibility(const LA::SparseMatrix &K, const GapOperator &contact)
+    point_flexibility(const Stiffness &K, const GapOperator &contact)
     {
-      const Epetra_CrsMatrix &B = contact.B_free.trilinos_matrix();
-      Epetra_Vector           diagonal(K.trilinos_matrix().RowMap()), columns(B.ColMap());
-      K.trilinos_matrix().ExtractDiagonalCopy(diagonal);
-      columns.Import(diagonal, Epetra_Import(B.ColMap(), B.DomainMap()), Insert);
+      const Epetra_CrsMatrix &B        = contact.B_free.trilinos_matrix();
+      const LA::Vector        diagonal = K.diagonal();
+      Epetra_Vector           columns(B.ColMap());
+      columns.Import(*diagonal.trilinos_vector()(0),
+                     Epetra_Import(B.ColMap(), B.DomainMap()),
+                     Insert);
 
       LA::Vector flexibility = contact.zero();
       int        local       = 0;

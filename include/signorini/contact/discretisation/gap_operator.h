@@ -11,6 +11,48 @@ namespace Signorini
 {
   class ContactMethod;
 
+  /// What the contact law needs to know of each point.
+  struct ContactCoefficients
+  {
+    LA::Vector permanent; ///< 1 at points of pairs that never separate, else 0
+    LA::Vector stiffness; ///< E/h [force/length^3]
+    LA::Vector epsilon;   ///< of the contact law, ContactMethod::penalty(), likewise
+  };
+
+  /// Where the points are, for moments and for reports: a vector a component.
+  struct PointGeometry
+  {
+    std::vector<LA::Vector> position;
+    std::vector<LA::Vector> normal; ///< mean, not of unit length on curved faces
+    std::vector<LA::Vector> moment; ///< of a unit force along the normal: x cross n; 1 (2D), 3 (3D)
+    /// The same about the origin of the reaction on the master, whose places at rest may be others;
+    /// empty at rest.
+    std::vector<LA::Vector> master_moment;
+  };
+
+  /// To what the points of this rank belong.
+  struct PointOrigin
+  {
+    std::vector<unsigned int> pair; ///< contact pair of each
+    /// Degree of freedom (first component) of the slave node of each; empty for quadrature points.
+    std::vector<dealii::types::global_dof_index> node;
+    /// Where on the slave faces of this rank the rows are, and these rows, with those of other
+    /// ranks.
+    std::vector<FacePlaces> places;
+    dealii::IndexSet        readable;
+    ContactRegions          regions;
+  };
+
+  /// Contact on surfaces that have moved by u_k, to first order about that place; empty at rest.
+  struct MovedContact
+  {
+    LA::Vector drift; ///< what the true gap at u_k is beyond B u_k + rest_gap
+    LA::Vector place; ///< u_k
+    /// G, how the forces of the pressures there change as the surfaces move: geometric_stiffness().
+    /// Null: zero.
+    std::unique_ptr<LA::SparseMatrix> G;
+  };
+
   /// The discrete gap g = B u + g_0 at the points where the method imposes contact, one row a
   /// point: a quadrature point, or a slave node A with g_A = int psi_A g dA / int psi_A dA. A
   /// pressure p on the points exerts the force B^T W p, where W are the points' areas. Positive
@@ -35,32 +77,12 @@ namespace Signorini
     LA::Vector weight;       ///< area of each point; sums up to the slave area that has a partner
     LA::Vector rest_gap;     ///< from the geometry
     LA::Vector initial_gap;  ///< g_0: the same with the share of overlaps that counts now
-    /// Where surfaces have moved by u_k, what the true gap at u_k is beyond B u_k + rest_gap: then
-    /// B u + g_0 is the gap to first order about u_k. Empty at rest.
-    LA::Vector              drift;
-    std::vector<double>     interference; ///< that share of each pair; empty: all
-    LA::Vector              permanent;    ///< 1 at points of pairs that never separate, else 0
-    LA::Vector              stiffness;    ///< E/h [force/length^3]
-    LA::Vector              epsilon;  ///< of the contact law, ContactMethod::penalty(), likewise
-    std::vector<LA::Vector> position; ///< dim vectors
-    std::vector<LA::Vector>
-      normal; ///< dim vectors: mean normal, not of unit length on curved faces
-    std::vector<LA::Vector>
-      moment; ///< of a unit force along the normal: x cross n; 1 (2D) or 3 (3D)
-    /// The same about the origin of the reaction on the master, whose places at rest may be others;
-    /// empty at rest.
-    std::vector<LA::Vector>   master_moment;
-    std::vector<unsigned int> pair; ///< contact pair of each locally owned point
-    ContactRegions            regions;
+    std::vector<double> interference; ///< that share of each pair; empty: all
 
-    /// Degree of freedom (first component) of the slave node of each locally owned point; empty for
-    /// quadrature points.
-    std::vector<dealii::types::global_dof_index> node;
-
-    /// Where on the slave faces of this rank the rows are, and these rows, with those of other
-    /// ranks.
-    std::vector<FacePlaces> places;
-    dealii::IndexSet        readable;
+    MovedContact        moved;
+    ContactCoefficients coefficients;
+    PointGeometry       geometry;
+    PointOrigin         origin;
 
     /// @param shares of initial overlaps that count, pair by pair
     void
@@ -85,6 +107,14 @@ namespace Signorini
     /// The same on prescribed degrees of freedom too.
     LA::Vector
     total_force(const LA::Vector &p, const LA::Vector &s) const;
+
+    /// dst += G (u - u_k): what B^T W p lacks where surfaces have moved on from u_k.
+    void
+    add_moved_force(LA::Vector &dst, const LA::Vector &u) const;
+
+    /// dst -= G v
+    void
+    subtract_geometric(LA::Vector &dst, const LA::Vector &v) const;
 
     LA::Vector
     zero() const
@@ -112,7 +142,7 @@ namespace Signorini
     bool
     at_rest() const
     {
-      return drift.size() == 0;
+      return moved.drift.size() == 0;
     }
 
     bool

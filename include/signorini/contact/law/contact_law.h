@@ -1,24 +1,31 @@
 #pragma once
 
 #include <signorini/contact/discretisation/gap_operator.h>
-#include <signorini/contact/methods/method.h>
+
+#include <deal.II/base/tensor.h>
 
 namespace Signorini
 {
-  /// What the law is asked with at a contact point.
+  /// Components of a contact point: the normal one first, then those along the surface, if the law
+  /// has any. What a law does not have stays zero.
+  using LawVector = dealii::Tensor<1, 3>;
+  using LawMatrix = dealii::Tensor<2, 3>;
+
+  /// What a law is asked with at a contact point.
   struct LawInput
   {
-    double gap      = 0; ///< g, positive when open
-    double stress   = 0; ///< s of the bodies, positive in compression
-    double pressure = 0; ///< p, if it is an unknown
+    LawVector gap;      ///< g, positive when open
+    LawVector stress;   ///< s of the bodies, positive in compression
+    LawVector pressure; ///< p, if it is an unknown
   };
 
   /// What it says there. All is zero where it is not active.
   struct LawResponse
   {
-    double pressure = 0;                 ///< p, positive in compression
-    double dp_dg = 0, dp_ds = 0;         ///< of a pressure that follows [force/length^3], [-]
-    double defect = 0, d_defect_d_p = 0; ///< what the gap lacks; 0 under an unknown pressure
+    LawVector pressure;     ///< p, positive in compression
+    LawMatrix dp_dg, dp_ds; ///< of a pressure that follows [force/length^3], [-]
+    LawVector defect;       ///< what the gap lacks; 0 under an unknown pressure
+    LawVector compliance;   ///< d defect/dp of an unknown pressure, component by component
   };
 
   /// The inputs at all points; refers to them.
@@ -26,35 +33,25 @@ namespace Signorini
   {
     const LA::Vector &gap, &stress, &pressure;
 
+    /// @param first row of a point
+    /// @param n components
     LawInput
-    operator()(const dealii::types::global_dof_index i) const
-    {
-      return {gap(i), stress(i), pressure(i)};
-    }
+    at(dealii::types::global_dof_index first, unsigned int n) const;
   };
 
-  /// One law for all methods (pressure positive in compression, gap positive when open):
-  ///
-  ///   p = max(0, p^ - eps g),
-  ///
-  /// the active set being where the maximum is not zero; at points of pairs that never separate
-  /// p = p^ - eps g, and they are always active. A pressure that is an unknown of its own has the
-  /// equation g + c p = 0 there, with the compliance c = 0, or 1/eps if it is not its own p^.
+  /// The relation between gap, normal stress and pressure at the contact points, of which there are
+  /// laws for one component a point (NormalContact) or more: then as many rows of the gap operator,
+  /// one after the other, are those of a point. System, line search, active set and output ask this
+  /// and nothing else.
   ///
   /// Points are asked one by one, and told whether they count as active: that is the choice of the
-  /// strategy that looks for the set. All numbers belong to the normal direction; a law with
-  /// tangential ones is another class with these questions.
+  /// strategy that looks for the set.
   class ContactLaw
   {
   public:
     using Index = dealii::types::global_dof_index;
 
-    /// Refers to the gap operator.
-    ContactLaw(const ContactMethod &method, const GapOperator &contact);
-
-    /// Springs on active points, p = -factor E/h g, whatever the method.
-    static ContactLaw
-    springs(const GapOperator &contact, double factor);
+    virtual ~ContactLaw() = default;
 
     const GapOperator &
     gap_operator() const
@@ -62,68 +59,81 @@ namespace Signorini
       return contact;
     }
 
-    /// True: the pressure is an unknown.
-    bool
-    is_mixed() const
+    /// Rows of the gap operator a point.
+    virtual unsigned int
+    n_components() const
     {
-      return mixed;
+      return 1;
     }
 
-    /// True: p^ is the pressure of the last solution, see augment().
-    bool
+    /// True: the pressure is an unknown.
+    virtual bool
+    is_mixed() const = 0;
+
+    /// True: the law refers to the pressure of the last solution, see augment().
+    virtual bool
     augments() const
     {
-      return predictor == Predictor::last_pressure;
+      return false;
     }
 
-    /// Let p^ be that pressure from now on.
-    void
-    augment(const LA::Vector &pressure);
+    /// Let that pressure be this one from now on.
+    virtual void
+    augment(const LA::Vector & /*pressure*/)
+    {}
 
-    /// Multiply eps by that, for a start far from the solution. Only where p^ is zero. True if that
-    /// changes it.
-    bool
-    soften(const double factor)
+    /// Multiply stiff springs by that, for a start far from the solution. True if that changes the
+    /// law.
+    virtual bool
+    soften(double /*factor*/)
     {
-      const bool changes = factor != softness;
-      softness           = factor;
-      return changes;
+      return false;
     }
 
-    bool
+    virtual bool
     is_soft() const
     {
-      return softness < 1;
+      return false;
     }
 
-    /// The factor with which no eps is above E/h; 1 where nothing is gained by that. Collective.
-    double
-    softest() const;
+    /// The factor with which no spring is stiffer than E/h; 1 where nothing is gained by that.
+    /// Collective.
+    virtual double
+    softest() const
+    {
+      return 1;
+    }
 
-    /// p^ - eps g
-    double
-    trial(Index i, const LawInput &in) const;
+    /// What the active set is decided by, positive where a point pushes.
+    /// @param i its first row
+    virtual double
+    trial(Index i, const LawInput &in) const = 0;
 
     /// Is the point active by itself?
-    bool
-    pushes(const Index i, const double trial) const
+    virtual bool
+    pushes(Index i, double trial) const = 0;
+
+    virtual LawResponse
+    response(Index i, const LawInput &in, bool active) const = 0;
+
+    /// Of the trial values at all points, where the pressure of a former mesh is known.
+    virtual LA::Vector
+    trial_from_pressure(const LawInputs &in) const
     {
-      return (trial > 0 || contact.permanent(i) > 0) && contact.weight(i) > 0;
+      return trial(in);
     }
 
-    LawResponse
-    response(Index i, const LawInput &in, bool active) const;
+    /// By what a defect is multiplied, beside its area, so that it becomes a force.
+    virtual double
+    defect_stiffness(const Index i) const
+    {
+      return contact.coefficients.stiffness(i);
+    }
 
-    // The same of all points:
+    // The same at all points; rows of a point have the same trial value.
 
     LA::Vector
     trial(const LawInputs &in) const;
-
-    /// The same where the pressure of a former mesh is known, to find the set that a stiff penalty,
-    /// under which gaps are mere noise at first, would not show: p - c (g + p/eps) with c at most
-    /// E/h, whose sign at a solution is that of p^ - eps g for any c.
-    LA::Vector
-    trial_from_pressure(const LawInputs &in) const;
 
     /// 1 where the point is active by itself, else 0.
     LA::Vector
@@ -133,25 +143,21 @@ namespace Signorini
     LA::Vector
     pressure(const LawInputs &in, const LA::Vector &active) const;
 
-    /// As forces: times areas and E/h, or times eps if it augments, which is what the next
-    /// augmentation changes.
+    /// As forces, see defect_stiffness().
     LA::Vector
     defect(const LawInputs &in, const LA::Vector &active) const;
 
-  private:
-    ContactLaw(const GapOperator &contact, Predictor predictor, bool mixed, double spring);
+  protected:
+    /// Refers to it.
+    explicit ContactLaw(const GapOperator &contact)
+      : contact(contact)
+    {}
 
-    double
-    epsilon(Index i) const
-    {
-      return spring < 0 ? softness * contact.epsilon(i) : spring * contact.stiffness(i);
-    }
+    /// What f(first row of a point) returns, a LawVector, at all points.
+    template <typename F>
+    LA::Vector
+    at_all_points(const F &f) const;
 
     const GapOperator &contact;
-    Predictor          predictor;
-    bool               mixed;
-    double             spring; ///< negative: the method's eps
-    double             softness = 1;
-    LA::Vector         last; ///< p^ of what augments
   };
 } // namespace Signorini

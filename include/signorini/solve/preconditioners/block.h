@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/solve/preconditioners/contact_filter.h>
 #include <signorini/solve/preconditioners/schur_complement.h>
 
@@ -67,7 +68,7 @@ namespace Signorini
     LA::Vector           inverse_diagonal; ///< of K
 
     std::unique_ptr<SchurComplement> schur;
-    std::unique_ptr<ContactLaw>      springs;
+    std::unique_ptr<NormalContact>   springs;
     std::unique_ptr<ContactSystem>   augmented;
     std::unique_ptr<ContactFilter>   filter;
     LA::Vector                       extra; ///< gamma/(k W) on active points

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <signorini/solve/stiffness.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// The bodies without contact, at a time, as Newton's method sees them: what is out of balance at
+  /// a displacement, and the linearisation there. Displacements satisfy the constraints.
+  class Bodies
+  {
+  public:
+    virtual ~Bodies() = default;
+
+    /// f - F(u): the loads of now minus the forces of deformation. Constrained components mean
+    /// nothing.
+    virtual LA::Vector
+    residual(const LA::Vector &u) const = 0;
+
+    /// Size of the loads, those of prescribed displacements included: residuals are small beside
+    /// that.
+    virtual double
+    load_size() const = 0;
+
+    /// Linearise at u: stiffness() is that of u from then on. Its version tells whether anything
+    /// has changed. Collective.
+    virtual void
+    linearise(const LA::Vector &u) = 0;
+
+    /// dF/du, with springs against free motions (see FreeMotions), which F has not.
+    virtual const Stiffness &
+    stiffness() const = 0;
+
+    virtual const dealii::AffineConstraints<double> &
+    constraints() const = 0;
+
+    /// The number of the body of each degree of freedom of this rank.
+    virtual const std::vector<unsigned int> &
+    body_of_dof() const = 0;
+  };
+
+  /// Linear elasticity: F = K u, whose version never changes.
+  class LinearBodies : public Bodies
+  {
+  public:
+    /// Refers to matrix and constraints.
+    /// @param springs those that K has against free motions; empty: none
+    LinearBodies(const LA::SparseMatrix                  &K,
+                 const LA::Vector                        &springs,
+                 const dealii::AffineConstraints<double> &constraints,
+                 std::vector<unsigned int>                body_of_dof);
+
+    /// @param f with prescribed displacements eliminated, Elasticity::load()
+    void
+    set_load(LA::Vector f);
+
+    LA::Vector
+    residual(const LA::Vector &u) const override;
+
+    double
+    load_size() const override
+    {
+      return f.l2_norm();
+    }
+
+    void
+    linearise(const LA::Vector & /*u*/) override
+    {}
+
+    const Stiffness &
+    stiffness() const override
+    {
+      return K;
+    }
+
+    const dealii::AffineConstraints<double> &
+    constraints() const override
+    {
+      return my_constraints;
+    }
+
+    const std::vector<unsigned int> &
+    body_of_dof() const override
+    {
+      return bodies;
+    }
+
+  private:
+    const AssembledStiffness                 K;
+    const LA::Vector                         springs;
+    const dealii::AffineConstraints<double> &my_constraints;
+    const std::vector<unsigned int>          bodies;
+    LA::Vector                               f;
+  };
+} // namespace Signorini

@@ -1,0 +1,43 @@
+#include <signorini/solve/bodies.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  LinearBodies::LinearBodies(const LA::SparseMatrix          &K,
+                             const LA::Vector                &springs,
+                             const AffineConstraints<double> &constraints,
+                             std::vector<unsigned int>        body_of_dof)
+    : K(K)
+    , springs(springs)
+    , my_constraints(constraints)
+    , bodies(std::move(body_of_dof))
+    , f(this->K.owned(), this->K.communicator())
+  {}
+
+
+
+  void
+  LinearBodies::set_load(LA::Vector load)
+  {
+    f = std::move(load);
+  }
+
+
+
+  LA::Vector
+  LinearBodies::residual(const LA::Vector &u) const
+  {
+    LA::Vector r;
+    r.reinit(f, true);
+    K.vmult(r, u);
+    r.sadd(-1, 1, f);
+    if (springs.size() > 0)
+      {
+        LA::Vector of_springs = springs;
+        of_springs.scale(u);
+        r += of_springs;
+      }
+    return r;
+  }
+} // namespace Signorini
