@@ -203,7 +203,7 @@ namespace Signorini
         build_contact();
       }
     // What the surfaces will change anyway need not be known to the last digit.
-    constexpr double provisional = 1e-4;
+    constexpr double provisional = 1e-5;
     const bool       is_first    = my_follows || scene.contact.geometry == "updated";
     if (!solve_in_place(t, is_first ? std::max(tolerance, provisional) : tolerance))
       return false;
@@ -246,7 +246,8 @@ namespace Signorini
   {
     constexpr unsigned int most = 20, most_rules = 5;
     const double           enough = std::max(tolerance, scene.newton.of_geometry);
-    double                 before = 0; // what was out of balance when surfaces were placed last
+    // What was out of balance when surfaces were placed last: all, by a new load.
+    double before = is_placed ? 0 : 1;
     for (unsigned int n = 1; n <= most; ++n)
       {
         const bool keep_rule = n > 1 && (n > most_rules || contact.has_settled(state.displacement));
