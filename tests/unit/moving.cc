@@ -38,15 +38,6 @@ namespace
     return result;
   }
 
-  double
-  at(const SparseRow &row, const Values &u)
-  {
-    double sum = 0;
-    for (const auto &[index, value] : row)
-      sum += value * u[index];
-    return sum;
-  }
-
   template <int dim>
   double
   bend_at(const ContactPoint<dim> &point, const Values &v, const Values &w)

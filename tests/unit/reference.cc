@@ -58,15 +58,6 @@ namespace TestScene
       return model == Model::axisymmetric ? 2 * numbers::PI * r : 1;
     }
 
-    double
-    at(const SparseRow &row, const Values &u)
-    {
-      double sum = 0;
-      for (const auto &[index, value] : row)
-        sum += value * u[index];
-      return sum;
-    }
-
     template <int dim>
     double
     work_of_tractions(const SmallScene<dim>                                &scene,

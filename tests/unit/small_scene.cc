@@ -164,6 +164,17 @@ namespace TestScene
 
 
 
+  double
+  at(const SparseRow &row, const Values &u)
+  {
+    double sum = 0;
+    for (const auto &[index, value] : row)
+      sum += value * u[index];
+    return sum;
+  }
+
+
+
   Values
   sum(const Values &a, const double factor, const Values &b)
   {

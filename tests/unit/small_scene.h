@@ -74,6 +74,10 @@ namespace TestScene
   double
   dot(const Values &a, const Values &b);
 
+  /// The value of a row at u.
+  double
+  at(const SparseRow &row, const Values &u);
+
   /// a + factor b
   Values
   sum(const Values &a, double factor, const Values &b);

@@ -5,6 +5,7 @@
 #include <deal.II/base/point.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -44,4 +45,19 @@ namespace Signorini
     // Of x and of -x, so that one reduction serves both ends.
     std::vector<double> bounds = std::vector<double>(2 * dim, -std::numeric_limits<double>::max());
   };
+
+  /// Distance of a point to a box, zero inside.
+  template <int dim>
+  double
+  distance(const dealii::Point<dim> &x, const dealii::BoundingBox<dim> &box)
+  {
+    const auto &[lower, upper] = box.get_boundary_points();
+    double square              = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double outside = std::max({lower[d] - x[d], 0., x[d] - upper[d]});
+        square += outside * outside;
+      }
+    return std::sqrt(square);
+  }
 } // namespace Signorini

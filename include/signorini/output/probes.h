@@ -1,7 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/elasticity.h>
-#include <signorini/output/settings.h>
+#include <signorini/scene/output_settings.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 

@@ -2,7 +2,7 @@
 
 #include <signorini/fields/snapshot.h>
 #include <signorini/output/pvd.h>
-#include <signorini/output/settings.h>
+#include <signorini/scene/output_settings.h>
 
 #include <string>
 

@@ -9,9 +9,9 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/thermal_expansion.h>
 #include <signorini/mesh/mesh.h>
-#include <signorini/output/settings.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/scene/expected_result.h>
+#include <signorini/scene/output_settings.h>
 #include <signorini/solve/linear_solver_settings.h>
 #include <signorini/solve/newton_settings.h>
 

@@ -1,4 +1,5 @@
 #include <signorini/contact/geometry/local_faces.h>
+#include <signorini/mesh/extent.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,22 +40,6 @@ namespace Signorini
       return boxes;
     }
   } // namespace
-
-
-
-  template <int dim>
-  double
-  distance(const Point<dim> &x, const BoundingBox<dim> &box)
-  {
-    const auto &[lower, upper] = box.get_boundary_points();
-    double square              = 0;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double outside = std::max({lower[d] - x[d], 0., x[d] - upper[d]});
-        square += outside * outside;
-      }
-    return std::sqrt(square);
-  }
 
 
 
@@ -221,13 +206,9 @@ namespace Signorini
 
 
   template class LocalFaces<2>;
-  template double
-  distance<2>(const Point<2> &, const BoundingBox<2> &);
   template const Candidate<2> *
   nearest<2>(const std::vector<Candidate<2>> &);
   template class LocalFaces<3>;
-  template double
-  distance<3>(const Point<3> &, const BoundingBox<3> &);
   template const Candidate<3> *
   nearest<3>(const std::vector<Candidate<3>> &);
 } // namespace Signorini

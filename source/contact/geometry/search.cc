@@ -1,5 +1,6 @@
 #include <signorini/contact/geometry/local_faces.h>
 #include <signorini/contact/geometry/search.h>
+#include <signorini/mesh/extent.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>

@@ -1,4 +1,5 @@
 #include <signorini/contact/obstacles/triangle_surface.h>
+#include <signorini/mesh/extent.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -37,21 +38,6 @@ namespace Signorini
     angle_between(const Vector &a, const Vector &b)
     {
       return std::atan2(cross_product_3d(a, b).norm(), a * b);
-    }
-
-
-
-    double
-    distance(const Point<3> &x, const BoundingBox<3> &box)
-    {
-      double sum = 0;
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          const double outside =
-            std::max({box.lower_bound(d) - x[d], 0., x[d] - box.upper_bound(d)});
-          sum += outside * outside;
-        }
-      return std::sqrt(sum);
     }
   } // namespace
 

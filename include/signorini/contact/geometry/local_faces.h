@@ -61,11 +61,6 @@ namespace Signorini
     }
   };
 
-  /// Distance of a point to a box, zero inside.
-  template <int dim>
-  double
-  distance(const dealii::Point<dim> &x, const dealii::BoundingBox<dim> &box);
-
   /// The nearest candidate (nullptr if there is none), ties broken as find_partners() promises.
   template <int dim>
   const Candidate<dim> *

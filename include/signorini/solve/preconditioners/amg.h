@@ -21,9 +21,10 @@ namespace Signorini
 
     ~AMG();
 
-    /// The springs D have changed. No level is made anew. Springs stiffer than 3 k W count as that:
-    /// they couple the bodies well enough, and larger ones would slow down the smoothers (of 1, 3,
-    /// 10, 100 and 1000 this took the fewest iterations).
+    /// The springs D have changed. No level is made anew. Those stiffer than 6 k W, which between
+    /// equal bodies is three times E/h, count as that: they couple the bodies well enough, and
+    /// larger ones would slow down the smoothers (of 1, 3, 10, 100 and 1000 times E/h this took the
+    /// fewest iterations).
     void
     set_springs(const LA::Vector &springs);
 

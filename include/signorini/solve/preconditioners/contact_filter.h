@@ -7,10 +7,10 @@
 namespace Signorini
 {
   /// F-V-F: an exact solve on the degrees of freedom that contact touches, and on all multipliers
-  /// (F), one multigrid cycle of the multigrid method for K alone (V), F again. The hierarchy of K
-  /// never changes; the stiff contact terms, or the constraints in a saddle point system, are seen
-  /// by F only, so that the iteration count depends neither on the penalty nor on the size of the
-  /// mesh.
+  /// (F), one cycle of the multigrid method for K and contact springs of a few E/h (V), F again.
+  /// The hierarchy is that of K; what is stiffer, or the constraints in a saddle point system, is
+  /// seen by F only, so that the iteration count depends neither on the penalty nor on the size of
+  /// the mesh.
   ///
   /// After F the residual vanishes on the zone. It does so for the start value, hence for all
   /// residuals of a Krylov method, for which the first F is void: what remains is one multigrid

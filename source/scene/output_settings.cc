@@ -1,5 +1,5 @@
-#include <signorini/output/settings.h>
 #include <signorini/parameters/section.h>
+#include <signorini/scene/output_settings.h>
 
 namespace Signorini
 {
