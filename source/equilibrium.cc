@@ -246,8 +246,7 @@ namespace Signorini
   {
     constexpr unsigned int most = 20, most_rules = 5;
     const double           enough = std::max(tolerance, scene.newton.of_geometry);
-    // What was out of balance when surfaces were placed last: all, by a new load.
-    double before = is_placed ? 0 : 1;
+    double                 before = 0; // what was out of balance when surfaces were placed last
     for (unsigned int n = 1; n <= most; ++n)
       {
         const bool keep_rule = n > 1 && (n > most_rules || contact.has_settled(state.displacement));
@@ -261,9 +260,10 @@ namespace Signorini
           return false;
         const NewtonStep &first = my_report.steps[steps_before.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
-        // It falls by second order, so that the next placement would change less than at the last
-        // rate.
-        const bool is_last = now <= enough || (now <= 0.1 * before && now * now <= enough * before);
+        // What is left after this solution is less than at the rate of the last two placements, since
+        // it falls by second order; forces of bodies feel up to ten times as much of it.
+        const bool is_last =
+          now <= enough || (now <= 0.1 * before && now * now <= 0.1 * enough * before);
         if (is_last && (keep_rule || contact.has_settled(placed)))
           return true;
         before = now;
