@@ -260,8 +260,8 @@ namespace Signorini
           return false;
         const NewtonStep &first = my_report.steps[steps_before.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
-        // What is left after this solution is less than at the rate of the last two placements, since
-        // it falls by second order; forces of bodies feel up to ten times as much of it.
+        // What is left after this solution is less than at the rate of the last two placements,
+        // since it falls by second order; forces of bodies feel up to ten times as much of it.
         const bool is_last =
           now <= enough || (now <= 0.1 * before && now * now <= 0.1 * enough * before);
         if (is_last && (keep_rule || contact.has_settled(placed)))

@@ -218,7 +218,8 @@ namespace Signorini
       std::vector<LaidPoint<dim>> points;
       for (const unsigned int i : faces)
         for (unsigned int q = 0; q < rule.size(); ++q)
-          points.push_back({i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q))});
+          points.push_back(
+            {i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q)), {}});
       return points;
     }
 
@@ -231,18 +232,20 @@ namespace Signorini
                        const MPI_Comm                     comm,
                        SearchStatistics                  &statistics)
     {
-      std::vector<Point<dim>>     positions;
-      std::vector<Tensor<1, dim>> normals;
-      double                      largest = 0;
+      std::vector<Point<dim>>      positions;
+      std::vector<Tensor<1, dim>>  normals;
+      std::vector<FormerFace<dim>> former;
+      double                       largest = 0;
       for (const FacePatch<dim> &face : slave)
         largest = std::max(largest, reach(face, limit));
       for (const LaidPoint<dim> &point : laid)
         {
           positions.push_back(slave[point.face].position(point.xi));
           normals.push_back(slave[point.face].normal(point.xi));
+          former.push_back(point.former);
         }
       auto partners = find_partners(
-        positions, normals, master, Utilities::MPI::max(largest, comm), comm, &statistics);
+        positions, normals, master, Utilities::MPI::max(largest, comm), comm, &statistics, former);
 
       std::vector<PairedPoint<dim>> points;
       for (std::size_t i = 0; i < laid.size(); ++i)

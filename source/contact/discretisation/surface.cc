@@ -335,7 +335,10 @@ namespace Signorini
           surface.laid = laid;
           if (!is_laid)
             for (const PairedPoint<dim> &point : paired)
-              surface.laid.push_back({point.face, point.xi, point.weight});
+              surface.laid.push_back({point.face,
+                                      point.xi,
+                                      point.weight,
+                                      {point.partner.face_center, point.partner.size}});
           if (needs_gaps_at_rest(pair))
             gaps = gaps_at_rest(elasticity, pair, obstacle, slave, limit, paired);
         }

@@ -14,6 +14,7 @@ namespace Signorini
     constexpr double same          = 1e-9; // of a face's diameter: equal distances, equal centers
     constexpr double rim_tolerance = 1e-6; // of a face's diameter: rounding of matching rims
     constexpr double widest_wedge  = 0.3;  // tangential over normal distance
+    constexpr double same_face     = 100;  // staying distances between centers of one that moves
 
     template <int dim>
     bool
@@ -57,9 +58,13 @@ namespace Signorini
     const Candidate<dim> *best = nullptr;
     for (const Candidate<dim> &c : candidates)
       if (c.partner.distance <= least + c.tolerance)
-        if (best == nullptr || c.overhangs < best->overhangs ||
-            (c.overhangs == best->overhangs && center_is_smaller(c, *best)))
-          best = &c;
+        {
+          if (c.is_former && !c.overhangs)
+            return &c;
+          if (best == nullptr || c.overhangs < best->overhangs ||
+              (c.overhangs == best->overhangs && center_is_smaller(c, *best)))
+            best = &c;
+        }
     return best;
   }
 
@@ -104,16 +109,18 @@ namespace Signorini
     c.partner.distance    = projection.distance;
     c.partner.face_center = patch.center();
     c.partner.stiffness   = 0;
-    c.tolerance           = same * patch.diameter();
-    c.face                = face;
-    c.xi                  = projection.xi;
+    c.is_former = patch.center().distance(query.former_center) < same_face * query.staying;
+    c.tolerance = c.is_former ? query.staying : same * patch.diameter();
+    c.face      = face;
+    c.xi        = projection.xi;
 
     // In the interior of a face the offset is zero. At a convex edge of a faceted surface the
     // points of the wedge above it belong to no face; they are ours. What is farther out is
     // beside the body.
     const double offset = projection.tangential_offset;
     const double above  = std::abs((query.point - projection.position) * c.partner.normal);
-    c.overhangs = offset > rim_tolerance * patch.diameter() && offset > widest_wedge * above;
+    const double rim    = c.is_former ? query.staying : rim_tolerance * patch.diameter();
+    c.overhangs         = offset > rim && offset > widest_wedge * above;
     return c;
   }
 
@@ -172,7 +179,8 @@ namespace Signorini
               break;
             if (std::optional<Candidate<dim>> c = candidate(query, face))
               {
-                limit = std::min(limit, c->partner.distance + rank_box.tolerance);
+                limit = std::min(limit,
+                                 c->partner.distance + std::max(rank_box.tolerance, query.staying));
                 candidates.push_back(std::move(*c));
               }
           }

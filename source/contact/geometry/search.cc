@@ -41,8 +41,9 @@ namespace Signorini
             {
               Query<dim> query = queries[i];
               if (!found[i].empty())
-                query.limit =
-                  std::min(query.limit, found[i][0].partner.distance + ranks[rank].tolerance);
+                query.limit = std::min(query.limit,
+                                       found[i][0].partner.distance +
+                                         std::max(ranks[rank].tolerance, query.staying));
               if (distance(query.point, ranks[rank].box) > query.limit)
                 continue;
               outgoing.queries[rank].push_back(query);
@@ -86,14 +87,18 @@ namespace Signorini
 
   template <int dim>
   std::vector<std::optional<Partner<dim>>>
-  find_partners(const std::vector<Point<dim>>     &points,
-                const std::vector<Tensor<1, dim>> &slave_normals,
-                const MasterFaces<dim>            &master,
-                const double                       reach,
-                const MPI_Comm                     comm,
-                SearchStatistics                  *statistics)
+  find_partners(const std::vector<Point<dim>>      &points,
+                const std::vector<Tensor<1, dim>>  &slave_normals,
+                const MasterFaces<dim>             &master,
+                const double                        reach,
+                const MPI_Comm                      comm,
+                SearchStatistics                   *statistics,
+                const std::vector<FormerFace<dim>> &former)
   {
+    constexpr double staying = 1e-3; // in sizes of the former face
     AssertDimension(points.size(), slave_normals.size());
+    Assert(former.empty() || former.size() == points.size(),
+           ExcDimensionMismatch(former.size(), points.size()));
     SearchStatistics own_statistics;
     own_statistics.points = points.size();
 
@@ -102,7 +107,12 @@ namespace Signorini
     std::vector<std::vector<Candidate<dim>>> found(points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       {
-        queries[i] = {points[i], slave_normals[i], reach};
+        queries[i] = {points[i], slave_normals[i], reach, Point<dim>(), 0};
+        if (!former.empty())
+          {
+            queries[i].former_center = former[i].center;
+            queries[i].staying       = staying * former[i].size;
+          }
         if (std::optional<Candidate<dim>> c = faces.find(queries[i]))
           found[i].push_back(std::move(*c));
       }
@@ -152,14 +162,16 @@ namespace Signorini
                    const MasterFaces<2> &,
                    double,
                    MPI_Comm,
-                   SearchStatistics *);
+                   SearchStatistics *,
+                   const std::vector<FormerFace<2>> &);
   template std::vector<std::optional<Partner<3>>>
   find_partners<3>(const std::vector<Point<3>> &,
                    const std::vector<Tensor<1, 3>> &,
                    const MasterFaces<3> &,
                    double,
                    MPI_Comm,
-                   SearchStatistics *);
+                   SearchStatistics *,
+                   const std::vector<FormerFace<3>> &);
   template std::vector<double>
   depths<2>(
     const std::vector<Point<2>> &, const MasterFaces<2> &, double, MPI_Comm, SearchStatistics *);

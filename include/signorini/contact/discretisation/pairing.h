@@ -43,6 +43,7 @@ namespace Signorini
     unsigned int           face; ///< number of the slave face on this rank
     dealii::Point<dim - 1> xi;
     double                 weight; ///< area of the slave at rest
+    FormerFace<dim>        former; ///< of the master
   };
 
   /// The points of quadrature on slave faces that have a partner. `nodes`: Gauss-Lobatto points,
@@ -66,8 +67,9 @@ namespace Signorini
               MPI_Comm                           comm,
               SearchStatistics                  &statistics);
 
-  /// The closest partners of points that are laid already: so the rule stays as it is while
-  /// Newton's method moves the surfaces to where they balance. Collective.
+  /// The closest partners of points that are laid already, on the faces that they had before if
+  /// these are as good: so the rule stays as it is while Newton's method moves the surfaces to
+  /// where they balance. Collective.
   template <int dim>
   std::vector<PairedPoint<dim>>
   pair_laid_points(const std::vector<FacePatch<dim>> &slave,

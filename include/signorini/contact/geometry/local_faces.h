@@ -16,14 +16,16 @@ namespace Signorini
   {
     dealii::Point<dim>     point;
     dealii::Tensor<1, dim> normal;
-    double                 limit; // farther faces cannot win
+    double                 limit;         // farther faces cannot win
+    dealii::Point<dim>     former_center; // of the face that the point is to stay with
+    double                 staying = 0;   // if that is no farther than this beyond the nearest
 
     // Demanded by the compiler, not called.
     template <class Archive>
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &point &normal &limit;
+      ar &point &normal &limit &former_center &staying;
     }
   };
 
@@ -32,8 +34,9 @@ namespace Signorini
   struct Candidate
   {
     Partner<dim>           partner;
-    double                 tolerance; // same * diameter of the face
+    double                 tolerance; // same * diameter of the face; what the point stays for
     bool                   overhangs; // the point lies beside the face, not above it
+    bool                   is_former; // the point is to stay with it
     unsigned int           face;      // these two mean something on the rank of the face only
     dealii::Point<dim - 1> xi;
 
@@ -41,7 +44,7 @@ namespace Signorini
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &partner &tolerance &overhangs;
+      ar &partner &tolerance &overhangs &is_former;
     }
   };
 

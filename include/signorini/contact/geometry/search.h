@@ -88,6 +88,14 @@ namespace Signorini
     return slave_normal * master_normal < -0.1;
   }
 
+  /// The face of a master that a point had before, known by where it is.
+  template <int dim>
+  struct FormerFace
+  {
+    dealii::Point<dim> center;
+    double             size = 0; ///< 0: none
+  };
+
   /// The master side of one contact pair on this rank: the faces of locally owned cells. Supplies
   /// what the search cannot know: a face's rows of shape functions and its stiffness.
   template <int dim>
@@ -129,7 +137,10 @@ namespace Signorini
   /// center is lexicographically smaller, so that the result does not depend on the partition; but
   /// a face that the point lies above goes before one whose rim it overhangs.
   ///
-  /// Points with a normal of zero take faces of any orientation.
+  /// Points with a normal of zero take faces of any orientation. Those with a former place stay
+  /// with its face as long as that is no farther than 1e-3 of its size beyond the nearest: at an
+  /// edge between two faces, each may push a point onto the other for ever.
+  /// @param former empty, or one a point
   template <int dim>
   std::vector<std::optional<Partner<dim>>>
   find_partners(const std::vector<dealii::Point<dim>>     &points,
@@ -137,7 +148,8 @@ namespace Signorini
                 const MasterFaces<dim>                    &master,
                 double                                     reach,
                 MPI_Comm                                   comm,
-                SearchStatistics                          *statistics = nullptr);
+                SearchStatistics                          *statistics = nullptr,
+                const std::vector<FormerFace<dim>>        &former     = {});
 
   /// Of each point of this rank, how deep it lies inside of the master's body, as far as the
   /// closest place of the surface tells, of whatever orientation; negative outside, infinity if
