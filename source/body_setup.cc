@@ -18,8 +18,8 @@ namespace Signorini
     for (const ContactPair<dim> &pair : scene.known_pairs())
       contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
     MeshSettings<dim> settings = scene.mesh;
-    if (settings.distribution == "auto" && scene.refinement.cycles > 0)
-      settings.distribution = "p4est";
+    if (!settings.distribution && scene.refinement.cycles > 0)
+      settings.distribution = Distribution::p4est;
     return std::make_unique<Mesh<dim>>(bodies, settings, contact_surfaces, comm);
   }
 

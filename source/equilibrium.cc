@@ -1,3 +1,4 @@
+#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/equilibrium.h>
 #include <signorini/parameters/text.h>
 
@@ -204,7 +205,7 @@ namespace Signorini
       }
     // What the surfaces will change anyway need not be known to the last digit.
     constexpr double provisional = 1e-5;
-    const bool       is_first    = my_follows || scene.contact.geometry == "updated";
+    const bool       is_first    = my_follows || scene.contact.geometry == ContactGeometry::updated;
     if (!solve_in_place(t, is_first ? std::max(tolerance, provisional) : tolerance))
       return false;
     return my_follows || leaves_place() ? follow_surfaces(t, tolerance, false) : true;
@@ -216,8 +217,8 @@ namespace Signorini
   bool
   Equilibrium<dim>::leaves_place()
   {
-    const std::string &wanted = scene.contact.geometry;
-    if (wanted == "automatic")
+    const ContactGeometry wanted = scene.contact.geometry;
+    if (wanted == ContactGeometry::automatic)
       {
         TimerOutput::Scope scope(timer, "contact geometry");
         if (const std::string unknown = contact.unknown_elsewhere(); !unknown.empty())
@@ -234,7 +235,7 @@ namespace Signorini
           }
       }
     else
-      my_follows = wanted == "updated";
+      my_follows = wanted == ContactGeometry::updated;
     return my_follows;
   }
 
@@ -328,7 +329,7 @@ namespace Signorini
     clock.start();
     if (!hierarchies)
       hierarchies.emplace(
-        scene.solver, bodies->stiffness(), [this] { return elasticity.rigid_body_modes(); }, dim);
+        scene.solver, bodies->stiffness(), [this] { return rigid_body_modes(elasticity); }, dim);
     contact.turn_forces(pressure);
     NewtonSettings settings = scene.newton;
     settings.tolerance      = tolerance;
@@ -355,7 +356,7 @@ namespace Signorini
     bodies.emplace(elasticity.stiffness(),
                    elasticity.stabilising_springs(),
                    elasticity.constraints(),
-                   elasticity.bodies_of_dofs());
+                   bodies_of_dofs(elasticity));
     clock.stop();
   }
 
@@ -378,7 +379,7 @@ namespace Signorini
         build_contact();
         motions = make();
       }
-    if (!motions.never_held().empty() && scene.newton.undetermined == "refuse")
+    if (!motions.never_held().empty() && scene.newton.undetermined == Undetermined::refuse)
       throw SceneError("Supports/Names: no support holds " + join(motions.never_held()) +
                        ", and no contact can; " + NewtonSettings::how_to_hold() +
                        ". There are these boundaries: " + join(elasticity.mesh().boundaries()) +

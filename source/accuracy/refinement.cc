@@ -22,7 +22,7 @@ namespace Signorini
                 "how often the mesh is refined and the scene solved again");
     section.add_choice("Strategy",
                        strategy,
-                       {"estimator", "global"},
+                       {{"estimator", Strategy::estimator}, {"global", Strategy::global}},
                        "estimator: where stress jumps between cells; global: everywhere");
     section.add("Refine fraction",
                 refine_fraction,
@@ -81,7 +81,7 @@ namespace Signorini
     auto &triangulation =
       dynamic_cast<parallel::distributed::Triangulation<dim> &>(mesh.triangulation());
     const Vector<float> error = estimate(elasticity, displacement);
-    if (settings.strategy == "global")
+    if (settings.strategy == RefinementSettings::Strategy::global)
       triangulation.set_all_refine_flags();
     else
       parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(

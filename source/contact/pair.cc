@@ -17,7 +17,7 @@ namespace Signorini
     section.add_choice(
       "Sides",
       sides,
-      {"automatic", "as named"},
+      {{"automatic", SideChoice::automatic}, {"as named", SideChoice::as_named}},
       "automatic: slave and master are exchanged where the slave is so much stiffer or finer that its pressure would "
       "oscillate; results keep the signs of the names");
     section.add("Initial gap",

@@ -46,7 +46,9 @@ namespace Signorini
     section.add_choice(
       "Type",
       type,
-      {"displacement", "symmetry", "roller"},
+      {{"displacement", SupportType::displacement},
+       {"symmetry", SupportType::symmetry},
+       {"roller", SupportType::roller}},
       "prescribed components; a plane of symmetry (plane faces, any direction); or held along one direction alone");
     section.add(
       "Displacement",
@@ -64,18 +66,18 @@ namespace Signorini
     if (boundaries.empty() && nodes.empty())
       section.fail("Boundaries", "a support needs at least one boundary, or Nodes, or a Point");
     const bool has_normal = nodes.empty() || direction.norm() > 0;
-    if (type == "symmetry" && !nodes.empty())
+    if (type == SupportType::symmetry && !nodes.empty())
       section.fail("Type", "nodes and points have no normal; prescribe components there");
-    if (type == "roller" && !has_normal)
+    if (type == SupportType::roller && !has_normal)
       section.fail("Direction", "is needed: nodes and points have no normal");
-    if (type == "displacement" && displacement.empty())
+    if (type == SupportType::displacement && displacement.empty())
       section.fail("Displacement", "a support must prescribe at least one component");
-    if (type != "displacement" && displacement.given())
+    if (type != SupportType::displacement && displacement.given())
       section.fail("Displacement",
                    "belongs to Type = displacement; a roller has its Normal displacement");
-    if (type != "roller" && !normal_displacement.is_zero())
+    if (type != SupportType::roller && !normal_displacement.is_zero())
       section.fail("Normal displacement", "belongs to Type = roller");
-    if (type != "roller" && direction.norm() > 0)
+    if (type != SupportType::roller && direction.norm() > 0)
       section.fail("Direction", "belongs to Type = roller");
   }
 

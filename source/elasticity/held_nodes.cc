@@ -2,6 +2,7 @@
 #include <signorini/elasticity/held_nodes.h>
 #include <signorini/elasticity/node_places.h>
 #include <signorini/mesh/extent.h>
+#include <signorini/mesh/face_nodes.h>
 #include <signorini/mesh/face_parameter.h>
 #include <signorini/parameters/raw.h>
 
@@ -62,14 +63,11 @@ namespace Signorini
       std::unique_ptr<FEFaceValues<dim>> normals; ///< at these
 
       FaceNodes(const Mapping<dim> &mapping, const FiniteElement<dim> &scalar, const unsigned int f)
+        : nodes(nodes_of_face(scalar, f))
       {
         std::vector<Point<dim - 1>> points;
-        for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
-          if (scalar.has_support_on_face(i, f))
-            {
-              nodes.push_back(i);
-              points.push_back(face_parameter<dim>(f, scalar.unit_support_point(i)));
-            }
+        for (const unsigned int i : nodes)
+          points.push_back(face_parameter<dim>(f, scalar.unit_support_point(i)));
         normals = std::make_unique<FEFaceValues<dim>>(mapping,
                                                       scalar,
                                                       Quadrature<dim - 1>(points),
@@ -328,7 +326,7 @@ namespace Signorini
                                  sums[&node] = {without_rounding<dim>(support.direction /
                                                                       support.direction.norm())};
                              });
-          if (support.type == "symmetry")
+          if (support.type == SupportType::symmetry)
             check_plane(mesh, support, boundary, normals);
         }
       finder.on_nodes(support.nodes, [&](HeldNode<dim> &node) {
@@ -394,7 +392,7 @@ namespace Signorini
     if (model == Model::axisymmetric)
       finder.hold_axis();
     for (const Support<dim> &support : supports)
-      if (support.type == "displacement")
+      if (support.type == SupportType::displacement)
         hold_components(finder, mesh, support);
       else
         hold_normals(finder, mesh, support);

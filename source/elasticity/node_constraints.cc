@@ -60,7 +60,7 @@ namespace Signorini
     {
       if (!hold.support)
         return 0;
-      return hold.support->type == "displacement" ?
+      return hold.support->type == SupportType::displacement ?
                hold.support->displacement.value(node.position, t) * hold.direction :
                hold.support->normal_displacement.value(node.position, t);
     }
@@ -69,7 +69,7 @@ namespace Signorini
     std::string
     not_finite(const Support<dim> &support, const Point<dim> &x, const double t)
     {
-      const bool is_vector = support.type == "displacement";
+      const bool is_vector = support.type == SupportType::displacement;
       return Signorini::not_finite("Supports/" + support.name +
                                      (is_vector ? "/Displacement" : "/Normal displacement"),
                                    is_vector ? support.displacement.text() :

@@ -1,14 +1,12 @@
-#include <signorini/contact/geometry/lagrange.h>
+#include <signorini/fields/face_vertices.h>
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/fields/surface_gradient.h>
-
-#include <deal.II/lac/la_parallel_vector.h>
+#include <signorini/mesh/lagrange.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace Signorini
 {
@@ -19,40 +17,7 @@ namespace Signorini
     constexpr unsigned int max_steps = 200;
     constexpr double       enough    = 1e-9; // of the largest pressure, that a step changes
 
-    template <int dim>
-    constexpr unsigned int n_corners = dim == 2 ? 2 : 4;
-
-    /// The linear functions of the corners of a face and their derivatives, at a parameter.
-    template <int dim>
-    struct Corners
-    {
-      std::array<double, n_corners<dim>>             value;
-      std::array<Tensor<1, dim - 1>, n_corners<dim>> slope;
-
-      explicit Corners(const Point<dim - 1> &xi)
-      {
-        const auto x = lagrange(1, xi[0]), y = lagrange(1, xi[dim - 2]);
-        for (unsigned int c = 0; c < n_corners<dim>; ++c)
-          {
-            const unsigned int i = c % 2, j = c / 2;
-            value[c]    = x[i][0] * (dim == 3 ? y[j][0] : 1.);
-            slope[c][0] = x[i][1] * (dim == 3 ? y[j][0] : 1.);
-            if (dim == 3)
-              slope[c][dim - 2] = x[i][0] * y[j][1];
-          }
-      }
-    };
-
-    /// The number of a corner among the nodes of a face.
-    template <int dim>
-    unsigned int
-    node_of_corner(const unsigned int corner, const unsigned int degree)
-    {
-      return degree * (corner % 2) + (corner / 2) * degree * (degree + 1);
-    }
-
-    /// Means over the linear functions of the vertices. Fields have entries for these alone: what
-    /// is iterated costs vectors of the surface.
+    /// Means over the linear functions of the vertices.
     template <int dim>
     class Recovery
     {
@@ -63,17 +28,17 @@ namespace Signorini
         , raw(s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair)))
         , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
         , number_of_pair(pair)
+        , vertices(s.elasticity, surface.slave_faces)
         , matrices(surface.slave_faces.size())
       {
-        number_vertices();
-        area = open_area = zero();
-        offset.assign(dim, zero());
+        area = open_area = vertices.zero();
+        offset.assign(dim, vertices.zero());
         for (const ContactPoint<dim> &point : surface.points)
           {
             const unsigned int    f       = point.face;
             const SlaveFace<dim> &face    = surface.slave_faces[f];
             const bool            is_open = has_open_node(face);
-            const Corners<dim>    at(point.xi);
+            const Functions       at(point.xi);
             add_to_matrices(point, at);
             for (unsigned int c = 0; c < n; ++c)
               {
@@ -82,7 +47,8 @@ namespace Signorini
                 if (is_open)
                   open_area(vertices[f][c]) += w;
                 for (unsigned int d = 0; d < dim; ++d)
-                  offset[d](vertices[f][c]) += w * (point.position[d] - corner(face, c)[d]);
+                  offset[d](vertices[f][c]) +=
+                    w * (point.position[d] - Vertices::position(face, c)[d]);
               }
           }
         area.compress(VectorOperation::add);
@@ -117,60 +83,11 @@ namespace Signorini
       }
 
     private:
-      static constexpr unsigned int n = n_corners<dim>;
+      using Vertices  = FaceVertices<dim>;
+      using Functions = typename Vertices::Functions;
+      using Field     = typename Vertices::Field;
 
-      using Field = LinearAlgebra::distributed::Vector<double>;
-
-      /// Among those of the surface, rank by rank.
-      void
-      number_vertices()
-      {
-        const MPI_Comm comm   = s.elasticity.mesh().communicator();
-        LA::Vector     number = s.elasticity.zero_vector();
-        for (const SlaveFace<dim> &face : surface.slave_faces)
-          for (unsigned int c = 0; c < (face.degree > 0 ? n : 0); ++c)
-            number(vertex(face, c)) += 1;
-        number.compress(VectorOperation::add);
-        std::vector<types::global_dof_index> own;
-        for (const auto i : number.locally_owned_elements())
-          if (number(i) > 0)
-            own.push_back(i);
-        const auto              counts = Utilities::MPI::all_gather(comm, own.size());
-        types::global_dof_index next   = 0;
-        for (unsigned int rank = 0; rank < Utilities::MPI::this_mpi_process(comm); ++rank)
-          next += counts[rank];
-        const types::global_dof_index first = next;
-        for (const auto i : own)
-          number(i) = next++;
-        number.compress(VectorOperation::insert);
-        const LA::Vector numbers = s.elasticity.with_ghosts(number);
-
-        IndexSet owned(Utilities::MPI::sum(own.size(), comm)), others(owned.size());
-        owned.add_range(first, next);
-        vertices.resize(surface.slave_faces.size());
-        for (unsigned int f = 0; f < vertices.size(); ++f)
-          for (unsigned int c = 0; c < (surface.slave_faces[f].degree > 0 ? n : 0); ++c)
-            {
-              vertices[f][c] = std::lround(numbers(vertex(surface.slave_faces[f], c)));
-              if (!owned.is_element(vertices[f][c]))
-                others.add_index(vertices[f][c]);
-            }
-        layout = std::make_shared<Utilities::MPI::Partitioner>(owned, others, comm);
-      }
-
-      Field
-      zero() const
-      {
-        return Field(layout);
-      }
-
-      static Field
-      with_ghosts(const Field &field)
-      {
-        Field result = field;
-        result.update_ghost_values();
-        return result;
-      }
+      static constexpr unsigned int n = Vertices::n;
 
       /// Of the linear functions of a face: int phi_c phi_e dA, int phi_c grad phi_e dA.
       struct FaceMatrices
@@ -180,13 +97,13 @@ namespace Signorini
       };
 
       void
-      add_to_matrices(const ContactPoint<dim> &point, const Corners<dim> &at)
+      add_to_matrices(const ContactPoint<dim> &point, const Functions &at)
       {
         const SlaveFace<dim>               &face = surface.slave_faces[point.face];
         std::array<Tensor<1, dim>, dim - 1> tangents;
         for (unsigned int c = 0; c < n; ++c)
           for (unsigned int d = 0; d < dim - 1; ++d)
-            tangents[d] += at.slope[c][d] * Tensor<1, dim>(corner(face, c));
+            tangents[d] += at.slope[c][d] * Tensor<1, dim>(Vertices::position(face, c));
         FaceMatrices &matrix = matrices[point.face];
         for (unsigned int e = 0; e < n; ++e)
           {
@@ -199,22 +116,10 @@ namespace Signorini
           }
       }
 
-      static types::global_dof_index
-      vertex(const SlaveFace<dim> &face, const unsigned int c)
-      {
-        return face.nodes[node_of_corner<dim>(c, face.degree)];
-      }
-
       static unsigned int
       corner_of_node(const unsigned int node, const unsigned int degree)
       {
         return (node % (degree + 1) > 0 ? 1 : 0) + (node > degree ? 2 : 0);
-      }
-
-      static const Point<dim> &
-      corner(const SlaveFace<dim> &face, const unsigned int c)
-      {
-        return face.positions[node_of_corner<dim>(c, face.degree)];
       }
 
       bool
@@ -246,7 +151,7 @@ namespace Signorini
       Field
       mean_pressure() const
       {
-        Field result = zero();
+        Field result = vertices.zero();
         // Points have rows of their own.
         const bool at_nodes = samples_nodes(s.contact);
         auto       row      = first_row(s, number_of_pair);
@@ -254,20 +159,20 @@ namespace Signorini
           {
             const SlaveFace<dim> &face    = surface.slave_faces[point.face];
             const bool            is_dual = !point.interpolation.empty();
-            const Corners<dim>    at(point.xi);
-            const auto            shape = node_functions(face.degree, point.xi);
+            const Functions       at(point.xi);
+            const auto            shape = LagrangePolynomials<dim - 1>(face.degree, point.xi);
             double                own   = 0;
             if (!at_nodes)
               own = s.pressure(row++);
             else if (!is_dual)
               for (unsigned int i = 0; i < shape.size(); ++i)
-                own += shape[i] * raw(face.nodes[i]);
+                own += shape.value(i) * raw(face.nodes[i]);
             for (unsigned int c = 0; c < n; ++c)
               {
                 double weighted = at.value[c] * own;
                 if (at_nodes && is_dual)
                   for (unsigned int i = 0; i < shape.size(); ++i)
-                    weighted += share(c, i, face.degree) * shape[i] * raw(face.nodes[i]);
+                    weighted += share(c, i, face.degree) * shape.value(i) * raw(face.nodes[i]);
                 result(vertices[point.face][c]) += point.weight * weighted;
               }
           }
@@ -282,25 +187,14 @@ namespace Signorini
         Point<dim - 1> xi;
         xi[dim - 2] = double(i / (degree + 1)) / degree;
         xi[0]       = double(i % (degree + 1)) / degree;
-        return Corners<dim>(xi).value[c];
-      }
-
-      static std::vector<double>
-      node_functions(const unsigned int degree, const Point<dim - 1> &xi)
-      {
-        const auto          x = lagrange(degree, xi[0]), y = lagrange(degree, xi[dim - 2]);
-        std::vector<double> result;
-        for (unsigned int j = 0; j <= (dim == 3 ? degree : 0); ++j)
-          for (unsigned int i = 0; i <= degree; ++i)
-            result.push_back(x[i][0] * (dim == 3 ? y[j][0] : 1.));
-        return result;
+        return Functions(xi).value[c];
       }
 
       Field
       means_of_linear(const Field &field) const
       {
-        const Field q      = with_ghosts(field);
-        Field       result = zero();
+        const Field q      = Vertices::with_ghosts(field);
+        Field       result = vertices.zero();
         for (unsigned int f = 0; f < matrices.size(); ++f)
           if (surface.slave_faces[f].degree > 0)
             for (unsigned int c = 0; c < n; ++c)
@@ -314,8 +208,8 @@ namespace Signorini
       std::vector<Field>
       mean_gradients(const Field &field) const
       {
-        const Field        q = with_ghosts(field);
-        std::vector<Field> result(dim, zero());
+        const Field        q = Vertices::with_ghosts(field);
+        std::vector<Field> result(dim, vertices.zero());
         for (unsigned int f = 0; f < matrices.size(); ++f)
           if (surface.slave_faces[f].degree > 0)
             for (unsigned int c = 0; c < n; ++c)
@@ -336,7 +230,7 @@ namespace Signorini
       std::vector<Field>
       corrected(std::vector<Field> means, const std::vector<Field> &gradient) const
       {
-        std::vector<Field> change(dim, zero());
+        std::vector<Field> change(dim, vertices.zero());
         for (unsigned int d = 0; d < dim; ++d)
           {
             std::vector<Field> curvature = mean_gradients(gradient[d]);
@@ -396,7 +290,7 @@ namespace Signorini
         const unsigned int    k = face.degree, rows = dim == 3 ? k + 1 : 1;
         std::vector<double>   values(face.nodes.size());
         for (unsigned int c = 0; c < n; ++c)
-          values[node_of_corner<dim>(c, k)] = q(vertices[f][c]);
+          values[Vertices::node(c, k)] = q(vertices[f][c]);
         const auto middle = [&](const unsigned int a, const unsigned int b, const unsigned int m) {
           double               bend = 0;
           const Tensor<1, dim> way  = face.positions[b] - face.positions[a];
@@ -421,7 +315,7 @@ namespace Signorini
       LA::Vector
       with_nodes_between(const Field &field, const std::vector<Field> &gradient) const
       {
-        const Field        q      = with_ghosts(field);
+        const Field        q      = Vertices::with_ghosts(field);
         std::vector<Field> slopes = gradient; // copies have no ghosts
         for (const Field &component : slopes)
           component.update_ghost_values();
@@ -460,13 +354,10 @@ namespace Signorini
       const ContactSurface<dim> &surface;
       const LA::Vector           raw, status; ///< with ghosts
       const unsigned int         number_of_pair;
+      const Vertices             vertices;
       Field              area, open_area; ///< int phi_v dA, and that on faces with open nodes
       std::vector<Field> offset;          ///< d
       std::vector<FaceMatrices> matrices; ///< of slave faces
-
-      std::shared_ptr<const Utilities::MPI::Partitioner> layout;
-      std::vector<std::array<types::global_dof_index, n>>
-        vertices; ///< entries of the faces' corners
     };
   } // namespace
 

@@ -1,10 +1,7 @@
 #include <signorini/compatibility.h>
 #include <signorini/mesh/cell_mapping.h>
 #include <signorini/mesh/extent.h>
-#include <signorini/mesh/memory.h>
 #include <signorini/mesh/mesh.h>
-#include <signorini/mesh/pieces.h>
-#include <signorini/mesh/transformed_manifold.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/distributed/fully_distributed_tria.h>
@@ -14,8 +11,6 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
 namespace Signorini
 {
@@ -42,7 +37,7 @@ namespace Signorini
     section.add_choice(
       "Distribution",
       distribution,
-      {"auto", "p4est", "METIS"},
+      or_auto<Distribution>({{"p4est", Distribution::p4est}, {"METIS", Distribution::METIS}}),
       "who distributes the cells; METIS has a fixed mesh; auto: p4est, but METIS for more than 30,000 coarse cells that are refined neither as a whole nor by cycles");
     section.add("Refinements", refinements, "how often all cells are halved at the start");
     section.add("Contact refinements",
@@ -68,94 +63,14 @@ namespace Signorini
   MeshSettings<dim>::by_p4est(const std::size_t n_coarse_cells) const
   {
     constexpr std::size_t many = 30000;
-    return distribution == "p4est" ||
-           (distribution == "auto" && (n_coarse_cells <= many || refinements > 0));
+    return distribution == Distribution::p4est ||
+           (!distribution && (n_coarse_cells <= many || refinements > 0));
   }
 
 
 
   namespace
   {
-    // A fully distributed triangulation ends at its ghost cells: where their neighbours are
-    // missing, it has false boundary faces with id 0. None of ours may be taken for them.
-    constexpr types::boundary_id first_boundary_id = 1;
-
-    template <typename Object>
-    void
-    shift(std::vector<Object>     &objects,
-          const unsigned int       first_vertex,
-          const types::manifold_id first_manifold)
-    {
-      for (Object &object : objects)
-        {
-          for (unsigned int &vertex : object.vertices)
-            vertex += first_vertex;
-          if (object.manifold_id != numbers::flat_manifold_id)
-            object.manifold_id += first_manifold;
-        }
-    }
-
-    template <typename Object>
-    void
-    shift_boundary(std::vector<Object> &objects, const types::boundary_id first)
-    {
-      for (Object &object : objects)
-        if (object.boundary_id != numbers::internal_face_boundary_id)
-          object.boundary_id += first;
-    }
-
-    template <typename T>
-    void
-    append(std::vector<T> &to, const std::vector<T> &from)
-    {
-      to.insert(to.end(), from.begin(), from.end());
-    }
-
-    /// @param n_refined cells of this rank that are to be halved, at least, in what is still to
-    /// come
-    template <int dim>
-    void
-    check_memory(const Triangulation<dim> &triangulation, const double n_refined)
-    {
-      const MPI_Comm     comm     = triangulation.get_communicator();
-      const unsigned int children = GeometryInfo<dim>::max_children_per_cell;
-      const double       n_cells  = triangulation.n_global_active_cells() +
-                             Utilities::MPI::sum(n_refined, comm) * (children - 1);
-      const double most = largest_number_of_cells() * Utilities::MPI::n_mpi_processes(comm);
-      if (n_cells <= most)
-        return;
-      std::ostringstream text;
-      text << "Mesh: refinement at the start would make " << n_cells << " cells, more than the "
-           << most
-           << " that memory could hold; take smaller Mesh/Refinements, Contact refinements, "
-           << "Zones/.../Times or Bodies/.../Refinements, or coarser bodies";
-      throw SceneError(text.str());
-    }
-
-    /// @param growth of the number of cells that are wanted, at least, from one time to the next
-    template <int dim, typename Wanted>
-    void
-    refine_where(Triangulation<dim> &triangulation,
-                 const unsigned int  times,
-                 const double        growth,
-                 const Wanted       &wanted)
-    {
-      for (unsigned int i = 0; i < times; ++i)
-        {
-          std::size_t n_refined = 0;
-          for (const auto &cell : triangulation.active_cell_iterators())
-            if (!cell->is_artificial() && wanted(cell))
-              {
-                cell->set_refine_flag();
-                n_refined += cell->is_locally_owned();
-              }
-          if (Utilities::MPI::sum(n_refined, triangulation.get_communicator()) == 0)
-            return;
-          check_memory(triangulation, n_refined * std::pow(growth, times - i - 1));
-          triangulation.execute_coarsening_and_refinement();
-        }
-    }
-
     /// Cells count once, and once more per slave face times its weight. A cell that is being
     /// refined is asked for each of its children, half of which are at a face of it.
     template <int dim>
@@ -175,30 +90,6 @@ namespace Signorini
                                  status == Compatibility::children_will_be_coarsened<dim>;
           return unit * (1 + n_slaves * slave_face_weight * (is_itself ? 1. : 0.5));
         });
-    }
-
-    template <int dim>
-    bool
-    touches(const RefinementZone<dim>                               &zone,
-            const typename Triangulation<dim>::active_cell_iterator &cell)
-    {
-      for (const unsigned int v : cell->vertex_indices())
-        if (zone.where.value(cell->vertex(v)) > 0)
-          return true;
-      return zone.where.value(cell->center()) > 0;
-    }
-  } // namespace
-
-
-
-  namespace
-  {
-    template <int dim>
-    double
-    diagonal_of(const std::vector<Point<dim>> &points)
-    {
-      const BoundingBox<dim> box(points);
-      return box.get_boundary_points().first.distance(box.get_boundary_points().second);
     }
   } // namespace
 
@@ -258,107 +149,12 @@ namespace Signorini
 
 
   template <int dim>
-  CoarseMesh<dim>
-  Mesh<dim>::merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies)
-  {
-    CoarseMesh<dim> all;
-    for (const auto &[name, body] : bodies)
-      {
-        CoarseMesh<dim> one       = body.generator->generate();
-        bool            is_curved = body.generator->curved();
-        const double    size      = diagonal_of(one.vertices);
-        if (!body.transformation.empty())
-          is_curved = transform(one, is_curved, body.transformation);
-        const double growth = diagonal_of(one.vertices) / size;
-        degree_of_body.push_back(is_curved ? body.degree : 1);
-        degree = std::max(degree, degree_of_body.back());
-        if (is_curved)
-          degree_of_surfaces = 4;
-
-        my_temperature.append(one.cells, body.generator->temperature());
-        const types::manifold_id first_manifold =
-          all.manifolds.empty() ? 0 : all.manifolds.rbegin()->first + 1;
-        for (const auto &[id, manifold] : one.manifolds)
-          all.manifolds[first_manifold + id] = manifold;
-
-        shift(one.cells, all.vertices.size(), first_manifold);
-        shift(one.faces.boundary_lines, all.vertices.size(), first_manifold);
-        shift(one.faces.boundary_quads, all.vertices.size(), first_manifold);
-        const types::boundary_id first_id = first_boundary_id + n_ids;
-        shift_boundary(one.faces.boundary_lines, first_id);
-        shift_boundary(one.faces.boundary_quads, first_id);
-        n_ids += one.n_boundary_ids();
-        first_cells.push_back(all.cells.size());
-        generators.push_back(body.generator);
-        for (CellData<dim> &cell : one.cells)
-          cell.material_id = names.size();
-
-        append(all.vertices, one.vertices);
-        append(all.cells, one.cells);
-        append(all.faces.boundary_lines, one.faces.boundary_lines);
-        append(all.faces.boundary_quads, one.faces.boundary_quads);
-        for (unsigned int i = 0; i < one.boundaries.size(); ++i)
-          {
-            boundary_names.push_back(name + "." + one.boundaries[i]);
-            body_of_boundary.push_back(names.size());
-            facets.push_back(one.facets.empty() ? FacetHeight() : one.facets[i]);
-            facets.back().height *= growth;
-            facets.back().length *= growth;
-            ids_of_names.emplace_back();
-            for (const types::boundary_id id : one.ids_of(i))
-              ids_of_names.back().insert(first_id + id);
-          }
-        names.push_back(name);
-      }
-    return all;
-  }
-
-
-
-  template <int dim>
   void
   Mesh<dim>::create(Triangulation<dim> &triangulation, const CoarseMesh<dim> &coarse) const
   {
     for (const auto &[id, manifold] : coarse.manifolds)
       triangulation.set_manifold(id, *manifold);
     triangulation.create_triangulation(coarse.vertices, coarse.cells, coarse.faces);
-  }
-
-
-
-  template <int dim>
-  void
-  Mesh<dim>::refine_initially(
-    Triangulation<dim>                                       &triangulation,
-    const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
-    const MeshSettings<dim>                                  &settings,
-    const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const
-  {
-    constexpr double children = GeometryInfo<dim>::max_children_per_cell;
-    refine_where(triangulation, settings.refinements, children, [](const auto &) { return true; });
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      refine_where(triangulation, bodies[b].second.refinements, children, [b](const auto &cell) {
-        return cell->material_id() == b;
-      });
-
-    BoundaryIds surfaces;
-    for (const auto &[slave, master] : contact_surfaces)
-      for (const std::string &surface : {slave, master})
-        if (!surface.empty())
-          surfaces.insert(boundary_ids(surface).begin(), boundary_ids(surface).end());
-    refine_where(triangulation, settings.contact_refinements, children / 2, [&](const auto &cell) {
-      for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() && surfaces.count(cell->face(f)->boundary_id()) > 0)
-          return true;
-      return false;
-    });
-
-    for (const RefinementZone<dim> &zone : settings.zones)
-      refine_where(triangulation, zone.times, 1, [&](const auto &cell) {
-        return touches<dim>(zone, cell) &&
-               (zone.bodies.empty() ||
-                std::count(zone.bodies.begin(), zone.bodies.end(), names[cell->material_id()]));
-      });
   }
 
 
@@ -419,43 +215,6 @@ namespace Signorini
       }
     throw SceneError("there is no set of nodes '" + name + "'; " +
                      (known.empty() ? "no body has any" : "there are " + join(known)));
-  }
-
-
-
-  template <int dim>
-  void
-  Mesh<dim>::find_pieces(const CoarseMesh<dim> &coarse)
-  {
-    piece_of_coarse_cell = pieces_of(coarse.cells, coarse.vertices.size());
-    std::vector<unsigned int> of_body(n_bodies());
-    for (unsigned int c = 0; c < coarse.cells.size(); ++c)
-      {
-        const Point<dim> &first = coarse.vertices[coarse.cells[c].vertices[0]];
-        if (piece_of_coarse_cell[c] == my_pieces.size())
-          {
-            my_pieces.push_back(
-              {coarse.cells[c].material_id, "", BoundingBox<dim>({first, first})});
-            ++of_body[my_pieces.back().body];
-          }
-        for (const unsigned int v : coarse.cells[c].vertices)
-          my_pieces[piece_of_coarse_cell[c]].extent.merge_with(
-            BoundingBox<dim>({coarse.vertices[v], coarse.vertices[v]}));
-      }
-    for (unsigned int i = 0, k = 1; i < my_pieces.size(); ++i, ++k)
-      {
-        BodyPiece<dim> &piece = my_pieces[i];
-        if (i > 0 && my_pieces[i - 1].body != piece.body)
-          k = 1;
-        piece.name = names[piece.body];
-        if (of_body[piece.body] > 1)
-          {
-            std::ostringstream place;
-            place << piece.extent.center();
-            piece.name += ", piece " + std::to_string(k) + " of " +
-                          std::to_string(of_body[piece.body]) + " about (" + place.str() + ")";
-          }
-      }
   }
 
 

@@ -99,7 +99,7 @@ namespace Signorini
     const double n_ranks = Utilities::MPI::n_mpi_processes(elasticity.mesh().communicator());
     // Refinement of the given share of the cells, as often as it is to come.
     const auto  &refinement = scene.refinement;
-    const double growth     = refinement.strategy == "global" ?
+    const double growth     = refinement.strategy == RefinementSettings::Strategy::global ?
                                 std::pow(2, dim) :
                                 1 + refinement.refine_fraction * (std::pow(2, dim) - 1);
     const double all_cells  = elasticity.mesh().triangulation().n_global_active_cells();

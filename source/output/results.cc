@@ -1,3 +1,4 @@
+#include <signorini/elasticity/reactions.h>
 #include <signorini/elasticity/rigid_pose.h>
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/point_values.h>
@@ -274,18 +275,19 @@ namespace Signorini
   force_results(const Snapshot<dim> &s, const double tolerance)
   {
     const Mesh<dim>     &mesh = s.elasticity.mesh();
-    const Reactions<dim> reactions =
-      s.elasticity.reactions(s.displacement,
-                             s.contact.total_force(s.pressure, s.contact.stress(s.displacement)));
+    const Reactions<dim> outer =
+      reactions(s.elasticity,
+                s.displacement,
+                s.contact.total_force(s.pressure, s.contact.stress(s.displacement)));
     Json   supports = Json::object();
-    double largest  = reactions.load.force.norm();
+    double largest  = outer.load.force.norm();
     for (unsigned int i = 0; i < s.elasticity.supports().size(); ++i)
       {
-        const Tensor<1, dim> &force               = reactions.supports[i].force;
+        const Tensor<1, dim> &force               = outer.supports[i].force;
         supports[s.elasticity.supports()[i].name] = {{"reaction", list(force)}};
         largest                                   = std::max(largest, force.norm());
       }
-    std::vector<Resultant<dim>> on_bodies = reactions.bodies;
+    std::vector<Resultant<dim>> on_bodies = outer.bodies;
     for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
       {
         const ContactPair<dim> &names = s.pairs[pair];
@@ -315,7 +317,7 @@ namespace Signorini
       }
     Json results = {{"supports", supports},
                     {"obstacles", obstacle_results(s)},
-                    {"total_load", list(reactions.load.force)},
+                    {"total_load", list(outer.load.force)},
                     {"bodies", bodies},
                     {"largest_force", largest}};
     results.update(balance(sum));

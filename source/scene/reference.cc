@@ -353,11 +353,10 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       else
         print_keys(section, out);
       if (path == "Contact method")
-        {
-          std::vector<std::string> rules = Integration::names();
-          rules.insert(rules.begin(), "auto");
-          print_choices("Integration", rules, about_integration, out);
-        }
+        print_choices("Integration",
+                      words_of(or_auto(Integration::rules())),
+                      about_integration,
+                      out);
       if (path == "Solver")
         {
           print_choices("Preconditioner", preconditioner_names(), about_preconditioner, out);

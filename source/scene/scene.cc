@@ -44,13 +44,11 @@ namespace Signorini
   void
   ContactSettings::declare(Section &section)
   {
-    std::vector<std::string> integrations = Integration::names();
-    integrations.insert(integrations.begin(), "auto");
     section.add_choice("Method", method, method_names(), "how contact is imposed");
     section.add_choice(
       "Integration",
       integration,
-      integrations,
+      or_auto(Integration::rules()),
       "of slave faces: auto: what suits the method; segments: exactly, on their intersections with master faces; by Gauss "
       "points on whole faces (cheaper); at the nodes (cheapest)");
     section.add(
@@ -62,13 +60,15 @@ namespace Signorini
     section.add_choice(
       "Pressure basis",
       pressure_basis,
-      {"dual", "standard"},
+      {{"dual", Basis::dual}, {"standard", Basis::standard}},
       "of methods that weigh the gap at slave nodes: functions biorthogonal to the displacement's (fewest Newton steps), "
       "or the displacement's own");
     section.add_choice(
       "Contact geometry",
       geometry,
-      {"automatic", "reference", "updated"},
+      {{"automatic", ContactGeometry::automatic},
+       {"reference", ContactGeometry::reference},
+       {"updated", ContactGeometry::updated}},
       "where gaps and normals are taken: reference: of the surfaces at rest; updated: of the surfaces as they are now, "
       "which costs a search and a solve or two more; automatic: as they are now where that changes the pressure");
     section.add(
@@ -87,16 +87,15 @@ namespace Signorini
   Integration
   ContactSettings::integration_of_degrees(const unsigned int slave, const unsigned int master) const
   {
-    const std::string rule   = integration == "auto" ? chosen().usual_integration() : integration;
-    const bool        weighs = chosen().sampling() == Sampling::nodes;
+    const Rule rule   = integration.value_or(chosen().usual_integration());
+    const bool weighs = chosen().sampling() == Sampling::nodes;
     // Nodes are those of the slave, and forces at points push its nodes: it has to follow them all.
-    const bool         of_slave = rule == "nodes" || (rule == "quadrature" && !weighs);
+    const bool         of_slave = rule == Rule::nodes || (rule == Rule::quadrature && !weighs);
     const unsigned int degree   = of_slave ? slave : std::max(slave, master);
-    const unsigned int usual    = rule == "quadrature" && weighs ? degree + 3 : degree + 1;
-    const bool         is_dual  = weighs && pressure_basis == "dual";
+    const unsigned int usual    = rule == Rule::quadrature && weighs ? degree + 3 : degree + 1;
     return {rule,
-            quadrature_points == 0 || rule == "nodes" ? usual : quadrature_points,
-            is_dual ? Basis::dual : Basis::standard,
+            quadrature_points == 0 || rule == Rule::nodes ? usual : quadrature_points,
+            weighs ? pressure_basis : Basis::standard,
             quadrature_points == 0 ? degree + 3 : quadrature_points};
   }
 
@@ -391,7 +390,7 @@ namespace Signorini
     check_axisymmetric(*this);
     check_integration();
     check_contrast(bodies);
-    if (mesh.distribution == "METIS" && refinement.cycles > 0)
+    if (mesh.distribution == Distribution::METIS && refinement.cycles > 0)
       throw SceneError(
         "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +
         std::to_string(refinement.cycles) +
@@ -408,7 +407,7 @@ namespace Signorini
       {
         const Integration integration = integration_of(pair);
         contact.chosen().check(integration, degree_of(pair.slave));
-        if (integration.rule == "segments" && contact.quadrature_points > 7)
+        if (integration.rule == Rule::segments && contact.quadrature_points > 7)
           throw SceneError(
             "Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
             ": on segments there are rules with up to 7");

@@ -1,12 +1,9 @@
-#include <signorini/row_view.h>
+#include <signorini/linear_algebra/row_view.h>
+#include <signorini/linear_algebra/values.h>
 #include <signorini/solve/contact_system.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
-
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Import.h>
-#include <Epetra_Vector.h>
 
 #include <algorithm>
 
@@ -35,23 +32,16 @@ namespace Signorini
 
 
 
-  ContactSystem::~ContactSystem() = default;
-
-
-
   void
   ContactSystem::make_surface_pattern()
   {
-    const Epetra_CrsMatrix &B = contact.B_free.trilinos_matrix();
-    columns                   = std::make_unique<Epetra_Import>(B.ColMap(), B.DomainMap());
-    of_columns                = std::make_unique<Epetra_Vector>(B.ColMap());
-    forces                    = std::make_unique<Epetra_Vector>(B.ColMap());
-
-    DynamicSparsityPattern entries(B.NumMyCols(), B.NumMyCols());
-    for (int row = 0; row < B.NumMyRows(); ++row)
+    columns.emplace(contact.B_free);
+    DynamicSparsityPattern entries(columns->size(), columns->size());
+    const int              n_rows = contact.weight.locally_owned_size();
+    for (int row = 0; row < n_rows; ++row)
       {
-        const RowView view(contact.B_free, row);
-        if (row > 0 && view.has_columns_of(RowView(contact.B_free, row - 1)))
+        const LA::RowView view(contact.B_free, row);
+        if (row > 0 && view.has_columns_of(LA::RowView(contact.B_free, row - 1)))
           continue;
         std::vector<unsigned int> sorted(view.columns, view.columns + view.size);
         std::sort(sorted.begin(), sorted.end());
@@ -60,8 +50,8 @@ namespace Signorini
       }
     pattern.copy_from(entries);
     surface.reinit(pattern);
-    displacement.reinit(B.NumMyCols());
-    force.reinit(B.NumMyCols());
+    displacement.reinit(columns->size());
+    force.reinit(columns->size());
   }
 
 
@@ -76,7 +66,7 @@ namespace Signorini
       before.resize(now.size());
       for (unsigned int b = 0; b < now.size(); ++b)
         {
-          const double *const values = now[b].trilinos_vector()[0];
+          const double *const values = LA::values_of(now[b]);
           const unsigned int  n      = now[b].locally_owned_size();
           before[b].resize(n, 0.);
           result[b].resize(n);
@@ -144,10 +134,10 @@ namespace Signorini
     std::vector<types::global_dof_index> indices;
     for (int first = 0, last = 0; first < n_rows; first = last)
       {
-        const RowView columns(contact.B_free, first);
+        const LA::RowView columns(contact.B_free, first);
         block.reinit(columns.size, columns.size);
         bool any = false;
-        for (; last < n_rows && RowView(contact.B_free, last).has_columns_of(columns); ++last)
+        for (; last < n_rows && LA::RowView(contact.B_free, last).has_columns_of(columns); ++last)
           any |= add_row(block, last, change);
         if (!any)
           continue;
@@ -161,24 +151,24 @@ namespace Signorini
   bool
   ContactSystem::add_row(FullMatrix<double> &block, const int row, const Sums &of) const
   {
-    const int     n = law.n_components(), first = row - row % n;
-    const RowView B(contact.B_free, row);
-    bool          any = false;
+    const int         n = law.n_components(), first = row - row % n;
+    const LA::RowView B(contact.B_free, row);
+    bool              any = false;
     for (int b = 0; b < n; ++b)
       {
         const PointSprings springs{of.D[b][row], of.X[b][row], of.Y[b][row], contact.theta};
         if (springs.are_zero())
           continue;
         any = true;
-        const RowView B_b(contact.B_free, first + b);
+        const LA::RowView B_b(contact.B_free, first + b);
         if (!contact.has_stress())
           springs.add_to(block, B.values, B_b.values);
         else
           springs.add_to(block,
                          B.values,
-                         RowView(contact.S_free, row).values,
+                         LA::RowView(contact.S_free, row).values,
                          B_b.values,
-                         RowView(contact.S_free, first + b).values);
+                         LA::RowView(contact.S_free, first + b).values);
       }
     return any;
   }
@@ -296,16 +286,9 @@ namespace Signorini
   void
   ContactSystem::add_surface_forces(LA::Vector &dst, const LA::Vector &src) const
   {
-    int error = of_columns->Import(src.trilinos_vector(), *columns, Insert);
-    AssertThrow(error == 0, ExcTrilinosError(error));
-    const int n = of_columns->MyLength();
-    if (n > 0)
-      {
-        std::copy_n(of_columns->Values(), n, displacement.begin());
-        surface.vmult(force, displacement);
-        std::copy_n(force.begin(), n, forces->Values());
-      }
-    error = dst.trilinos_vector().Export(*forces, *columns, Add);
-    AssertThrow(error == 0, ExcTrilinosError(error));
+    columns->fetch(src, displacement.begin());
+    if (columns->size() > 0)
+      surface.vmult(force, displacement);
+    columns->add(force.begin(), dst);
   }
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/contact/law/normal_contact.h>
+#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/solve/linear_reference.h>
 
 #include <deal.II/base/timer.h>
@@ -48,7 +49,7 @@ namespace Signorini
       const NormalContact      law = NormalContact::springs(contact, 0);
       const ContactSystem      system(stiffness, law);
       BodiesHierarchy          hierarchies(
-        settings, stiffness, [&] { return elasticity.rigid_body_modes(); }, dim);
+        settings, stiffness, [&] { return rigid_body_modes(elasticity); }, dim);
       LinearSolver solver(settings, system, hierarchies, timer);
       solver.update();
       result.seconds_preconditioner = lap();
@@ -71,7 +72,7 @@ namespace Signorini
   {
     LinearReference best;
     unsigned int    fewest = numbers::invalid_unsigned_int;
-    for (const char *near_null_space : {"rigid body modes", "translations"})
+    for (const auto &[word, near_null_space] : near_null_spaces())
       {
         LinearSolverSettings chosen;
         chosen.near_null_space    = near_null_space;

@@ -1,3 +1,4 @@
+#include <signorini/linear_algebra/direct_solver.h>
 #include <signorini/parameters/text.h>
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/preconditioners/schur_complement.h>
@@ -7,8 +8,6 @@
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/solver_minres.h>
 
-#include <Amesos.h>
-
 namespace Signorini
 {
   using namespace dealii;
@@ -17,56 +16,58 @@ namespace Signorini
   {
     /// On one rank, KLU is quicker for what is small or as thin as a contact zone; for the whole
     /// system MUMPS is, five times and more in 3D.
-    std::string
+    LA::DirectLibrary
     choose_direct(const LinearSolverSettings &settings, const Stiffness &stiffness)
     {
-      const bool has_mumps = Amesos().Query("Amesos_Mumps");
-      if (settings.direct_solver == "MUMPS" && !has_mumps)
+      const bool has_mumps = LA::DirectSolver::is_available(LA::DirectLibrary::MUMPS);
+      if (settings.direct_solver == LA::DirectLibrary::MUMPS && !has_mumps)
         throw SceneError("Solver/Direct solver = MUMPS: this Trilinos has none; take auto or KLU");
-      if (settings.direct_solver != "auto")
-        return settings.direct_solver;
+      if (settings.direct_solver)
+        return *settings.direct_solver;
       constexpr unsigned int small = 2000;
       const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1,
                  is_large = settings.preconditioner == "direct" && stiffness.size() > small;
-      return has_mumps && (!is_serial || is_large) ? "MUMPS" : "KLU";
+      return has_mumps && (!is_serial || is_large) ? LA::DirectLibrary::MUMPS :
+                                                     LA::DirectLibrary::KLU;
     }
 
-    std::string
+    Krylov
     choose_krylov(const LinearSolverSettings &settings,
                   const ContactSystem        &system,
                   const Preconditioner       &preconditioner)
     {
       if (!system.is_symmetric())
         {
-          if (settings.krylov == "CG" || settings.krylov == "MINRES")
-            throw SceneError("Solver/Krylov method = " + settings.krylov +
-                             " needs a symmetric system, which Nitsche's method with Theta = 0 or "
-                             "-1 does not have; take Theta = 1, or Krylov method = auto (FGMRES)");
-          return "FGMRES";
+          if (settings.krylov == Krylov::CG || settings.krylov == Krylov::MINRES)
+            throw SceneError(
+              "Solver/Krylov method = " + word_of(krylov_methods(), *settings.krylov) +
+              " needs a symmetric system, which Nitsche's method with Theta = 0 or "
+              "-1 does not have; take Theta = 1, or Krylov method = auto (FGMRES)");
+          return Krylov::FGMRES;
         }
       if (!system.is_saddle_point())
         {
-          if (settings.krylov == "MINRES")
+          if (settings.krylov == Krylov::MINRES)
             throw SceneError(
               "Solver/Krylov method = MINRES is for saddle point systems; take CG or auto");
-          return settings.krylov == "auto" ? "CG" : settings.krylov;
+          return settings.krylov.value_or(Krylov::CG);
         }
-      if (settings.krylov == "auto")
-        return preconditioner.keeps_constraints()    ? "CG" :
-               preconditioner.is_positive_definite() ? "MINRES" :
-                                                       "FGMRES";
-      if (settings.krylov == "CG" && !preconditioner.keeps_constraints())
+      if (!settings.krylov)
+        return preconditioner.keeps_constraints()    ? Krylov::CG :
+               preconditioner.is_positive_definite() ? Krylov::MINRES :
+                                                       Krylov::FGMRES;
+      if (settings.krylov == Krylov::CG && !preconditioner.keeps_constraints())
         throw SceneError(
           "Solver/Krylov method = CG with multipliers needs a preconditioner that keeps the "
           "constraints, but Solver/Preconditioner = " +
           settings.preconditioner + " does not; take 'contact filter', or FGMRES");
-      if (settings.krylov == "MINRES" && !preconditioner.is_positive_definite())
+      if (settings.krylov == Krylov::MINRES && !preconditioner.is_positive_definite())
         throw SceneError(
           "Solver/Krylov method = MINRES needs a positive definite preconditioner, but Solver/Preconditioner = " +
           settings.preconditioner + " with Schur complement = " + settings.schur_complement +
           " is none on a saddle point; take 'block diagonal' with another Schur complement than "
           "'multigrid', or FGMRES");
-      return settings.krylov;
+      return *settings.krylov;
     }
   } // namespace
 
@@ -77,7 +78,7 @@ namespace Signorini
                                    std::function<Modes()>      modes,
                                    const unsigned int          dim)
     : is_needed(settings.preconditioner != "direct")
-    , translations_only(settings.near_null_space == "translations")
+    , translations_only(settings.near_null_space == NearNullSpace::translations)
     , stiffness(stiffness)
     , modes(std::move(modes))
     , my_dim(dim)
@@ -164,7 +165,7 @@ namespace Signorini
                       const double           absolute_tolerance)
   {
     TimerOutput::Scope scope(timer, "krylov");
-    const std::string  krylov = choose_krylov(settings, system, *preconditioner);
+    const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
 
     x = 0;
     if (preconditioner->is_exact())
@@ -184,7 +185,7 @@ namespace Signorini
         rest.sadd(-1, 1, rhs);
         tolerance = std::max(tolerance, reduction * std::min(norm, rest.l2_norm()));
       }
-    if (krylov == "MINRES")
+    if (krylov == Krylov::MINRES)
       {
         // MINRES measures residuals in the norm of the preconditioner.
         LA::BlockVector preconditioned = rhs;
@@ -213,7 +214,7 @@ namespace Signorini
 
 
   unsigned int
-  LinearSolver::iterate(const std::string     &krylov,
+  LinearSolver::iterate(const Krylov           krylov,
                         const double           tolerance,
                         LA::BlockVector       &x,
                         const LA::BlockVector &rhs)
@@ -225,21 +226,29 @@ namespace Signorini
     SolverControl      control(most, tolerance);
     try
       {
-        if (krylov == "CG")
-          SolverCG<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
-        else if (krylov == "MINRES")
-          SolverMinRes<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
-        else
-          SolverFGMRES<LA::BlockVector>(control, SolverFGMRES<LA::BlockVector>::AdditionalData(50))
-            .solve(system, x, rhs, *preconditioner);
+        switch (krylov)
+          {
+            case Krylov::CG:
+              SolverCG<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
+              break;
+            case Krylov::MINRES:
+              SolverMinRes<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
+              break;
+            case Krylov::FGMRES:
+              SolverFGMRES<LA::BlockVector>(control,
+                                            SolverFGMRES<LA::BlockVector>::AdditionalData(50))
+                .solve(system, x, rhs, *preconditioner);
+              break;
+          }
         return control.last_step();
       }
     catch (const SolverControl::NoConvergence &stop)
       {
         throw SolverFailure(
-          krylov + " with the preconditioner '" + settings.preconditioner + "' stopped after " +
-          std::to_string(stop.last_step) + " iterations with residual " +
-          short_text(stop.last_residual / rhs.l2_norm()) + " of the start; " +
+          word_of(krylov_methods(), krylov) + " with the preconditioner '" +
+          settings.preconditioner + "' stopped after " + std::to_string(stop.last_step) +
+          " iterations with residual " + short_text(stop.last_residual / rhs.l2_norm()) +
+          " of the start; " +
           (settings.preconditioner == "direct" ?
              "the system is as good as singular: look at supports, and for nodes in two pairs" :
              "choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller "

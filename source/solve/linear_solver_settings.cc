@@ -5,6 +5,28 @@
 
 namespace Signorini
 {
+  const Choices<Krylov> &
+  krylov_methods()
+  {
+    static const Choices<Krylov> list = {{"CG", Krylov::CG},
+                                         {"MINRES", Krylov::MINRES},
+                                         {"FGMRES", Krylov::FGMRES}};
+    return list;
+  }
+
+
+
+  const Choices<NearNullSpace> &
+  near_null_spaces()
+  {
+    static const Choices<NearNullSpace> list = {{"rigid body modes",
+                                                 NearNullSpace::rigid_body_modes},
+                                                {"translations", NearNullSpace::translations}};
+    return list;
+  }
+
+
+
   void
   LinearSolverSettings::declare(Section &section)
   {
@@ -18,7 +40,7 @@ namespace Signorini
     section.add_choice(
       "Krylov method",
       krylov,
-      {"auto", "CG", "MINRES", "FGMRES"},
+      or_auto(krylov_methods()),
       "auto: CG; with multipliers and block diagonal MINRES, with block triangular and SIMPLE FGMRES");
     section.add_choice(
       "Schur complement",
@@ -35,13 +57,14 @@ namespace Signorini
     section.add_choice(
       "Direct solver",
       direct_solver,
-      {"auto", "KLU", "MUMPS"},
+      or_auto<LA::DirectLibrary>(
+        {{"KLU", LA::DirectLibrary::KLU}, {"MUMPS", LA::DirectLibrary::MUMPS}}),
       "of the contact zone or the whole system; auto: the quicker one that is there, KLU for contact zones and "
       "small systems on one rank, else MUMPS");
     section.add_choice(
       "Near null space",
       near_null_space,
-      {"rigid body modes", "translations"},
+      near_null_spaces(),
       "what the multigrid method knows of elasticity; translations alone: less memory, half as many iterations again");
     section.add("Maximum iterations", maximum_iterations, "of one linear solve", positive);
   }

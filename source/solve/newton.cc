@@ -79,7 +79,7 @@ namespace Signorini
     r             = balance.residual(u, p, stage.stress, active);
     if (!is_same)
       system.find_loose_motions(active);
-    if (settings.undetermined == "hold")
+    if (settings.undetermined == Undetermined::hold)
       report.holding_force = system.free_motions().hold(r, p, stage.stress);
     step.residual           = r.l2_norm() / balance.scale();
     step.residual_of_bodies = balance.residual_of_bodies(r);
@@ -123,7 +123,8 @@ namespace Signorini
         report.worst_body = balance.worst_body(stage.rhs.block(0));
       }
     report.undetermined = system.free_motions().loose();
-    if (!report.converged || report.undetermined.empty() || settings.undetermined != "refuse")
+    if (!report.converged || report.undetermined.empty() ||
+        settings.undetermined != Undetermined::refuse)
       return;
     report.converged = false;
     report.is_loose  = true;

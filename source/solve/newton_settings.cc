@@ -29,7 +29,7 @@ namespace Signorini
     section.add_choice(
       "Undetermined motions",
       undetermined,
-      {"refuse", "hold"},
+      {{"refuse", Undetermined::refuse}, {"hold", Undetermined::hold}},
       "of bodies that neither supports nor contact hold, as the rotation of a pin: refuse them, or hold them "
       "where that takes less than 1 % of the contact force");
   }

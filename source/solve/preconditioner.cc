@@ -33,14 +33,14 @@ namespace Signorini
       {"contact filter",
        [](const Settings &settings, const ContactSystem &system, const Hierarchy *hierarchy)
          -> Pointer {
-         return std::make_unique<ContactFilter>(system, *hierarchy, settings.direct_solver);
+         return std::make_unique<ContactFilter>(system, *hierarchy, settings.direct_solver.value());
        }},
       {"block diagonal", block(BlockPreconditioner::diagonal)},
       {"block triangular", block(BlockPreconditioner::triangular)},
       {"SIMPLE", block(BlockPreconditioner::simple)},
       {"direct",
        [](const Settings &settings, const ContactSystem &system, const Hierarchy *) -> Pointer {
-         return std::make_unique<Direct>(system, settings.direct_solver);
+         return std::make_unique<Direct>(system, settings.direct_solver.value());
        }}};
   } // namespace
 

@@ -1,56 +1,14 @@
-#include <signorini/row_view.h>
+#include <signorini/linear_algebra/row_view.h>
+#include <signorini/linear_algebra/sparsity_pattern.h>
+#include <signorini/linear_algebra/values.h>
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/zone_solver.h>
-
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
-
-#include <Amesos.h>
-#include <Amesos_BaseSolver.h>
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Import.h>
-#include <Epetra_LinearProblem.h>
-#include <Epetra_Vector.h>
-#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 
 namespace Signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// A vector on the degrees of freedom, as the local columns of a matrix see it.
-    std::vector<double>
-    on_columns(const LA::SparseMatrix &matrix, const LA::Vector &v)
-    {
-      const Epetra_CrsMatrix &A = matrix.trilinos_matrix();
-      Epetra_Vector           columns(A.ColMap());
-      // A matrix has no importer where all columns are local; the one made here then only copies.
-      const int error =
-        A.Importer() ?
-          columns.Import(v.trilinos_vector(), *A.Importer(), Insert) :
-          columns.Import(v.trilinos_vector(), Epetra_Import(A.ColMap(), A.DomainMap()), Insert);
-      AssertThrow(error == 0, ExcTrilinosError(error));
-      return std::vector<double>(columns.Values(), columns.Values() + columns.MyLength());
-    }
-
-    /// The owned elements in a row: access by global index costs ten times more, and is collective
-    /// now and then.
-    double *
-    values_of(LA::Vector &v)
-    {
-      return v.trilinos_vector()[0];
-    }
-
-    const double *
-    values_of(const LA::Vector &v)
-    {
-      return v.trilinos_vector()[0];
-    }
-  } // namespace
-
-
 
   LA::Vector
   contact_zone(const ContactSystem &system)
@@ -59,21 +17,20 @@ namespace Signorini
     marker.reinit(system.zero().block(0));
     if (system.gap_operator().empty())
       return marker;
-    const Epetra_CrsMatrix &B = system.gap_operator().B_free.trilinos_matrix();
-    Epetra_Vector           columns(B.ColMap());
-    int                     row = 0;
+    const LA::SparseMatrix  &B = system.gap_operator().B_free;
+    const LA::ColumnExchange columns(B);
+    std::vector<double>      touched(columns.size(), 0.);
+    int                      row = 0;
     for (const auto i : system.gap_operator().weight.locally_owned_elements())
       {
-        const RowView view(B, row++);
+        const LA::RowView view(B, row++);
         if (system.spring()(i) != 0 || system.coupling()(i) != 0)
           for (int k = 0; k < view.size; ++k)
             if (view.values[k] != 0)
-              columns[view.columns[k]] = 1;
+              touched[view.columns[k]] = 1;
       }
     // Columns may belong to other ranks: tell them.
-    Epetra_MultiVector &owned = marker.trilinos_vector();
-    const int error = owned.Export(columns, Epetra_Import(B.ColMap(), B.DomainMap()), AbsMax);
-    AssertThrow(error == 0, ExcTrilinosError(error));
+    columns.enlarge(touched.data(), marker);
     return marker;
   }
 
@@ -96,15 +53,17 @@ namespace Signorini
 
 
 
-  ZoneSolver::ZoneSolver(const ContactSystem &system,
-                         const LA::Vector    &marker,
-                         const std::string   &direct_solver)
+  ZoneSolver::ZoneSolver(const ContactSystem    &system,
+                         const LA::Vector       &marker,
+                         const LA::DirectLibrary direct_library)
     : system(system)
     , K(system.stiffness().rows(marker))
-    , direct_solver("Amesos_" +
-                    (direct_solver == "MUMPS" ? std::string("Mumps") : std::string("Klu")))
+    , columns_of_K(K)
+    , x_of_K(columns_of_K.size())
+    , library(direct_library)
+    , solver(direct_library)
   {
-    const double *const marks = values_of(marker);
+    const double *const marks = LA::values_of(marker);
     for (unsigned int i = 0; i < marker.locally_owned_size(); ++i)
       if (marks[i] != 0)
         dofs.emplace_back(i, 0);
@@ -119,13 +78,13 @@ namespace Signorini
     number     = -1.;
     auto index = owned.begin();
     for (auto &[dof, zone] : dofs)
-      values_of(number)[dof] = zone = *index++;
+      LA::values_of(number)[dof] = zone = *index++;
     if (n_rows > 0)
       first_row = *index;
 
-    number_in_K = on_columns(K, number);
+    number_in_K = columns_of_K.fetch(number);
     if (!system.gap_operator().empty())
-      number_in_B = on_columns(system.gap_operator().B_free, number);
+      number_in_B = LA::ColumnExchange(system.gap_operator().B_free).fetch(number);
     for (const double zone : number_in_B)
       if (zone >= 0)
         writable.add_index(static_cast<types::global_dof_index>(zone));
@@ -136,16 +95,12 @@ namespace Signorini
 
 
 
-  ZoneSolver::~ZoneSolver() = default;
-
-
-
   void
   ZoneSolver::collect(Entries &entries) const
   {
     for (const auto &[dof, zone] : dofs)
       {
-        const RowView row(K, dof);
+        const LA::RowView row(K, dof);
         for (int k = 0; k < row.size; ++k)
           if (const double column = number_in_K[row.columns[k]]; column >= 0)
             entries.add(zone, column, row.values[k]);
@@ -182,15 +137,15 @@ namespace Signorini
     const int n_rows = system.gap_operator().weight.locally_owned_size();
     for (int i = 0; i < n_rows; ++i)
       {
-        const RowView row(system.gap_operator().B_free, i);
-        const double  coupling = values_of(system.coupling())[i];
+        const LA::RowView row(system.gap_operator().B_free, i);
+        const double      coupling = LA::values_of(system.coupling())[i];
         for (int k = 0; k < row.size; ++k)
           if (const double column = number_in_B[row.columns[k]]; column >= 0 && coupling != 0)
             {
               entries.add(column, first_row + i, -coupling * row.values[k]);
               entries.add(first_row + i, column, -coupling * row.values[k]);
             }
-        entries.add(first_row + i, first_row + i, -values_of(system.identity())[i]);
+        entries.add(first_row + i, first_row + i, -LA::values_of(system.identity())[i]);
       }
   }
 
@@ -201,31 +156,20 @@ namespace Signorini
   {
     Entries entries;
     collect(entries);
-    TrilinosWrappers::SparsityPattern pattern(
-      owned, owned, writable, system.stiffness().communicator(), 0u);
+    LA::SparsityPattern pattern(owned, owned, writable, system.stiffness().communicator(), 0u);
     for (std::size_t i = 0; i < entries.values.size(); ++i)
       pattern.add(entries.rows[i], entries.columns[i]);
     pattern.compress();
-    solver.reset();
+    solver.clear();
     matrix.reinit(pattern);
     for (std::size_t i = 0; i < entries.values.size(); ++i)
       matrix.add(entries.rows[i], entries.columns[i], entries.values[i]);
     matrix.compress(VectorOperation::add);
 
-    problem = std::make_unique<Epetra_LinearProblem>();
-    problem->SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-    solver.reset(Amesos().Create(direct_solver, *problem));
-    Teuchos::ParameterList parameters;
-    // Multipliers have zeros on the diagonal: their pivots are delayed, and MUMPS needs more memory
-    // than it reckons with (in percent).
-    parameters.sublist("mumps").set("ICNTL(14)", 200);
-    solver->SetParameters(parameters);
-    int error = solver->SymbolicFactorization();
-    if (error == 0)
-      error = solver->NumericFactorization();
-    if (error != 0)
-      throw SolverFailure(direct_solver + " cannot factorise " + std::to_string(owned.size()) +
-                          " unknowns of the contact zone (error " + std::to_string(error) +
+    if (const int error = solver.factorise(matrix); error != 0)
+      throw SolverFailure(LA::name_of(library) + " cannot factorise " +
+                          std::to_string(owned.size()) + " unknowns of the contact zone (error " +
+                          std::to_string(error) +
                           "); try another Solver/Direct solver, or a penalty method");
   }
 
@@ -234,11 +178,11 @@ namespace Signorini
   void
   ZoneSolver::add_correction(LA::BlockVector &x, const LA::BlockVector &r) const
   {
-    double *at = values_of(right);
+    double *at = LA::values_of(right);
     for (const auto &entry : dofs)
-      *at++ = values_of(r.block(0))[entry.first];
+      *at++ = LA::values_of(r.block(0))[entry.first];
     if (system.is_saddle_point())
-      std::copy_n(values_of(r.block(1)), r.block(1).locally_owned_size(), at);
+      std::copy_n(LA::values_of(r.block(1)), r.block(1).locally_owned_size(), at);
     add_solution(x);
   }
 
@@ -248,20 +192,20 @@ namespace Signorini
   ZoneSolver::correct(LA::BlockVector &x, const LA::BlockVector &r) const
   {
     system.contact_terms(contact_terms, x);
-    const std::vector<double> x_K = on_columns(K, x.block(0));
-    double                   *at  = values_of(right);
+    columns_of_K.fetch(x.block(0), x_of_K.data());
+    double *at = LA::values_of(right);
     for (const auto &entry : dofs)
       {
         const unsigned int dof = entry.first;
-        const RowView      row(K, dof);
-        double             force = values_of(contact_terms.block(0))[dof];
+        const LA::RowView  row(K, dof);
+        double             force = LA::values_of(contact_terms.block(0))[dof];
         for (int k = 0; k < row.size; ++k)
-          force += row.values[k] * x_K[row.columns[k]];
-        *at++ = values_of(r.block(0))[dof] - force;
+          force += row.values[k] * x_of_K[row.columns[k]];
+        *at++ = LA::values_of(r.block(0))[dof] - force;
       }
     if (system.is_saddle_point())
       for (unsigned int i = 0; i < r.block(1).locally_owned_size(); ++i)
-        *at++ = values_of(r.block(1))[i] - values_of(contact_terms.block(1))[i];
+        *at++ = LA::values_of(r.block(1))[i] - LA::values_of(contact_terms.block(1))[i];
     add_solution(x);
   }
 
@@ -270,16 +214,13 @@ namespace Signorini
   void
   ZoneSolver::add_solution(LA::BlockVector &x) const
   {
-    problem->SetLHS(&left.trilinos_vector());
-    problem->SetRHS(&right.trilinos_vector());
-    const int error = solver->Solve();
-    AssertThrow(error == 0, ExcTrilinosError(error));
+    solver.solve(left, right);
 
-    const double *from = values_of(left);
+    const double *from = LA::values_of(left);
     for (const auto &entry : dofs)
-      values_of(x.block(0))[entry.first] += *from++;
+      LA::values_of(x.block(0))[entry.first] += *from++;
     if (system.is_saddle_point())
       for (unsigned int i = 0; i < x.block(1).locally_owned_size(); ++i)
-        values_of(x.block(1))[i] += *from++;
+        LA::values_of(x.block(1))[i] += *from++;
   }
 } // namespace Signorini

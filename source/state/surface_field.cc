@@ -1,4 +1,4 @@
-#include <signorini/contact/geometry/lagrange.h>
+#include <signorini/mesh/lagrange.h>
 #include <signorini/state/surface_field.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -94,17 +94,17 @@ namespace Signorini
       return n - 1;
     }
 
+    template <int dim>
     double
-    polynomial(const Values      &values,
-               const unsigned int degree,
-               const FacePlace   &place,
-               const unsigned int dim)
+    polynomial(const Values &values, const unsigned int degree, const FacePlace &place)
     {
-      const LagrangeBasis x = lagrange(degree, place[0]), y = lagrange(degree, place[1]);
-      double              sum = 0;
+      Point<dim - 1> xi;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        xi[d] = place[d];
+      const LagrangePolynomials<dim - 1> functions(degree, xi);
+      double                             sum = 0;
       for (unsigned int i = 0; i < values.size(); ++i)
-        sum +=
-          values[i].pressure * x[i % (degree + 1)][0] * (dim == 3 ? y[i / (degree + 1)][0] : 1.);
+        sum += values[i].pressure * functions.value(i);
       return sum;
     }
 
@@ -141,8 +141,10 @@ namespace Signorini
       if (values.empty())
         return result;
       const unsigned int degree = degree_of_lattice(values, dim);
-      result.pressure = degree > 0 ? polynomial(values, degree, place, dim) : plane(values, place);
-      result.active   = result.pressure > 0 ? 1. : 0.;
+      result.pressure           = degree == 0 ? plane(values, place) :
+                                  dim == 2    ? polynomial<2>(values, degree, place) :
+                                                polynomial<3>(values, degree, place);
+      result.active             = result.pressure > 0 ? 1. : 0.;
       return result;
     }
 

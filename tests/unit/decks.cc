@@ -1,5 +1,6 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/elasticity.h>
+#include <signorini/elasticity/resultant.h>
 #include <signorini/import/import_deck.h>
 #include <signorini/mesh/formats/abaqus.h>
 #include <signorini/mesh/formats/rigid_motion.h>
@@ -438,7 +439,7 @@ TEST_CASE("import: temperatures of a body; what may have held bodies")
     CHECK(messages.find("TEMPERATURE") == std::string::npos);
     CHECK(messages.find("EXPANSION") == std::string::npos);
     // Friction is left out, and may have held the upper piece.
-    CHECK(scene.newton.undetermined == "hold");
+    CHECK(scene.newton.undetermined == Undetermined::hold);
   }
   {
     const TemporaryFile file(deck("*STEP\n*STATIC\n*TEMPERATURE\nNends, 120.\n*END STEP\n"),
@@ -447,7 +448,8 @@ TEST_CASE("import: temperatures of a body; what may have held bodies")
     says(messages, "temperatures that differ from node to node of piece2");
     CHECK(!checked<2>(text).bodies[1].expansion.given());
   }
-  CHECK(checked<2>(imported(test_mesh("cae-blocks.inp")).first).newton.undetermined == "refuse");
+  CHECK(checked<2>(imported(test_mesh("cae-blocks.inp")).first).newton.undetermined ==
+        Undetermined::refuse);
 }
 
 

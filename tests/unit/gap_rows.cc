@@ -258,7 +258,7 @@ namespace
           {
             ++n;
             const double wanted =
-              hold.support->type == "displacement" ?
+              hold.support->type == SupportType::displacement ?
                 hold.support->displacement.value(node.position, t) * hold.direction :
                 hold.support->normal_displacement.value(node.position, t);
             CHECK(std::abs(at_node * hold.direction - wanted) < 1e-13);

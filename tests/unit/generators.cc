@@ -526,9 +526,9 @@ TEST_CASE("METIS takes many coarse cells that stay as they are")
   CHECK(!settings.by_p4est(30001));
   settings.refinements = 1;
   CHECK(settings.by_p4est(1000000));
-  settings.distribution = "METIS";
+  settings.distribution = Distribution::METIS;
   CHECK(!settings.by_p4est(1));
   settings              = {};
-  settings.distribution = "p4est";
+  settings.distribution = Distribution::p4est;
   CHECK(settings.by_p4est(1000000));
 }

@@ -1,6 +1,7 @@
 // The multigrid method and the contact filter as operators.
 
 #include <signorini/contact/law/normal_contact.h>
+#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/solve/preconditioners/contact_filter.h>
 
 #include <doctest/doctest.h>
@@ -33,7 +34,7 @@ namespace
     const auto           method = make_method("Lagrange multiplier");
     const TwoBlocks<dim> scene(*method, 2);
     const Hierarchy      hierarchy(scene.elasticity.stiffness(),
-                              scene.elasticity.rigid_body_modes(),
+                              rigid_body_modes(scene.elasticity),
                               dim);
     AMG                  amg(hierarchy, scene.contact.get());
     LA::Vector           D = every_other(*scene.contact);
@@ -58,7 +59,7 @@ namespace
     CAPTURE(factor);
     const TwoBlocks<dim>     scene(*make_method("penalty"), 1);
     const Hierarchy          hierarchy(scene.elasticity.stiffness(),
-                              scene.elasticity.rigid_body_modes(),
+                              rigid_body_modes(scene.elasticity),
                               dim);
     const NormalContact      law = NormalContact::springs(*scene.contact, factor);
     const AssembledStiffness K(scene.elasticity.stiffness());
@@ -68,7 +69,9 @@ namespace
     system.set_active(active);
     ContactFilter filter(system,
                          hierarchy,
-                         Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? "KLU" : "MUMPS");
+                         Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ?
+                           LA::DirectLibrary::KLU :
+                           LA::DirectLibrary::MUMPS);
     filter.update();
 
     LA::BlockVector u = system.zero(), r = system.zero(), f = system.zero();

@@ -34,7 +34,7 @@ namespace
       pair.slave  = "upper.bottom";
       pair.master = "lower.top";
       surfaces    = {make_contact_surface<dim>(
-        elasticity, pair, nullptr, *method, {"quadrature", 2, Basis::dual})};
+        elasticity, pair, nullptr, *method, {Rule::quadrature, 2, Basis::dual})};
       contact     = make_gap_operator<dim>(elasticity, surfaces, *method);
     }
 

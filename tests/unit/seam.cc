@@ -1,5 +1,6 @@
 // What Newton's method does not know: which bodies, and which law.
 
+#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/solve/contact_solver.h>
 
 #include <doctest/doctest.h>
@@ -24,7 +25,7 @@ namespace
       : elasticity(elasticity)
       , c(c)
       , f(elasticity.load())
-      , body(elasticity.bodies_of_dofs())
+      , body(bodies_of_dofs(elasticity))
       , K(matrix)
     {
       matrix.copy_from(elasticity.stiffness());
@@ -180,7 +181,7 @@ TEST_CASE("bodies that stiffen: of second order, with contact, whatever solves t
         settings.preconditioner       = preconditioner;
         Silence         silence;
         BodiesHierarchy hierarchies(
-          settings, bodies.stiffness(), [&] { return elasticity.rigid_body_modes(); }, 2);
+          settings, bodies.stiffness(), [&] { return rigid_body_modes(elasticity); }, 2);
         ContactSolver    solver(scene.scene.newton,
                              settings,
                              scene.method(),
@@ -229,12 +230,9 @@ TEST_CASE("linear bodies: one hierarchy, whatever is asked of it")
   LinearBodies    bodies(scene.elasticity->stiffness(),
                       scene.elasticity->stabilising_springs(),
                       scene.elasticity->constraints(),
-                      scene.elasticity->bodies_of_dofs());
+                      bodies_of_dofs(*scene.elasticity));
   BodiesHierarchy hierarchies(
-    scene.scene.solver,
-    bodies.stiffness(),
-    [&] { return scene.elasticity->rigid_body_modes(); },
-    2);
+    scene.scene.solver, bodies.stiffness(), [&] { return rigid_body_modes(*scene.elasticity); }, 2);
   const auto first = hierarchies.get();
   REQUIRE(first);
   bodies.linearise(scene.elasticity->zero_vector());

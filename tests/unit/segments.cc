@@ -192,7 +192,8 @@ TEST_CASE_TEMPLATE("pairs by segments: every rank gets the points of its faces",
 
   SearchStatistics statistics;
   double           sum = 0;
-  for (const auto &point : pair_points<dim>(slave, master, {"segments", 3}, 0.1, comm, statistics))
+  for (const auto &point :
+       pair_points<dim>(slave, master, {Rule::segments, 3}, 0.1, comm, statistics))
     {
       const Point<dim> x = slave.at(point.face).position(point.xi);
       CHECK(point.partner.distance == doctest::Approx(0.01));
@@ -203,7 +204,7 @@ TEST_CASE_TEMPLATE("pairs by segments: every rank gets the points of its faces",
   CHECK(Utilities::MPI::sum(sum, comm) == doctest::Approx(1).epsilon(1e-12));
 
   // Out of reach there is nothing.
-  CHECK(pair_points<dim>(slave, master, {"segments", 3}, 0.005, comm, statistics).empty());
+  CHECK(pair_points<dim>(slave, master, {Rule::segments, 3}, 0.005, comm, statistics).empty());
 }
 
 
@@ -222,7 +223,7 @@ TEST_CASE_TEMPLATE("two layers of master faces do not count twice", D, Dim2, Dim
   SearchStatistics statistics;
   double           sum = 0;
   for (const auto &point :
-       pair_points<dim>(slave, master, {"segments", 3}, 0.1, MPI_COMM_SELF, statistics))
+       pair_points<dim>(slave, master, {Rule::segments, 3}, 0.1, MPI_COMM_SELF, statistics))
     {
       CHECK(point.partner.distance == doctest::Approx(0.01));
       sum += point.weight;

@@ -2,6 +2,7 @@
 
 #include <signorini/body_setup.h>
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/parameters/section.h>
 
 #include <cmath>
@@ -86,10 +87,10 @@ namespace TestScene
     LinearBodies bodies(elasticity->stiffness(),
                         elasticity->stabilising_springs(),
                         elasticity->constraints(),
-                        elasticity->bodies_of_dofs());
+                        bodies_of_dofs(*elasticity));
     bodies.set_load(elasticity->load());
     BodiesHierarchy hierarchies(
-      scene.solver, bodies.stiffness(), [&] { return elasticity->rigid_body_modes(); }, dim);
+      scene.solver, bodies.stiffness(), [&] { return rigid_body_modes(*elasticity); }, dim);
     ContactSolver solver(scene.newton,
                          scene.solver,
                          method(),
@@ -98,7 +99,8 @@ namespace TestScene
                          free_motions(),
                          hierarchies,
                          timer);
-    u                         = elasticity->lift();
+    u = elasticity->zero_vector();
+    elasticity->distribute(u);
     p                         = gap_operator().zero();
     LA::Vector         active = p;
     const NewtonReport report = solver.solve(u, p, active, [](const NewtonStep &) {});
@@ -201,7 +203,7 @@ namespace TestScene
   Values
   distributed_change(const Elasticity<dim> &elasticity, const LA::Vector &du)
   {
-    return sum(distributed(elasticity, du), -1, everywhere(elasticity.lift()));
+    return sum(distributed(elasticity, du), -1, distributed(elasticity, elasticity.zero_vector()));
   }
 
 

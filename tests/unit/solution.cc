@@ -123,7 +123,9 @@ namespace
     if (system.is_saddle_point())
       right.block(1) = law.defect({gap, none, pressure}, active);
     right.compress(VectorOperation::insert);
-    Direct solver(system, Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? "KLU" : "MUMPS");
+    Direct solver(system,
+                  Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? LA::DirectLibrary::KLU :
+                                                                         LA::DirectLibrary::MUMPS);
     solver.update();
     solver.vmult(x, right);
     scene.elasticity->constraints().set_zero(x.block(0));

@@ -1,6 +1,7 @@
 // Thermal strain against closed forms: free bodies, held bodies, normal stresses at contact points.
 
 #include <signorini/contact/law/normal_contact.h>
+#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/elasticity/stress.h>
 #include <signorini/mesh/mesh_file.h>
 
@@ -94,7 +95,7 @@ namespace
         {
           Support<dim> one;
           one.boundaries = {"block." + boundary};
-          one.type       = "symmetry";
+          one.type       = SupportType::symmetry;
           result.push_back(one);
         }
       return result;
@@ -276,7 +277,7 @@ namespace
     const Block<dim>    block(expansion<dim>("1e-3, 2e-3, 4e-3", temperature), {}, degree, model);
     const LA::Vector    f = block.elasticity.load();
     std::vector<double> sizes;
-    for (const std::vector<double> &mode : block.elasticity.rigid_body_modes())
+    for (const std::vector<double> &mode : rigid_body_modes(block.elasticity))
       {
         double work = 0;
         auto   at   = mode.begin();
@@ -351,10 +352,11 @@ namespace
       pair.slave       = "upper.bottom";
       pair.master      = "lower.top";
       pair.initial_gap = "closed";
-      contact          = make_gap_operator<dim>(
-        elasticity,
-        {make_contact_surface<dim>(elasticity, pair, nullptr, method, {"segments", degree + 1})},
-        method);
+      contact =
+        make_gap_operator<dim>(elasticity,
+                               {make_contact_surface<dim>(
+                                 elasticity, pair, nullptr, method, {Rule::segments, degree + 1})},
+                               method);
       elasticity.set_time(1);
       contact->set_rises(elasticity.thermal().coefficients());
     }
@@ -363,7 +365,7 @@ namespace
     sides()
     {
       Support<dim> one;
-      one.type = "symmetry";
+      one.type = SupportType::symmetry;
       for (const std::string body : {"lower.", "upper."})
         for (const std::string boundary : {"left", "right"})
           one.boundaries.push_back(body + boundary);
@@ -503,7 +505,7 @@ namespace
 {
   template <int dim>
   void
-  check_coarse_field(const std::string &distribution)
+  check_coarse_field(const Distribution distribution)
   {
     // Multilinear in the box: what its cells make of the values at their vertices.
     const auto f = [](const Point<dim> &x) {
@@ -527,7 +529,7 @@ namespace
     CoarseField<dim> field;
     field.append(other.generator->generate().cells, {});
     field.append(coarse.cells, values);
-    if (distribution == "p4est") // has an order of its own; METIS keeps the numbers
+    if (distribution == Distribution::p4est) // has an order of its own; METIS keeps the numbers
       {
         std::vector<types::coarse_cell_id> ids(mesh.triangulation().n_cells(0));
         for (const auto &cell : mesh.triangulation().cell_iterators_on_level(0))
@@ -553,7 +555,7 @@ namespace
 
 TEST_CASE("a field on coarse cells is found on refined ones")
 {
-  for (const char *distribution : {"p4est", "METIS"})
+  for (const Distribution distribution : {Distribution::p4est, Distribution::METIS})
     {
       check_coarse_field<2>(distribution);
       check_coarse_field<3>(distribution);

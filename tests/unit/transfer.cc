@@ -318,7 +318,7 @@ TEST_CASE("the estimate is that of its definition")
         return Tensor<1, 2>({0., std::abs(x[0] - 0.5)});
       });
       RefinementSettings settings;
-      settings.strategy     = "global";
+      settings.strategy     = RefinementSettings::Strategy::global;
       const double diameter = std::sqrt(2) / n;
       CHECK(refine(settings, *scene.mesh, *scene.elasticity, u, {}) ==
             doctest::Approx(std::sqrt(E * 2 * n * diameter / 24 * 4 / n)).epsilon(1e-6)); // floats

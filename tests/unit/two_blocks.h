@@ -90,7 +90,7 @@ namespace TestScene
       pair.initial_gap = "0.01*cos(5*x)";
       contact          = make_gap_operator<dim>(
         elasticity,
-        {make_contact_surface<dim>(elasticity, pair, nullptr, method, {"quadrature", 3})},
+        {make_contact_surface<dim>(elasticity, pair, nullptr, method, {Rule::quadrature, 3})},
         method);
     }
 

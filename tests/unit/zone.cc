@@ -1,6 +1,7 @@
 // Solvers on small systems against dense matrices.
 
 #include <signorini/contact/law/normal_contact.h>
+#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/preconditioners/block.h>
 
@@ -15,10 +16,11 @@ using namespace TestScene;
 
 namespace
 {
-  std::string
+  LA::DirectLibrary
   direct_solver()
   {
-    return Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? "KLU" : "MUMPS";
+    return Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? LA::DirectLibrary::KLU :
+                                                                  LA::DirectLibrary::MUMPS;
   }
 
   Eigen::VectorXd
@@ -184,7 +186,7 @@ TEST_CASE("the contact filter keeps all constraints")
 {
   SmallScene<2> scene(small("2"));
   scene.use({"Method=Lagrange multiplier"});
-  const Hierarchy hierarchy(scene.elasticity->stiffness(), scene.elasticity->rigid_body_modes(), 2);
+  const Hierarchy hierarchy(scene.elasticity->stiffness(), rigid_body_modes(*scene.elasticity), 2);
   const NormalContact      law(scene.method(), scene.gap_operator());
   const AssembledStiffness stiffness(scene.elasticity->stiffness());
   ContactSystem            system(stiffness, law);
@@ -215,7 +217,7 @@ TEST_CASE("Schur complements are those of their definitions")
       CAPTURE(method[0]);
       scene.use(method);
       const Hierarchy          hierarchy(scene.elasticity->stiffness(),
-                                scene.elasticity->rigid_body_modes(),
+                                rigid_body_modes(*scene.elasticity),
                                 2);
       const NormalContact      law(scene.method(), scene.gap_operator());
       const AssembledStiffness stiffness(scene.elasticity->stiffness());

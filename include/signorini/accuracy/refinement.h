@@ -8,8 +8,15 @@ namespace Signorini
 {
   struct RefinementSettings
   {
+    /// Which cells are refined.
+    enum class Strategy
+    {
+      estimator, ///< where stress jumps most
+      global     ///< all
+    };
+
     unsigned int cycles           = 0;
-    std::string  strategy         = "estimator";
+    Strategy     strategy         = Strategy::estimator;
     double       refine_fraction  = 0.15;
     double       coarsen_fraction = 0.03;
     unsigned int maximum_cells    = 10000000;
@@ -20,7 +27,7 @@ namespace Signorini
   };
 
   /// Refine the mesh, set the degrees of freedom up again, and carry vectors over: each goes in as
-  /// it was and comes out interpolated. The strategy "estimator" refines where jumps of stress
+  /// it was and comes out interpolated. Strategy::estimator refines where jumps of stress
   /// between cells are largest (Kelly, Gago, Zienkiewicz, Babuska 1983, weighted by the energy of
   /// each body's material). Returns the estimated error of the old solution in the energy norm, up
   /// to a constant.

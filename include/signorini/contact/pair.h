@@ -8,6 +8,13 @@ namespace Signorini
 {
   class Section;
 
+  /// Which of a pair's surfaces is the slave.
+  enum class SideChoice
+  {
+    automatic, ///< the one that carries a stable pressure, that named where both do
+    as_named
+  };
+
   /// Two surfaces that may touch: the slave, where contact is integrated, and the master, which is
   /// the boundary of another body or an obstacle.
   template <int dim>
@@ -19,8 +26,8 @@ namespace Signorini
     bool            separates   = true;  ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
-    std::string     sides           = "automatic"; ///< or "as named"
-    bool            exchanged       = false;       ///< the scene names the master as slave
+    SideChoice      sides           = SideChoice::automatic;
+    bool            exchanged       = false; ///< the scene names the master as slave
     bool            found = false; ///< by the program: the scene does not say that it will act
 
     void

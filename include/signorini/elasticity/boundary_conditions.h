@@ -29,6 +29,14 @@ namespace Signorini
     declare(Section &section, unsigned int dim, const std::string &what);
   };
 
+  /// What a support prescribes.
+  enum class SupportType
+  {
+    displacement, ///< components
+    symmetry,     ///< no displacement along the normal of plane faces
+    roller        ///< the displacement along one direction: that given, or the normal
+  };
+
   /// A prescribed displacement on boundaries of bodies, or on nodes: per component, or along one
   /// direction.
   template <int dim>
@@ -37,8 +45,8 @@ namespace Signorini
     std::string              name;
     std::vector<std::string> boundaries; ///< "body.boundary"
     NodeChoice               nodes;
-    std::string              place;                 ///< of the boundaries in the scene file
-    std::string              type = "displacement"; ///< or "symmetry", "roller"
+    std::string              place; ///< of the boundaries in the scene file
+    SupportType              type = SupportType::displacement;
     VectorExpression<dim>    displacement;
     Expression<dim>          normal_displacement; ///< of a roller
     dealii::Point<dim>       direction; ///< in which a roller holds; zero: along the normal

@@ -2,7 +2,7 @@
 
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/thermal_expansion.h>
-#include <signorini/linear_algebra.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>

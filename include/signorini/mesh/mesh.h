@@ -27,10 +27,17 @@ namespace Signorini
     declare(Section &section);
   };
 
+  /// Who distributes the cells.
+  enum class Distribution
+  {
+    p4est,
+    METIS ///< once: the mesh stays as it is
+  };
+
   template <int dim>
   struct MeshSettings
   {
-    std::string                      distribution        = "auto";
+    std::optional<Distribution>      distribution; ///< none: chosen
     unsigned int                     refinements         = 0;
     unsigned int                     contact_refinements = 0;
     unsigned int                     geometry_degree     = 0; ///< 0: chosen

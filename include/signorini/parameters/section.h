@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/parameters/choices.h>
 #include <signorini/parameters/description.h>
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>
@@ -10,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace Signorini
@@ -82,6 +84,19 @@ namespace Signorini
                std::string                    &value,
                const std::vector<std::string> &choices,
                const std::string              &help);
+
+    /// A word out of a list, for the value that it stands for.
+    template <typename Value, typename = std::enable_if_t<!std::is_same_v<Value, std::string>>>
+    void
+    add_choice(const std::string    &key,
+               Value                &value,
+               const Choices<Value> &choices,
+               const std::string    &help)
+    {
+      std::string word = word_of(choices, value);
+      add_choice(key, word, words_of(choices), help);
+      value = value_of(choices, word);
+    }
 
     /// A fixed subsection: body(section) declares what is in it.
     template <typename Body>

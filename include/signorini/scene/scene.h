@@ -31,17 +31,25 @@ namespace Signorini
     declare(Section &section);
   };
 
+  /// The surfaces on which gaps and normals are taken.
+  enum class ContactGeometry
+  {
+    automatic, ///< as they are now, where that changes the pressure
+    reference, ///< at rest
+    updated    ///< as they are now
+  };
+
   /// The method by which contact is imposed, and how its surfaces are integrated.
   struct ContactSettings
   {
     std::string method = "Lagrange multiplier";
     std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>>
-                 methods; ///< all, each with its keys
-    std::string  integration       = "auto";
-    unsigned int quadrature_points = 0; ///< 0: as many as the method and the degree need
-    std::string  pressure_basis    = "dual";
-    std::string  geometry          = "automatic"; ///< or "reference", "updated"
-    double       geometry_share    = 0.005;       ///< of the pressure that is not worth an update
+                        methods;               ///< all, each with its keys
+    std::optional<Rule> integration;           ///< none: what suits the method
+    unsigned int        quadrature_points = 0; ///< 0: as many as the method and the degree need
+    Basis               pressure_basis    = Basis::dual; ///< of methods that sample at nodes
+    ContactGeometry     geometry          = ContactGeometry::automatic;
+    double              geometry_share    = 0.005; ///< of the pressure that is not worth an update
 
     ContactSettings();
 

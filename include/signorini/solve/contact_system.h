@@ -1,7 +1,7 @@
 #pragma once
 
 #include <signorini/contact/law/contact_law.h>
-#include <signorini/linear_algebra.h>
+#include <signorini/linear_algebra/columns.h>
 #include <signorini/solve/free_motions.h>
 #include <signorini/solve/stiffness.h>
 
@@ -9,11 +9,8 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 
-#include <memory>
+#include <optional>
 #include <vector>
-
-class Epetra_Import;
-class Epetra_Vector;
 
 namespace Signorini
 {
@@ -46,8 +43,6 @@ namespace Signorini
     ContactSystem(const Stiffness  &stiffness,
                   const ContactLaw &law,
                   FreeMotions       free_motions = FreeMotions());
-
-    ~ContactSystem();
 
     /// Linearise the law, whose derivatives are constant where it is active.
     void
@@ -171,11 +166,10 @@ namespace Signorini
     LA::Vector         D_diagonal, A, I;
     mutable LA::Vector workspace;
 
-    Sums                                   sums; ///< those in `surface`
-    dealii::SparsityPattern                pattern;
-    dealii::SparseMatrix<double>           surface;
-    std::unique_ptr<Epetra_Import>         columns; ///< from degrees of freedom to those of B_free
-    mutable std::unique_ptr<Epetra_Vector> of_columns, forces;
-    mutable dealii::Vector<double>         displacement, force; ///< the same for deal.II
+    Sums                              sums; ///< those in `surface`
+    dealii::SparsityPattern           pattern;
+    dealii::SparseMatrix<double>      surface;
+    std::optional<LA::ColumnExchange> columns;             ///< of B_free, with points
+    mutable dealii::Vector<double>    displacement, force; ///< there
   };
 } // namespace Signorini

@@ -10,8 +10,9 @@ namespace Signorini
   struct LinearReference
   {
     double       seconds_assembly = 0, seconds_preconditioner = 0, seconds_krylov = 0;
-    unsigned int iterations = 0;  ///< of the near null space that takes fewer
-    std::string  near_null_space; ///< the faster one: the seconds are its
+    unsigned int iterations = 0; ///< of the near null space that takes fewer
+    /// The faster one: the seconds are its.
+    NearNullSpace near_null_space = NearNullSpace::rigid_body_modes;
 
     double
     seconds() const

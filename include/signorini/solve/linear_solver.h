@@ -26,7 +26,7 @@ namespace Signorini
     using Modes = std::vector<std::vector<double>>;
 
     /// Refers to the stiffness.
-    /// @param modes makes Elasticity::rigid_body_modes(), which are too large to be kept
+    /// @param modes makes rigid_body_modes(), which are too large to be kept
     BodiesHierarchy(const LinearSolverSettings &settings,
                     const Stiffness            &stiffness,
                     std::function<Modes()>      modes,
@@ -94,10 +94,7 @@ namespace Signorini
   private:
     /// Returns the number of iterations; throws SolverFailure.
     unsigned int
-    iterate(const std::string     &krylov,
-            double                 tolerance,
-            LA::BlockVector       &x,
-            const LA::BlockVector &rhs);
+    iterate(Krylov krylov, double tolerance, LA::BlockVector &x, const LA::BlockVector &rhs);
 
     /// For the stiffness as it is now.
     void

@@ -1,20 +1,46 @@
 #pragma once
 
+#include <signorini/linear_algebra/direct_library.h>
+#include <signorini/parameters/choices.h>
+
+#include <optional>
 #include <string>
 
 namespace Signorini
 {
   class Section;
 
+  enum class Krylov
+  {
+    CG,
+    MINRES,
+    FGMRES
+  };
+
+  /// Of elasticity: what the multigrid method represents on all levels.
+  enum class NearNullSpace
+  {
+    rigid_body_modes,
+    translations
+  };
+
+  // As the scene file calls them.
+
+  const Choices<Krylov> &
+  krylov_methods();
+
+  const Choices<NearNullSpace> &
+  near_null_spaces();
+
   struct LinearSolverSettings
   {
-    std::string  preconditioner     = "contact filter";
-    std::string  krylov             = "auto";
-    std::string  schur_complement   = "zone";
-    double       augmentation       = 0;
-    std::string  direct_solver      = "auto";
-    std::string  near_null_space    = "rigid body modes";
-    unsigned int maximum_iterations = 1000;
+    std::string                      preconditioner = "contact filter";
+    std::optional<Krylov>            krylov; ///< none: what suits system and preconditioner
+    std::string                      schur_complement = "zone";
+    double                           augmentation     = 0;
+    std::optional<LA::DirectLibrary> direct_solver; ///< none: the quicker one
+    NearNullSpace                    near_null_space    = NearNullSpace::rigid_body_modes;
+    unsigned int                     maximum_iterations = 1000;
 
     void
     declare(Section &section);

@@ -6,6 +6,13 @@ namespace Signorini
 {
   class Section;
 
+  /// What is done about motions that neither supports nor contact hold, and no force drives.
+  enum class Undetermined
+  {
+    refuse,
+    hold ///< by forces that are small and reported
+  };
+
   struct NewtonSettings
   {
     unsigned int maximum_steps = 40;
@@ -13,7 +20,7 @@ namespace Signorini
     double       of_geometry   = 1e-8;
     double       reduction     = 1e-2;
     double       stabilisation = 0.25;
-    std::string  undetermined  = "refuse";
+    Undetermined undetermined  = Undetermined::refuse;
 
     /// What to do about motions that nothing determines, for messages.
     static std::string

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <signorini/linear_algebra/columns.h>
+#include <signorini/linear_algebra/direct_solver.h>
 #include <signorini/solve/contact_system.h>
+#include <signorini/solve/linear_solver_settings.h>
 
-#include <memory>
 #include <string>
-
-class Amesos_BaseSolver;
-class Epetra_LinearProblem;
+#include <utility>
+#include <vector>
 
 namespace Signorini
 {
@@ -21,12 +22,9 @@ namespace Signorini
   {
   public:
     /// @param marker nonzero at the degrees of freedom of the zone
-    /// @param direct_solver "KLU" (gathers the zone on one rank) or "MUMPS" (distributed)
     ZoneSolver(const ContactSystem &system,
                const LA::Vector    &marker,
-               const std::string   &direct_solver);
-
-    ~ZoneSolver();
+               LA::DirectLibrary    direct_library);
 
     /// Factorise for the present active set. Throws SolverFailure if the zone is singular.
     void
@@ -61,9 +59,11 @@ namespace Signorini
     void
     add_solution(LA::BlockVector &x) const;
 
-    const ContactSystem    &system;
-    const LA::SparseMatrix &K; ///< its rows of the zone
-    const std::string       direct_solver;
+    const ContactSystem        &system;
+    const LA::SparseMatrix     &K; ///< its rows of the zone
+    const LA::ColumnExchange    columns_of_K;
+    mutable std::vector<double> x_of_K; ///< a vector there
+    const LA::DirectLibrary     library;
 
     /// The owned degrees of freedom of the zone: number among those that this rank owns, zone
     /// index. The zone's owned indices are these, then the multipliers of this rank.
@@ -73,10 +73,9 @@ namespace Signorini
     dealii::IndexSet    owned, writable;
     std::vector<double> number_in_K, number_in_B; ///< zone index of each local column, or -1
 
-    LA::SparseMatrix                      matrix;
-    mutable LA::Vector                    left, right;
-    mutable LA::BlockVector               contact_terms;
-    std::unique_ptr<Epetra_LinearProblem> problem;
-    std::unique_ptr<Amesos_BaseSolver>    solver; ///< looks at matrix and problem until it is gone
+    LA::SparseMatrix        matrix;
+    mutable LA::Vector      left, right;
+    mutable LA::BlockVector contact_terms;
+    LA::DirectSolver        solver; ///< of matrix
   };
 } // namespace Signorini

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/linear_algebra.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/state/surface_field.h>
 
 namespace Signorini

@@ -1,8 +1,8 @@
 #include <signorini/contact/discretisation/contact_points.h>
 #include <signorini/contact/discretisation/gap_bend.h>
 #include <signorini/contact/discretisation/stress_bounds.h>
-#include <signorini/contact/geometry/lagrange.h>
 #include <signorini/contact/methods/method.h>
+#include <signorini/mesh/lagrange.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -134,15 +134,16 @@ namespace Signorini
                   const unsigned int     k)
     {
       const Model model = elasticity.model();
-      if (model != Model::axisymmetric || integration.rule != "nodes")
+      if (model != Model::axisymmetric || integration.rule != Rule::nodes)
         return measure(model, patch.position(xi));
       const unsigned int    node = std::lround(xi[0] * k);
       const QGauss<dim - 1> rule(k + 2);
       double                sum = 0, area = 0;
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const double share =
-            rule.weight(q) * lagrange(k, rule.point(q)[0])[node][0] * patch.jacobian(rule.point(q));
+          const double share = rule.weight(q) *
+                               LagrangePolynomials<dim - 1>(k, rule.point(q)).value(node) *
+                               patch.jacobian(rule.point(q));
           area += share;
           sum += share * measure(model, patch.position(rule.point(q)));
         }

@@ -4,11 +4,12 @@
 #include <signorini/contact/discretisation/tied_columns.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/resultant.h>
+#include <signorini/linear_algebra/diagonal.h>
+#include <signorini/linear_algebra/entries.h>
+#include <signorini/linear_algebra/sparsity_pattern.h>
 
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,8 +127,8 @@ namespace Signorini
                       const ContactMethod                    &method,
                       const MPI_Comm                          comm)
     {
-      const std::vector<FaceMatrix>     matrices = face_matrices(rows, surfaces, method.sampling());
-      TrilinosWrappers::SparsityPattern pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
+      const std::vector<FaceMatrix> matrices = face_matrices(rows, surfaces, method.sampling());
+      LA::SparsityPattern           pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
       for (const FaceMatrix &matrix : matrices)
         for (const auto row : matrix.rows)
           pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
@@ -458,7 +459,7 @@ namespace Signorini
     for (const LA::SparseMatrix *matrix : std::initializer_list<const LA::SparseMatrix *>{
            &B, &B_free, &S, &S_free, &S_thermal, moved.G.get()})
       if (matrix && matrix->m() > 0)
-        bytes += matrix->trilinos_matrix().NumMyNonzeros() * (sizeof(double) + sizeof(int));
+        bytes += LA::memory(*matrix);
     const std::size_t n_vectors =
       5 + geometry.position.size() + geometry.normal.size() + geometry.moment.size();
     return bytes + weight.locally_owned_size() * n_vectors * sizeof(double);

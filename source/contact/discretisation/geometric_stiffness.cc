@@ -1,7 +1,8 @@
 #include <signorini/contact/discretisation/geometric_stiffness.h>
+#include <signorini/linear_algebra/diagonal.h>
+#include <signorini/linear_algebra/sparsity_pattern.h>
 
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <algorithm>
 
@@ -85,7 +86,7 @@ namespace Signorini
       foreign.insert(foreign.end(), matrix.indices.begin(), matrix.indices.end());
     std::sort(foreign.begin(), foreign.end());
     writable.add_indices(foreign.begin(), foreign.end());
-    TrilinosWrappers::SparsityPattern pattern(owned, owned, writable, comm, 0u);
+    LA::SparsityPattern pattern(owned, owned, writable, comm, 0u);
     for (const PointMatrix &matrix : matrices)
       for (const auto row : matrix.indices)
         pattern.add_entries(row, matrix.indices.begin(), matrix.indices.end(), true);

@@ -1,7 +1,7 @@
 #include <signorini/contact/discretisation/normal_stress.h>
 #include <signorini/contact/geometry/face_patch.h>
-#include <signorini/contact/geometry/lagrange.h>
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/mesh/lagrange.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
@@ -56,22 +56,11 @@ namespace Signorini
   Tensor<2, dim>
   NormalStress<dim>::jacobian(const Point<dim> &unit_point) const
   {
-    std::array<LagrangeBasis, dim> basis;
-    for (unsigned int d = 0; d < dim; ++d)
-      basis[d] = lagrange(geometry_degree, unit_point[d]);
-    Tensor<2, dim> J;
-    auto           node = nodes.begin();
+    const LagrangePolynomials<dim> basis(geometry_degree, unit_point);
+    Tensor<2, dim>                 J;
+    auto                           node = nodes.begin();
     for (const auto &place : lattice)
-      {
-        Tensor<1, dim> gradient;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            gradient[d] = 1;
-            for (unsigned int e = 0; e < dim; ++e)
-              gradient[d] *= basis[e][place[e]][d == e ? 1 : 0];
-          }
-        J += outer_product(Tensor<1, dim>(*node++), gradient);
-      }
+      J += outer_product(Tensor<1, dim>(*node++), basis.gradient(place));
     return J;
   }
 
@@ -81,18 +70,11 @@ namespace Signorini
   Point<dim>
   NormalStress<dim>::position(const Point<dim> &unit_point) const
   {
-    std::array<LagrangeBasis, dim> basis;
-    for (unsigned int d = 0; d < dim; ++d)
-      basis[d] = lagrange(geometry_degree, unit_point[d]);
-    Point<dim> x;
-    auto       node = nodes.begin();
+    const LagrangePolynomials<dim> basis(geometry_degree, unit_point);
+    Point<dim>                     x;
+    auto                           node = nodes.begin();
     for (const auto &place : lattice)
-      {
-        double value = 1;
-        for (unsigned int d = 0; d < dim; ++d)
-          value *= basis[d][place[d]][0];
-        x += value * *node++;
-      }
+      x += basis.value(place) * *node++;
     return x;
   }
 

@@ -1,6 +1,7 @@
 #include <signorini/contact/discretisation/pressure_functions.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/mesh/face_nodes.h>
 
 #include <algorithm>
 
@@ -42,12 +43,9 @@ namespace Signorini
       std::vector<types::global_dof_index> indices;
       read_indices<dim>(cell, indices);
       std::vector<FaceNode> nodes;
-      for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+      for (const unsigned int i : nodes_of_face(fe.base_element(0), face))
         {
-          const unsigned int first = fe.component_to_system_index(0, i);
-          if (!fe.has_support_on_face(first, face))
-            continue;
-          FaceNode   node{indices[first], {{0, 0}}, false};
+          FaceNode   node{indices[fe.component_to_system_index(0, i)], {{0, 0}}, false};
           const auto xi = face_parameter<dim>(face, fe.base_element(0).unit_support_point(i));
           for (unsigned int d = 0; d < dim - 1; ++d)
             node.xi[d] = xi[d];

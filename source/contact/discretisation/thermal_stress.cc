@@ -1,6 +1,6 @@
 #include <signorini/contact/discretisation/thermal_stress.h>
-
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
+#include <signorini/linear_algebra/diagonal.h>
+#include <signorini/linear_algebra/sparsity_pattern.h>
 
 namespace Signorini
 {
@@ -22,7 +22,7 @@ namespace Signorini
             for (const auto &[column, value] : surfaces[p].points[q].thermal_stress)
               visit(row, column, weight * value);
     };
-    TrilinosWrappers::SparsityPattern pattern(
+    LA::SparsityPattern pattern(
       rows.owned, thermal.owned(), rows.writable, contact.weight.get_mpi_communicator(), 0u);
     for_entries([&](const auto row, const auto column, double) { pattern.add(row, column); });
     pattern.compress();

@@ -1,9 +1,7 @@
 #include <signorini/contact/discretisation/tied_columns.h>
-#include <signorini/row_view.h>
-
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Import.h>
-#include <Epetra_Vector.h>
+#include <signorini/linear_algebra/columns.h>
+#include <signorini/linear_algebra/entries.h>
+#include <signorini/linear_algebra/row_view.h>
 
 namespace Signorini
 {
@@ -28,30 +26,28 @@ namespace Signorini
               ties[0](line)                 = d;
               ties[1 + other - first](line) = factor;
             }
+    for (LA::Vector &v : ties)
+      v.compress(VectorOperation::insert);
     const auto move = [&](const LA::SparseMatrix &from, LA::SparseMatrix &to) {
-      const Epetra_CrsMatrix    &matrix = from.trilinos_matrix();
-      const Epetra_Import        import(matrix.ColMap(), matrix.DomainMap());
-      std::vector<Epetra_Vector> local;
-      for (LA::Vector &v : ties)
+      const LA::ColumnExchange         columns(from);
+      const auto                       global = LA::global_columns(from);
+      std::vector<std::vector<double>> local;
+      for (const LA::Vector &v : ties)
+        local.push_back(columns.fetch(v));
+      const int n_rows = contact.weight.locally_owned_size();
+      for (int row = 0; row < n_rows; ++row)
         {
-          v.compress(VectorOperation::insert);
-          local.emplace_back(matrix.ColMap());
-          local.back().Import(v.trilinos_vector(), import, Insert);
-        }
-      auto &target = const_cast<Epetra_CrsMatrix &>(to.trilinos_matrix());
-      for (int row = 0; row < matrix.NumMyRows(); ++row)
-        {
-          const RowView view(from, row);
+          const LA::RowView view(from, row);
           for (int k = 0; k < view.size; ++k)
             for (unsigned int d = 0; d < dim; ++d)
               if (const double factor = local[1 + d][view.columns[k]]; factor != 0)
                 {
-                  const auto global = matrix.ColMap().GID64(view.columns[k]) -
-                                      static_cast<long long>(local[0][view.columns[k]]) + d;
-                  const int column = matrix.ColMap().LID(static_cast<int>(global));
-                  double    value  = factor * view.values[k];
-                  const int error  = target.SumIntoMyValues(row, 1, &value, &column);
-                  AssertThrow(error == 0, ExcTrilinosError(error));
+                  const auto offset =
+                    static_cast<types::global_dof_index>(local[0][view.columns[k]]);
+                  LA::add_to_entry(to,
+                                   row,
+                                   global[view.columns[k]] - offset + d,
+                                   factor * view.values[k]);
                 }
         }
     };

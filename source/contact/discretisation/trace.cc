@@ -1,5 +1,6 @@
 #include <signorini/contact/discretisation/trace.h>
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/mesh/face_nodes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,9 +83,7 @@ namespace Signorini
       {
         nodes_of.emplace_back(GeometryInfo<dim>::faces_per_cell);
         for (unsigned int face = 0; face < nodes_of.back().size(); ++face)
-          for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-            if (fe.base_element(0).has_support_on_face(i, face))
-              nodes_of.back()[face].push_back(i);
+          nodes_of.back()[face] = nodes_of_face(fe.base_element(0), face);
       }
   }
 

@@ -1,5 +1,5 @@
 #include <signorini/contact/geometry/face_patch.h>
-#include <signorini/contact/geometry/lagrange.h>
+#include <signorini/mesh/lagrange.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
@@ -13,36 +13,6 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    std::array<LagrangeBasis, dim - 1>
-    tensor_basis(const unsigned int k, const Point<dim - 1> &xi)
-    {
-      std::array<LagrangeBasis, dim - 1> basis;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        basis[d] = lagrange(k, xi[d]);
-      return basis;
-    }
-
-    // The derivative of the face of order orders[d] in each parameter d.
-    template <int dim>
-    Tensor<1, dim>
-    derivative(const std::vector<Point<dim>>            &nodes,
-               const unsigned int                        k,
-               const std::array<LagrangeBasis, dim - 1> &basis,
-               const std::array<unsigned int, dim - 1>  &orders)
-    {
-      Tensor<1, dim>     sum;
-      const unsigned int n_rows = dim == 3 ? k + 1 : 1;
-      for (unsigned int j = 0; j < n_rows; ++j)
-        {
-          Tensor<1, dim> row;
-          for (unsigned int i = 0; i <= k; ++i)
-            row += basis[0][i][orders[0]] * nodes[j * (k + 1) + i];
-          sum += (dim == 3 ? basis[dim - 2][j][orders[dim - 2]] : 1.) * row;
-        }
-      return sum;
-    }
-
     template <int dim>
     Tensor<1, dim>
     parametric_normal(const std::array<Tensor<1, dim>, dim - 1> &tangents)
@@ -211,7 +181,8 @@ namespace Signorini
   Point<dim>
   FacePatch<dim>::position(const Parameter &xi) const
   {
-    return Point<dim>(derivative<dim>(nodes, degree, tensor_basis<dim>(degree, xi), {}));
+    const LagrangePolynomials<dim - 1> basis(degree, xi);
+    return Point<dim>(basis.template derivative_of<Tensor<1, dim>>(nodes, {}));
   }
 
 
@@ -220,13 +191,13 @@ namespace Signorini
   std::array<Tensor<1, dim>, dim - 1>
   FacePatch<dim>::tangents(const Parameter &xi) const
   {
-    const auto                          basis = tensor_basis<dim>(degree, xi);
+    const LagrangePolynomials<dim - 1>  basis(degree, xi);
     std::array<Tensor<1, dim>, dim - 1> result;
     for (unsigned int i = 0; i < dim - 1; ++i)
       {
         std::array<unsigned int, dim - 1> orders{};
         orders[i] = 1;
-        result[i] = derivative<dim>(nodes, degree, basis, orders);
+        result[i] = basis.template derivative_of<Tensor<1, dim>>(nodes, orders);
       }
     return result;
   }
@@ -237,7 +208,7 @@ namespace Signorini
   std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1>
   FacePatch<dim>::curvatures(const Parameter &xi) const
   {
-    const auto                                               basis = tensor_basis<dim>(degree, xi);
+    const LagrangePolynomials<dim - 1>                       basis(degree, xi);
     std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1> result;
     for (unsigned int i = 0; i < dim - 1; ++i)
       for (unsigned int j = 0; j <= i; ++j)
@@ -245,7 +216,7 @@ namespace Signorini
           std::array<unsigned int, dim - 1> orders{};
           ++orders[i];
           ++orders[j];
-          result[i][j] = result[j][i] = derivative<dim>(nodes, degree, basis, orders);
+          result[i][j] = result[j][i] = basis.template derivative_of<Tensor<1, dim>>(nodes, orders);
         }
     return result;
   }

@@ -1,6 +1,7 @@
 #include <signorini/contact/geometry/reach.h>
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/mesh/extent.h>
+#include <signorini/mesh/face_nodes.h>
 
 #include <algorithm>
 #include <limits>
@@ -103,15 +104,14 @@ namespace Signorini
           read_indices<dim>(cell, indices);
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary())
-              for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-                if (fe.base_element(0).has_support_on_face(i, f))
-                  {
-                    Tensor<1, dim> displacement;
-                    for (unsigned int d = 0; d < dim; ++d)
-                      displacement[d] = ghosted(indices[fe.component_to_system_index(d, i)]);
-                    double &of_boundary = largest[cell->face(f)->boundary_id()];
-                    of_boundary         = std::max(of_boundary, displacement.norm());
-                  }
+              for (const unsigned int i : nodes_of_face(fe.base_element(0), f))
+                {
+                  Tensor<1, dim> displacement;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    displacement[d] = ghosted(indices[fe.component_to_system_index(d, i)]);
+                  double &of_boundary = largest[cell->face(f)->boundary_id()];
+                  of_boundary         = std::max(of_boundary, displacement.norm());
+                }
         }
     Utilities::MPI::max(largest, elasticity.mesh().communicator(), largest);
     return largest;

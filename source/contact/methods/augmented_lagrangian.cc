@@ -12,7 +12,7 @@ namespace Signorini
     section.add_choice(
       "Loop",
       loop,
-      {"Uzawa", "Newton"},
+      {{"Uzawa", Loop::Uzawa}, {"Newton", Loop::Newton}},
       "penalty solutions one after the other; or displacement and pressure at once");
   }
 } // namespace Signorini

@@ -12,10 +12,11 @@ namespace Signorini
   void
   DirectElimination::check(const Integration &integration, const unsigned int /*degree*/) const
   {
-    if (integration.rule != "nodes")
-      throw SceneError("Contact method/Integration = " + integration.rule +
-                       " does not go with Method = direct elimination, which eliminates the "
-                       "displacement of single nodes; take Integration = nodes, or Method = "
-                       "Lagrange multiplier");
+    if (integration.rule != Rule::nodes)
+      throw SceneError(
+        "Contact method/Integration = " + word_of(Integration::rules(), integration.rule) +
+        " does not go with Method = direct elimination, which eliminates the "
+        "displacement of single nodes; take Integration = nodes, or Method = "
+        "Lagrange multiplier");
   }
 } // namespace Signorini

@@ -2,10 +2,12 @@
 
 namespace Signorini
 {
-  const std::vector<std::string> &
-  Integration::names()
+  const Choices<Rule> &
+  Integration::rules()
   {
-    static const std::vector<std::string> list = {"segments", "quadrature", "nodes"};
+    static const Choices<Rule> list = {{"segments", Rule::segments},
+                                       {"quadrature", Rule::quadrature},
+                                       {"nodes", Rule::nodes}};
     return list;
   }
 } // namespace Signorini

@@ -9,8 +9,8 @@ namespace Signorini
   Nitsche::declare(Section &section)
   {
     section.add_choice("Theta",
-                       theta_name,
-                       {"1", "0", "-1"},
+                       weight_of_stress,
+                       {{"1", 1}, {"0", 0}, {"-1", -1}},
                        "1: symmetric systems; 0: fewest terms; -1: stable for any Factor");
     section.add(
       "Factor",
@@ -25,18 +25,10 @@ namespace Signorini
 
 
 
-  double
-  Nitsche::theta() const
-  {
-    return std::stod(theta_name);
-  }
-
-
-
   void
   Nitsche::check(const Integration &integration, const unsigned int /*degree*/) const
   {
-    if (integration.rule == "nodes")
+    if (integration.rule == Rule::nodes)
       throw SceneError(
         "Contact method/Integration = nodes does not go with Method = Nitsche, whose parameter "
         "bounds the mean stress of faces, not that of their corners; take Integration = quadrature");
@@ -45,8 +37,9 @@ namespace Signorini
     if (safety_factor > smallest || theta() == -1)
       return;
     std::ostringstream text;
-    text << "Contact method/Nitsche/Factor = " << safety_factor << " with Theta = " << theta_name
-         << " is not stable; take one above " << smallest << " (2 is usual), or Theta = -1";
+    text << "Contact method/Nitsche/Factor = " << safety_factor
+         << " with Theta = " << weight_of_stress << " is not stable; take one above " << smallest
+         << " (2 is usual), or Theta = -1";
     throw SceneError(text.str());
   }
 } // namespace Signorini

@@ -19,7 +19,7 @@ namespace Signorini
       Range{-2, 3});
     section.add_choice("Weighting",
                        weighting,
-                       {"mortar", "pointwise"},
+                       {{"mortar", Weighting::mortar}, {"pointwise", Weighting::pointwise}},
                        "penalise the gap weighted at the slave nodes, or at each quadrature point");
     if (section.reading() && penalty_factor.is_absolute() && growth != 0)
       section.fail("Growth", "belongs to a Factor; a Stiffness does not change with the mesh");
@@ -40,12 +40,12 @@ namespace Signorini
   {
     constexpr double largest_factor = 10; // peaks of 3 % seen with it in Hertz contact, 8 % with 30
     const bool is_soft = !penalty_factor.is_absolute() && penalty_factor.factor <= largest_factor;
-    if (weighting == "mortar" || integration.rule == "nodes" || is_soft)
+    if (weighting == Weighting::mortar || integration.rule == Rule::nodes || is_soft)
       return;
-    const bool segments = integration.rule == "segments";
+    const bool segments = integration.rule == Rule::segments;
     if (segments || integration.n_points > degree + 1)
       throw SceneError(
-        "Contact method/Integration = " + integration.rule +
+        "Contact method/Integration = " + word_of(Integration::rules(), integration.rule) +
         (segments ? "" : ", Quadrature points = " + std::to_string(integration.n_points)) +
         " penalises more points of a face than the displacement can follow: with a Factor above 10 or "
         "a Stiffness the pressure would oscillate; take Weighting = mortar, or Integration = quadrature with "

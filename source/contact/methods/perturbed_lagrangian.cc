@@ -10,7 +10,7 @@ namespace Signorini
       section, "stiffness of the contact in units of E/h: the penetration is p h / (Factor E)");
     section.add_choice("Form",
                        form,
-                       {"block", "condensed"},
+                       {{"block", Form::block}, {"condensed", Form::condensed}},
                        "keep the pressure as an unknown, or eliminate it");
   }
 } // namespace Signorini

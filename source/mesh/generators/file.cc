@@ -194,7 +194,7 @@ namespace Signorini
     section.add_choice(
       "Coinciding nodes",
       selection.coinciding_nodes,
-      {"refuse", "merge", "keep"},
+      {{"refuse", AtOnePlace::refuse}, {"merge", AtOnePlace::merge}, {"keep", AtOnePlace::keep}},
       "what is done with nodes at one place, where cells are not connected; pieces "
       "that are not connected anywhere stay apart, if a contact pair of the body "
       "joins them");
@@ -233,10 +233,10 @@ namespace Signorini
     recognise_collapsed_cells(all, cells_of_part(all, dim, selection.part));
     if (!ChosenCells(all, dim, selection.part).any)
       return result;
-    if (selection.coinciding_nodes == "merge")
+    if (selection.coinciding_nodes == AtOnePlace::merge)
       {
         merge_coinciding_nodes(all, dim, selection.part, selection.node_distance);
-        result.coinciding_nodes = "refuse";
+        result.coinciding_nodes = AtOnePlace::refuse;
         result.node_distance    = 0;
       }
     tell(body, path, divide_cells(all, dim, selection.part, mid_side_nodes));

@@ -307,7 +307,7 @@ namespace Signorini
   {
     for (const std::string &note : note_of_unused_nodes(file))
       notes.push_back(note);
-    if (selection.coinciding_nodes != "merge")
+    if (selection.coinciding_nodes != AtOnePlace::merge)
       for (const std::string &note : note_of_pieces(file, dim, selection.part))
         notes.push_back(note);
     cells = cells_of<dim>(elements);
@@ -316,14 +316,14 @@ namespace Signorini
 
     std::vector<unsigned int> representatives(vertices.size());
     std::iota(representatives.begin(), representatives.end(), 0);
-    if (selection.coinciding_nodes == "merge")
+    if (selection.coinciding_nodes == AtOnePlace::merge)
       {
         representatives =
           CoincidingNodes<dim>(cells, vertices, selection.node_distance).representatives();
         replace_nodes(cells, representatives);
       }
     orient(cells, vertices, elements);
-    if (selection.coinciding_nodes == "refuse")
+    if (selection.coinciding_nodes == AtOnePlace::refuse)
       touching_pieces =
         CoincidingNodes<dim>(cells, vertices, selection.node_distance).refuse_cracks();
 
@@ -338,7 +338,7 @@ namespace Signorini
         return faces.boundary_quads;
     }();
     list = boundary_faces(cells, vertices);
-    if (selection.coinciding_nodes != "keep")
+    if (selection.coinciding_nodes != AtOnePlace::keep)
       refuse_hanging_nodes<dim>(cells, list, vertices);
     const Names all_names = name_faces(list, vertices, names, selection.feature_angle, notes);
     boundaries            = all_names.boundaries;

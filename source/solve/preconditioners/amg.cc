@@ -1,19 +1,11 @@
-#include <signorini/row_view.h>
+#include <signorini/linear_algebra/diagonal.h>
+#include <signorini/linear_algebra/products.h>
+#include <signorini/linear_algebra/row_view.h>
+#include <signorini/linear_algebra/values.h>
 #include <signorini/solve/preconditioners/amg.h>
 
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
-
-#include <Amesos.h>
-#include <Amesos_BaseSolver.h>
-#include <EpetraExt_MatrixMatrix.h>
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_FECrsMatrix.h>
-#include <Epetra_Import.h>
-#include <Epetra_LinearProblem.h>
-#include <Epetra_MpiComm.h>
-#include <Epetra_Vector.h>
 
 #include <cmath>
 
@@ -23,111 +15,17 @@ namespace Signorini
 
   namespace
   {
-    LA::Vector
-    vector_on(const Epetra_BlockMap &map)
-    {
-      const auto *comm = dynamic_cast<const Epetra_MpiComm *>(&map.Comm());
-      return LA::Vector(IndexSet(static_cast<const Epetra_Map &>(map)), comm->Comm());
-    }
-
-    void
-    apply(const Epetra_CrsMatrix &matrix,
-          const bool              transpose,
-          const LA::Vector       &src,
-          LA::Vector             &dst)
-    {
-      const int error = matrix.Multiply(transpose, src.trilinos_vector(), dst.trilinos_vector());
-      AssertThrow(error == 0, ExcTrilinosError(error));
-    }
-
-    std::unique_ptr<Epetra_CrsMatrix>
-    product(const Epetra_CrsMatrix &a, const Epetra_CrsMatrix &b)
-    {
-      auto      c     = std::make_unique<Epetra_CrsMatrix>(Copy, a.RowMap(), 0);
-      const int error = EpetraExt::MatrixMatrix::Multiply(a, false, b, false, *c);
-      AssertThrow(error == 0, ExcTrilinosError(error));
-      return c;
-    }
-
-    /// Where each local row goes when those with the same columns, points between the same two
-    /// faces, become one.
-    std::vector<unsigned int>
-    groups_of(const Epetra_CrsMatrix &B)
-    {
-      std::vector<unsigned int> groups;
-      for (int row = 0; row < B.NumMyRows(); ++row)
-        {
-          const bool is_first = row == 0,
-                     is_same  = !is_first && RowView(B, row).has_columns_of(RowView(B, row - 1));
-          groups.push_back(is_first ? 0 : groups.back() + (is_same ? 0 : 1));
-        }
-      return groups;
-    }
-
-    /// Each group's mean row, weighted.
-    std::shared_ptr<const Epetra_CrsMatrix>
-    mean_rows(const Epetra_CrsMatrix          &B,
-              const std::vector<unsigned int> &groups,
-              const LA::Vector                &weight,
-              const LA::Vector                &group_weight)
-    {
-      const Epetra_Map rows = group_weight.locally_owned_elements().make_trilinos_map(
-        group_weight.get_mpi_communicator());
-      auto                mean = std::make_shared<Epetra_CrsMatrix>(Copy, rows, 0);
-      std::vector<double> sum;
-      for (unsigned int first = 0, last = 0; first < groups.size(); first = last)
-        {
-          int     n, *columns;
-          double *values;
-          sum.clear();
-          for (; last < groups.size() && groups[last] == groups[first]; ++last)
-            {
-              B.ExtractMyRowView(last, n, values, columns);
-              sum.resize(n, 0.);
-              for (int k = 0; k < n; ++k)
-                sum[k] += weight.trilinos_vector()[0][last] /
-                          group_weight.trilinos_vector()[0][groups[first]] * values[k];
-            }
-          std::vector<int> global(n);
-          for (int k = 0; k < n; ++k)
-            global[k] = B.GCID(columns[k]);
-          mean->InsertGlobalValues(mean->GRID(groups[first]), n, sum.data(), global.data());
-        }
-      const int error = mean->FillComplete(B.DomainMap(), rows);
-      AssertThrow(error == 0, ExcTrilinosError(error));
-      return mean;
-    }
-
-    /// b^T D b on the columns of this rank, for the coarsest level, which has few.
-    FullMatrix<double>
-    local_springs(const Epetra_CrsMatrix &b, const LA::Vector &D)
-    {
-      FullMatrix<double> springs(b.NumMyCols());
-      for (int row = 0; row < b.NumMyRows(); ++row)
-        {
-          const double spring = D.trilinos_vector()[0][row];
-          if (spring == 0)
-            continue;
-          int     n, *indices;
-          double *values;
-          b.ExtractMyRowView(row, n, values, indices);
-          for (int k = 0; k < n; ++k)
-            for (int l = 0; l < n; ++l)
-              springs(indices[k], indices[l]) += spring * values[k] * values[l];
-        }
-      return springs;
-    }
-
     /// Of absolute values.
     LA::Vector
-    sums_of_rows(const Epetra_CrsMatrix &K)
+    sums_of_rows(const LA::SparseMatrix &K)
     {
-      LA::Vector sums = vector_on(K.RowMap());
-      for (int i = 0; i < K.NumMyRows(); ++i)
+      LA::Vector    sums(K.locally_owned_range_indices(), K.get_mpi_communicator());
+      double *const sum = LA::values_of(sums);
+      for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
         {
-          const RowView row(K, i);
+          const LA::RowView row(K, i);
           for (int k = 0; k < row.size; ++k)
-            sums.trilinos_vector()[0][i] += std::abs(row.values[k]);
+            sum[i] += std::abs(row.values[k]);
         }
       return sums;
     }
@@ -143,150 +41,63 @@ namespace Signorini
       LA::Vector       result = row_sums;
       result.scale(inverse_diagonal);
       const double  largest = result.linfty_norm();
-      const double *inverse = inverse_diagonal.trilinos_vector()[0];
-      double       *r       = result.trilinos_vector()[0];
+      const double *inverse = LA::values_of(inverse_diagonal);
+      double       *r       = LA::values_of(result);
       for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
         r[i] = std::sin(1. + 1.7 * i * i) * (everywhere + std::pow(r[i] / largest, power)) /
                std::sqrt(inverse[i]);
       return result;
-    }
-
-    /// K + b^T D b
-    std::unique_ptr<Epetra_CrsMatrix>
-    with_springs(const Epetra_CrsMatrix &K, const Epetra_CrsMatrix &b, const LA::Vector &D)
-    {
-      auto sum = std::make_unique<Epetra_FECrsMatrix>(Copy, K.RowMap(), 0);
-      for (int row = 0; row < K.NumMyRows(); ++row)
-        {
-          int     n, *indices;
-          double *values;
-          K.ExtractMyRowView(row, n, values, indices);
-          for (int k = 0; k < n; ++k)
-            sum->InsertGlobalValues(K.GRID(row),
-                                    1,
-                                    &values[k],
-                                    &K.ColMap().MyGlobalElements()[indices[k]]);
-        }
-      const FullMatrix<double> springs = local_springs(b, D);
-      const int               *columns = b.ColMap().MyGlobalElements();
-      for (unsigned int i = 0; i < springs.m(); ++i)
-        for (unsigned int j = 0; j < springs.n(); ++j)
-          if (springs(i, j) != 0)
-            sum->InsertGlobalValues(1, &columns[i], 1, &columns[j], &springs(i, j));
-      const int error = sum->GlobalAssemble(K.DomainMap(), K.RangeMap());
-      AssertThrow(error == 0, ExcTrilinosError(error));
-      return sum;
-    }
-
-    enum class Entries
-    {
-      diagonal,
-      all
-    };
-
-    /// Adds the diagonal of b^T D b, or the sums of its rows' entries (no less than their absolute
-    /// values).
-    void
-    add_springs(const Epetra_CrsMatrix &b,
-                const LA::Vector       &D,
-                const Entries           entries,
-                LA::Vector             &result)
-    {
-      Epetra_Vector columns(b.ColMap()), sums(b.DomainMap());
-      for (int row = 0; row < b.NumMyRows(); ++row)
-        {
-          const RowView view(b, row);
-          double        sum = 0;
-          for (int k = 0; k < view.size; ++k)
-            sum += std::abs(view.values[k]);
-          for (int k = 0; k < view.size; ++k)
-            {
-              const double size = std::abs(view.values[k]);
-              columns[view.columns[k]] +=
-                D.trilinos_vector()[0][row] * size * (entries == Entries::all ? sum : size);
-            }
-        }
-      const int error = sums.Export(columns, Epetra_Import(b.ColMap(), b.DomainMap()), Add);
-      AssertThrow(error == 0, ExcTrilinosError(error));
-      for (int i = 0; i < sums.MyLength(); ++i)
-        result.trilinos_vector()[0][i] += sums[i];
     }
   } // namespace
 
 
 
   AMG::AMG(const Hierarchy &hierarchy, const GapOperator *contact)
-    : has_springs(contact && !contact->empty())
+    : direct(LA::DirectLibrary::KLU)
   {
-    std::shared_ptr<const Epetra_CrsMatrix> B;
-    if (has_springs)
-      {
-        groups                  = groups_of(contact->B_free.trilinos_matrix());
-        const unsigned int n    = groups.empty() ? 0 : groups.back() + 1;
-        const MPI_Comm     comm = contact->weight.get_mpi_communicator();
-        LA::Vector         weight(LA::contiguous_partition(n, comm), comm);
-        limit                = weight;
-        const double *points = contact->weight.trilinos_vector()[0],
-                     *k      = contact->coefficients.stiffness.trilinos_vector()[0];
-        for (unsigned int i = 0; i < groups.size(); ++i)
-          {
-            weight.trilinos_vector()[0][groups[i]] += points[i];
-            limit.trilinos_vector()[0][groups[i]] += 6. * k[i] * points[i];
-          }
-        B = mean_rows(contact->B_free.trilinos_matrix(), groups, contact->weight, weight);
-        // With springs everywhere eigenvalues are largest: these bounds hold for any active set.
-        D = limit;
-      }
+    if (contact && !contact->empty())
+      springs.emplace(hierarchy, *contact);
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
       {
         levels.push_back(std::make_unique<Level>());
         Level &level     = *levels.back();
+        level.number     = l;
         level.K          = &hierarchy.matrix(l);
-        level.diagonal_K = vector_on(level.K->RowMap());
-        Epetra_Vector diagonal(level.K->RowMap());
-        level.K->ExtractDiagonalCopy(diagonal);
-        std::copy_n(diagonal.Values(), diagonal.MyLength(), level.diagonal_K.trilinos_vector()[0]);
+        level.diagonal_K = LA::diagonal(*level.K);
         if (l + 1 < hierarchy.n_levels())
           level.P = &hierarchy.prolongation(l);
-        if (has_springs)
-          {
-            level.B = l == 0 ? B : product(*levels[l - 1]->B, hierarchy.prolongation(l - 1));
-            level.gap.reinit(limit);
-          }
-        for (LA::Vector *v :
-             {&level.x, &level.right, &level.rest, &level.step, &level.first, &level.force})
+        for (LA::Vector *v : {&level.x, &level.right, &level.rest, &level.step, &level.first})
           v->reinit(level.diagonal_K);
       }
+    // With springs everywhere eigenvalues are largest: these bounds hold for any active set.
+    if (springs)
+      springs->stiffen();
     for (auto &level : levels)
       {
         update_diagonal(*level);
         if (level->P)
           estimate_eigenvalue(*level);
       }
-    if (has_springs)
-      D = 0.;
-    for (auto &level : levels)
-      update_diagonal(*level);
-    factorise();
+    if (springs)
+      springs->remove();
+    update();
   }
 
 
 
-  AMG::~AMG() = default;
+  void
+  AMG::set_springs(const LA::Vector &values)
+  {
+    if (springs)
+      springs->set(values);
+    update();
+  }
 
 
 
   void
-  AMG::set_springs(const LA::Vector &springs)
+  AMG::update()
   {
-    if (has_springs)
-      {
-        D         = 0.;
-        double *d = D.trilinos_vector()[0];
-        for (unsigned int i = 0; i < groups.size(); ++i)
-          d[groups[i]] = std::min(d[groups[i]] + springs.trilinos_vector()[0][i],
-                                  limit.trilinos_vector()[0][groups[i]]);
-      }
     for (auto &level : levels)
       update_diagonal(*level);
     factorise();
@@ -298,10 +109,9 @@ namespace Signorini
   AMG::update_diagonal(Level &level)
   {
     level.inverse_diagonal = level.diagonal_K;
-    if (has_springs)
-      add_springs(*level.B, D, Entries::diagonal, level.inverse_diagonal);
-    level.inverse_diagonal.trilinos_vector()(0)->Reciprocal(
-      *level.inverse_diagonal.trilinos_vector()(0));
+    if (springs)
+      springs->add_diagonal(level.number, level.inverse_diagonal);
+    LA::invert(level.inverse_diagonal);
   }
 
 
@@ -312,8 +122,8 @@ namespace Signorini
     // By the numbers that conjugate gradients leave behind. (A power iteration of twice as many
     // products underestimates so much that the smoothers may diverge.)
     LA::Vector row_sums = sums_of_rows(*level.K);
-    if (has_springs)
-      add_springs(*level.B, D, Entries::all, row_sums);
+    if (springs)
+      springs->add_row_sums(level.number, row_sums);
     const LA::Vector right = stiff_oscillation(row_sums, level.inverse_diagonal);
     LA::Vector       x;
     x.reinit(right);
@@ -353,16 +163,11 @@ namespace Signorini
   AMG::factorise()
   {
     const Level &last = *levels.back();
-    direct.reset();
+    direct.clear();
     coarsest.reset();
-    if (has_springs && D.linfty_norm() > 0)
-      coarsest = with_springs(*last.K, *last.B, D);
-    problem = std::make_unique<Epetra_LinearProblem>();
-    problem->SetOperator(coarsest ? coarsest.get() : const_cast<Epetra_CrsMatrix *>(last.K));
-    direct.reset(Amesos().Create("Amesos_Klu", *problem));
-    int error = direct->SymbolicFactorization();
-    if (error == 0)
-      error = direct->NumericFactorization();
+    if (springs && springs->any())
+      coarsest = std::make_unique<LA::SparseMatrix>(springs->added_to(*last.K, last.number));
+    const int error = direct.factorise(coarsest ? *coarsest : *last.K);
     AssertThrow(error == 0, ExcTrilinosError(error));
   }
 
@@ -371,13 +176,9 @@ namespace Signorini
   void
   AMG::multiply(const Level &level, LA::Vector &dst, const LA::Vector &src) const
   {
-    apply(*level.K, false, src, dst);
-    if (!has_springs)
-      return;
-    apply(*level.B, false, src, level.gap);
-    level.gap.scale(D);
-    apply(*level.B, true, level.gap, level.force);
-    dst += level.force;
+    LA::multiply(*level.K, dst, src);
+    if (springs)
+      springs->add_product(level.number, dst, src);
   }
 
 
@@ -425,17 +226,14 @@ namespace Signorini
     const Level &level = *levels[l];
     if (!level.P)
       {
-        problem->SetLHS(&x.trilinos_vector());
-        problem->SetRHS(const_cast<Epetra_MultiVector *>(&right.trilinos_vector()));
-        const int error = direct->Solve();
-        AssertThrow(error == 0, ExcTrilinosError(error));
+        direct.solve(x, right);
         return;
       }
     smooth(level, x, right, true);
     multiply(level, level.rest, x);
     level.rest.sadd(-1, 1, right);
     const Level &next = *levels[l + 1];
-    apply(*level.P, true, level.rest, next.right);
+    LA::multiply_transposed(*level.P, next.right, level.rest);
     cycle(l + 1, next.x, next.right);
     if (next.P) // a W-cycle: what is left, once more
       {
@@ -445,7 +243,7 @@ namespace Signorini
         cycle(l + 1, next.x, next.right);
         next.x += next.first;
       }
-    apply(*level.P, false, next.x, level.rest);
+    LA::multiply(*level.P, level.rest, next.x);
     x += level.rest;
     smooth(level, x, right, false);
   }

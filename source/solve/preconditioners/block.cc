@@ -1,9 +1,6 @@
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/preconditioners/block.h>
 
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Vector.h>
-
 namespace Signorini
 {
   using namespace dealii;
@@ -25,7 +22,8 @@ namespace Signorini
         springs = std::make_unique<NormalContact>(
           NormalContact::springs(system.gap_operator(), augmentation));
         augmented = std::make_unique<ContactSystem>(system.stiffness(), *springs);
-        filter    = std::make_unique<ContactFilter>(*augmented, hierarchy, settings.direct_solver);
+        filter =
+          std::make_unique<ContactFilter>(*augmented, hierarchy, settings.direct_solver.value());
       }
     if (form == simple)
       {

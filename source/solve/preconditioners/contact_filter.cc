@@ -23,9 +23,9 @@ namespace Signorini
 
 
 
-  ContactFilter::ContactFilter(const ContactSystem &system,
-                               const Hierarchy     &hierarchy,
-                               const std::string   &direct_solver)
+  ContactFilter::ContactFilter(const ContactSystem    &system,
+                               const Hierarchy        &hierarchy,
+                               const LA::DirectLibrary direct_solver)
     : system(system)
     , amg(hierarchy, &system.gap_operator())
     , direct_solver(direct_solver)

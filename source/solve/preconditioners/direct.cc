@@ -16,7 +16,7 @@ namespace Signorini
 
 
 
-  Direct::Direct(const ContactSystem &system, const std::string &direct_solver)
+  Direct::Direct(const ContactSystem &system, const LA::DirectLibrary direct_solver)
     : system(system)
     , all(system, everywhere(system), direct_solver)
   {}

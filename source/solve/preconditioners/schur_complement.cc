@@ -1,13 +1,11 @@
+#include <signorini/linear_algebra/columns.h>
+#include <signorini/linear_algebra/row_view.h>
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/preconditioners/schur_complement.h>
 #include <signorini/solve/zone_solver.h>
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
-
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Import.h>
-#include <Epetra_Vector.h>
 
 #include <functional>
 
@@ -21,22 +19,15 @@ namespace Signorini
     LA::Vector
     point_flexibility(const Stiffness &K, const GapOperator &contact)
     {
-      const Epetra_CrsMatrix &B        = contact.B_free.trilinos_matrix();
-      const LA::Vector        diagonal = K.diagonal();
-      Epetra_Vector           columns(B.ColMap());
-      columns.Import(*diagonal.trilinos_vector()(0),
-                     Epetra_Import(B.ColMap(), B.DomainMap()),
-                     Insert);
-
-      LA::Vector flexibility = contact.zero();
-      int        local       = 0;
+      const std::vector<double> diagonal = LA::ColumnExchange(contact.B_free).fetch(K.diagonal());
+      LA::Vector                flexibility = contact.zero();
+      int                       local       = 0;
       for (const auto i : flexibility.locally_owned_elements())
         {
-          int     n, *indices;
-          double *values, sum = 0;
-          B.ExtractMyRowView(local++, n, values, indices);
-          for (int k = 0; k < n; ++k)
-            sum += values[k] * values[k] / columns[indices[k]];
+          const LA::RowView row(contact.B_free, local++);
+          double            sum = 0;
+          for (int k = 0; k < row.size; ++k)
+            sum += row.values[k] * row.values[k] / diagonal[row.columns[k]];
           flexibility(i) = sum;
         }
       flexibility.compress(VectorOperation::insert);
@@ -116,7 +107,7 @@ namespace Signorini
     class Zone : public SchurComplement
     {
     public:
-      Zone(const ContactSystem &system, const std::string &direct_solver)
+      Zone(const ContactSystem &system, const LA::DirectLibrary direct_solver)
         : system(system)
         , direct_solver(direct_solver)
       {}
@@ -143,7 +134,7 @@ namespace Signorini
 
     private:
       const ContactSystem        &system;
-      const std::string           direct_solver;
+      const LA::DirectLibrary     direct_solver;
       std::unique_ptr<ZoneSolver> zone;
       mutable LA::BlockVector     right, solution;
     };
@@ -235,7 +226,7 @@ namespace Signorini
          }},
         {"zone",
          [](const auto &settings, const auto &system, const AMG &) -> Pointer {
-           return std::make_unique<Zone>(system, settings.direct_solver);
+           return std::make_unique<Zone>(system, settings.direct_solver.value());
          }},
         {"multigrid", [](const auto &, const auto &system, const AMG &amg) -> Pointer {
            return std::make_unique<Multigrid>(system, amg);

@@ -2,7 +2,7 @@
 
 #include <signorini/contact/discretisation/contact_rows.h>
 #include <signorini/contact/discretisation/regions.h>
-#include <signorini/linear_algebra.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <signorini/contact/discretisation/contact_rows.h>
-#include <signorini/linear_algebra.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <deal.II/base/partitioner.h>
 

@@ -13,6 +13,12 @@ namespace Signorini
   class AugmentedLagrangian : public ContactMethod
   {
   public:
+    enum class Loop
+    {
+      Uzawa, ///< penalty solutions one after the other
+      Newton ///< displacement and pressure at once
+    };
+
     void
     declare(Section &section) override;
 
@@ -25,13 +31,13 @@ namespace Signorini
     Predictor
     predictor() const override
     {
-      return loop == "Newton" ? Predictor::multiplier : Predictor::last_pressure;
+      return loop == Loop::Newton ? Predictor::multiplier : Predictor::last_pressure;
     }
 
     bool
     has_multipliers() const override
     {
-      return loop == "Newton";
+      return loop == Loop::Newton;
     }
 
     double
@@ -42,6 +48,6 @@ namespace Signorini
 
   private:
     PenaltyFactor penalty_factor;
-    std::string   loop = "Uzawa";
+    Loop          loop = Loop::Uzawa;
   };
 } // namespace Signorini

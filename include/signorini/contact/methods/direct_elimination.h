@@ -40,10 +40,10 @@ namespace Signorini
       return scale.stiffness;
     }
 
-    std::string
+    Rule
     usual_integration() const override
     {
-      return "nodes";
+      return Rule::nodes;
     }
 
     void

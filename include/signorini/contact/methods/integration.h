@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include <signorini/parameters/choices.h>
 
 namespace Signorini
 {
@@ -14,16 +13,25 @@ namespace Signorini
               ///< (2000) 989-1012)
   };
 
+  /// The points at which contact integrals are evaluated.
+  enum class Rule
+  {
+    segments,   ///< on the intersections of slave faces with master faces
+    quadrature, ///< Gauss points of whole slave faces
+    nodes       ///< the slave nodes
+  };
+
   /// Where contact integrals are evaluated on a slave face.
   struct Integration
   {
-    std::string  rule     = "segments";      ///< one of names()
+    Rule         rule     = Rule::segments;
     unsigned int n_points = 3;               ///< quadrature points a direction; nodes: degree + 1
     Basis        basis    = Basis::standard; ///< of the weights, for methods that sample at nodes
     unsigned int n_points_of_distorted = 0;  ///< on segments of faces that are no parallelograms by
                                              ///< far; 0: n_points
 
-    static const std::vector<std::string> &
-    names();
+    /// As the scene file calls them.
+    static const Choices<Rule> &
+    rules();
   };
 } // namespace Signorini

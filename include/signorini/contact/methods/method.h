@@ -77,10 +77,10 @@ namespace Signorini
     }
 
     /// The rule of integration that serves the method best.
-    virtual std::string
+    virtual Rule
     usual_integration() const
     {
-      return "segments";
+      return Rule::segments;
     }
 
     /// Throws SceneError where method and integration do not go together. The method's place in the

@@ -46,7 +46,10 @@ namespace Signorini
     }
 
     double
-    theta() const override;
+    theta() const override
+    {
+      return weight_of_stress;
+    }
 
     bool
     unbiased() const override
@@ -58,8 +61,8 @@ namespace Signorini
     check(const Integration &integration, unsigned int degree) const override;
 
   private:
-    double      safety_factor = 2;
-    std::string theta_name    = "1";
-    bool        two_sided     = false;
+    double safety_factor    = 2;
+    int    weight_of_stress = 1; ///< theta
+    bool   two_sided        = false;
   };
 } // namespace Signorini

@@ -8,13 +8,20 @@ namespace Signorini
   class Penalty : public ContactMethod
   {
   public:
+    /// Which gap is penalised.
+    enum class Weighting
+    {
+      mortar,   ///< that weighted at the slave nodes
+      pointwise ///< that at each quadrature point
+    };
+
     void
     declare(Section &section) override;
 
     Sampling
     sampling() const override
     {
-      return weighting == "mortar" ? Sampling::nodes : Sampling::quadrature_points;
+      return weighting == Weighting::mortar ? Sampling::nodes : Sampling::quadrature_points;
     }
 
     Predictor
@@ -33,10 +40,10 @@ namespace Signorini
     double
     penalty(const PenaltyScale &scale) const override;
 
-    std::string
+    Rule
     usual_integration() const override
     {
-      return weighting == "mortar" ? "segments" : "quadrature";
+      return weighting == Weighting::mortar ? Rule::segments : Rule::quadrature;
     }
 
     void
@@ -46,6 +53,6 @@ namespace Signorini
   private:
     PenaltyFactor penalty_factor;
     double        growth    = 0;
-    std::string   weighting = "mortar";
+    Weighting     weighting = Weighting::mortar;
   };
 } // namespace Signorini

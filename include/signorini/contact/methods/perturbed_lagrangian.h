@@ -11,6 +11,12 @@ namespace Signorini
   class PerturbedLagrangian : public ContactMethod
   {
   public:
+    enum class Form
+    {
+      block,    ///< the pressure is an unknown
+      condensed ///< it is eliminated
+    };
+
     void
     declare(Section &section) override;
 
@@ -29,7 +35,7 @@ namespace Signorini
     bool
     has_multipliers() const override
     {
-      return form == "block";
+      return form == Form::block;
     }
 
     double
@@ -40,6 +46,6 @@ namespace Signorini
 
   private:
     PenaltyFactor penalty_factor;
-    std::string   form = "block";
+    Form          form = Form::block;
   };
 } // namespace Signorini

@@ -7,16 +7,22 @@
 
 namespace Signorini
 {
+  /// What is done with nodes at one place, where cells are not connected.
+  enum class AtOnePlace
+  {
+    refuse, ///< but those of cells that are not connected otherwise, which are kept apart
+    merge,
+    keep
+  };
+
   /// What is wanted of a mesh file.
   struct FileSelection
   {
     std::string              part;       ///< empty: all cells
     std::vector<std::string> boundaries; ///< the first that contains a face wins; empty: all
-    /// Or merge, keep. Those of cells that are not connected otherwise are kept apart in any case
-    /// but merge.
-    std::string coinciding_nodes = "refuse";
-    double      node_distance    = 0; ///< of coinciding nodes; 0: see tolerance_for()
-    double      feature_angle    = 0; ///< [degrees]; 0: one boundary `unnamed`
+    AtOnePlace               coinciding_nodes = AtOnePlace::refuse;
+    double                   node_distance    = 0; ///< of coinciding nodes; 0: see tolerance_for()
+    double                   feature_angle    = 0; ///< [degrees]; 0: one boundary `unnamed`
   };
 
   /// One part of a mesh file as deal.II wants it, with vertices of its own.

@@ -26,7 +26,7 @@ namespace Signorini
   public:
     ContactFilter(const ContactSystem &system,
                   const Hierarchy     &hierarchy,
-                  const std::string   &direct_solver);
+                  LA::DirectLibrary    direct_solver);
 
     void
     update() override;
@@ -68,7 +68,7 @@ namespace Signorini
 
     const ContactSystem        &system;
     AMG                         amg;
-    const std::string           direct_solver;
+    const LA::DirectLibrary     direct_solver;
     std::unique_ptr<ZoneSolver> zone; ///< what active contact touches
   };
 } // namespace Signorini

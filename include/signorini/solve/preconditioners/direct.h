@@ -9,7 +9,7 @@ namespace Signorini
   class Direct : public Preconditioner
   {
   public:
-    Direct(const ContactSystem &system, const std::string &direct_solver);
+    Direct(const ContactSystem &system, LA::DirectLibrary direct_solver);
 
     void
     update() override;

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <signorini/linear_algebra.h>
+#include <signorini/linear_algebra/smoothed_aggregation.h>
 
-#include <memory>
 #include <vector>
-
-class Epetra_CrsMatrix;
 
 namespace Signorini
 {
@@ -19,9 +16,10 @@ namespace Signorini
     /// @param modes rigid-body modes on the locally owned degrees of freedom, mode by mode
     Hierarchy(const LA::SparseMatrix                 &stiffness,
               const std::vector<std::vector<double>> &modes,
-              unsigned int                            dim);
-
-    ~Hierarchy();
+              const unsigned int                      dim)
+      : stiffness(stiffness)
+      , coarse(LA::smoothed_aggregation(stiffness, modes, dim))
+    {}
 
     unsigned int
     n_levels() const
@@ -30,26 +28,21 @@ namespace Signorini
     }
 
     /// Level 0 is the finest, the stiffness matrix itself; the others are its Galerkin products.
-    const Epetra_CrsMatrix &
+    const LA::SparseMatrix &
     matrix(const unsigned int level) const
     {
-      return level == 0 ? stiffness.trilinos_matrix() : *coarse[level - 1].matrix;
+      return level == 0 ? stiffness : coarse[level - 1].matrix;
     }
 
     /// From level + 1 to level.
-    const Epetra_CrsMatrix &
+    const LA::SparseMatrix &
     prolongation(const unsigned int level) const
     {
-      return *coarse[level].prolongation;
+      return coarse[level].prolongation;
     }
 
   private:
-    struct Level
-    {
-      std::unique_ptr<Epetra_CrsMatrix> matrix, prolongation;
-    };
-
-    const LA::SparseMatrix &stiffness;
-    std::vector<Level>      coarse;
+    const LA::SparseMatrix            &stiffness;
+    const std::vector<LA::CoarseLevel> coarse;
   };
 } // namespace Signorini

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <signorini/contact/discretisation/surface.h>
+#include <signorini/contact/geometry/boundary_faces.h>
+
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /// The nodes of the faces that have contact points; the others are left empty.
+  template <int dim>
+  std::vector<SlaveFace<dim>>
+  slave_faces(const Elasticity<dim>                &elasticity,
+              const BoundaryFaces<dim>             &slave,
+              const std::vector<ContactPoint<dim>> &points);
+
+  /// (shape functions, area) at Gauss points of all faces at rest, see ContactSurface::whole.
+  template <int dim>
+  std::vector<std::pair<SparseRow, double>>
+  whole_faces(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave);
+} // namespace Signorini

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <signorini/linear_algebra/types.h>
+
+namespace Signorini
+{
+  namespace LA
+  {
+    /// dst = A src, as SparseMatrix::vmult, which allocates two vectors a call: on the coarse
+    /// levels of a multigrid method that counts.
+    void
+    multiply(const SparseMatrix &A, Vector &dst, const Vector &src);
+
+    /// dst = A^T src, likewise.
+    void
+    multiply_transposed(const SparseMatrix &A, Vector &dst, const Vector &src);
+
+    /// A B
+    SparseMatrix
+    product(const SparseMatrix &A, const SparseMatrix &B);
+  } // namespace LA
+} // namespace Signorini

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <deal.II/fe/fe.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// The nodes on a face of a cell, as numbers in its scalar element.
+  template <int dim>
+  std::vector<unsigned int>
+  nodes_of_face(const dealii::FiniteElement<dim> &scalar, const unsigned int face)
+  {
+    std::vector<unsigned int> nodes;
+    for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+      if (scalar.has_support_on_face(i, face))
+        nodes.push_back(i);
+    return nodes;
+  }
+} // namespace Signorini

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <vector>
+
+namespace Signorini
+{
+  /// Highest degree of a face.
+  constexpr unsigned int max_degree = 4;
+
+  /// Value, first and second derivative of every basis function at one place, without the heap.
+  using LagrangeBasis = std::array<std::array<double, 3>, max_degree + 1>;
+
+  /// The polynomials of degree k on k+1 equidistant nodes of [0,1], at x.
+  inline LagrangeBasis
+  lagrange(const unsigned int k, const double x)
+  {
+    if (k == 1)
+      return {{{{1 - x, -1., 0.}}, {{x, 1., 0.}}}};
+    if (k == 2)
+      return {{{{(2 * x - 1) * (x - 1), 4 * x - 3, 4.}},
+               {{4 * x * (1 - x), 4 - 8 * x, -8.}},
+               {{x * (2 * x - 1), 4 * x - 1, 4.}}}};
+    // L_i(x) is the product of (kx-j)/(i-j) over j != i; each factor is linear, so the product rule
+    // carries the derivatives along.
+    LagrangeBasis basis;
+    for (unsigned int i = 0; i <= k; ++i)
+      {
+        double value = 1, first = 0, second = 0, divisor = 1;
+        for (unsigned int j = 0; j <= k; ++j)
+          if (j != i)
+            {
+              const double factor = k * x - j;
+              second              = second * factor + 2. * k * first;
+              first               = first * factor + k * value;
+              value *= factor;
+              divisor *= double(i) - double(j);
+            }
+        basis[i] = {{value / divisor, first / divisor, second / divisor}};
+      }
+    return basis;
+  }
+
+  /// The tensor product polynomials of degree k on the (k+1)^m equidistant nodes of [0,1]^m, at one
+  /// place: the shape functions of a face (m = dim-1, nodes as in face_lattice()) or of a cell
+  /// (m = dim). Nodes are in lexicographic order, the first coordinate running fastest.
+  template <int m>
+  class LagrangePolynomials
+  {
+  public:
+    /// Of a node, its number along each coordinate; of a derivative, its order.
+    using Index = std::array<unsigned int, m>;
+
+    LagrangePolynomials(const unsigned int k, const dealii::Point<m> &x)
+      : k(k)
+    {
+      for (unsigned int d = 0; d < m; ++d)
+        along[d] = lagrange(k, x[d]);
+    }
+
+    unsigned int
+    size() const
+    {
+      unsigned int n = 1;
+      for (unsigned int d = 0; d < m; ++d)
+        n *= k + 1;
+      return n;
+    }
+
+    double
+    derivative(const Index &node, const Index &orders) const
+    {
+      double product = along[0][node[0]][orders[0]];
+      for (unsigned int d = 1; d < m; ++d)
+        product *= along[d][node[d]][orders[d]];
+      return product;
+    }
+
+    double
+    value(const Index &node) const
+    {
+      return derivative(node, {});
+    }
+
+    dealii::Tensor<1, m>
+    gradient(const Index &node) const
+    {
+      dealii::Tensor<1, m> result;
+      for (unsigned int d = 0; d < m; ++d)
+        {
+          Index orders{};
+          orders[d] = 1;
+          result[d] = derivative(node, orders);
+        }
+      return result;
+    }
+
+    /// The same by the node's place in the order.
+    double
+    value(const unsigned int node) const
+    {
+      return value(index(node));
+    }
+
+    dealii::Tensor<1, m>
+    gradient(const unsigned int node) const
+    {
+      return gradient(index(node));
+    }
+
+    /// On a face, the derivative of the polynomial with these nodal values.
+    template <typename Sum, typename Value>
+    Sum
+    derivative_of(const std::vector<Value> &nodal_values, const Index &orders) const
+    {
+      static_assert(m <= 2);
+      Sum                sum{};
+      const unsigned int n_rows = m == 2 ? k + 1 : 1;
+      for (unsigned int j = 0; j < n_rows; ++j)
+        {
+          Sum row{};
+          for (unsigned int i = 0; i <= k; ++i)
+            row += along[0][i][orders[0]] * nodal_values[j * (k + 1) + i];
+          sum += (m == 2 ? along[m - 1][j][orders[m - 1]] : 1.) * row;
+        }
+      return sum;
+    }
+
+  private:
+    Index
+    index(unsigned int node) const
+    {
+      Index result;
+      for (unsigned int d = 0; d < m; ++d, node /= k + 1)
+        result[d] = node % (k + 1);
+      return result;
+    }
+
+    const unsigned int           k;
+    std::array<LagrangeBasis, m> along; ///< each coordinate
+  };
+} // namespace Signorini

@@ -1,0 +1,312 @@
+#include <signorini/contact/discretisation/candidates.h>
+#include <signorini/contact/discretisation/contact_points.h>
+#include <signorini/contact/discretisation/gaps_at_rest.h>
+#include <signorini/contact/discretisation/master_faces.h>
+#include <signorini/contact/discretisation/obstacle_points.h>
+#include <signorini/contact/discretisation/one_sided.h>
+#include <signorini/contact/discretisation/pressure_functions.h>
+#include <signorini/contact/discretisation/slave_faces.h>
+#include <signorini/contact/discretisation/surface_comparison.h>
+#include <signorini/contact/geometry/deep_overlap.h>
+#include <signorini/contact/geometry/reach.h>
+#include <signorini/contact/methods/method.h>
+#include <signorini/parameters/section.h>
+#include <signorini/parameters/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    bool
+    has_shapes(const std::vector<ContactPoint<dim>> &points)
+    {
+      return std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return !point.shape.empty();
+      });
+    }
+
+    template <int dim>
+    void
+    check_gaps(const ContactPair<dim>               &pair,
+               const std::vector<ContactPoint<dim>> &points,
+               const MPI_Comm                        comm)
+    {
+      const bool bad = std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return !std::isfinite(point.gap);
+      });
+      if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
+        throw SceneError(pair.slave_place + ": Initial gap = " + pair.initial_gap.text +
+                         " is not a number somewhere on '" + pair.slave + "'; correct the formula");
+    }
+
+    template <int dim>
+    double
+    deepest_overlap(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm)
+    {
+      double deepest = 0;
+      for (const ContactPoint<dim> &point : points)
+        deepest = std::max(deepest, -point.gap_now());
+      return Utilities::MPI::max(deepest, comm);
+    }
+
+    /// That an initial overlap asks for.
+    template <int dim>
+    double
+    limit_for(const double overlap, const ContactPair<dim> &pair)
+    {
+      if (pair.search_distance > 0)
+        throw SceneError(
+          pair.slave_place + ": '" + pair.slave + "' lies up to " + short_text(overlap, 4) +
+          " deep in '" + pair.master + "' at the start, deeper than its Search distance of " +
+          short_text(pair.search_distance, 4) + "; enlarge that, or move the bodies apart");
+      return 1.1 * overlap;
+    }
+
+    template <int dim>
+    void
+    check_obstacle(const Configuration<dim> &configuration,
+                   const ContactPair<dim>   &pair,
+                   const Obstacle<dim>      &obstacle,
+                   const BoundaryFaces<dim> &slave)
+    {
+      if (configuration.is_rest())
+        return;
+      const double length = configuration.elasticity().lever();
+      const bool   bad =
+        std::any_of(slave.rest.begin(), slave.rest.end(), [&](const FacePatch<dim> &face) {
+          return !obstacle.shape->has_closest_point(face.center(), length);
+        });
+      if (Utilities::MPI::max(bad ? 1 : 0, configuration.elasticity().mesh().communicator()) > 0)
+        throw SceneError(
+          pair.master_place + ": the Gap of '" + obstacle.name +
+          "' does not rise by 1 along its Normal: that is the gap of a surface at rest, and nobody "
+          "knows where the obstacle is beside it; write the formula for every place, as in y - "
+          "x^2/20 for Normal = 0, 1, or take Contact method/Contact geometry = reference");
+    }
+
+    /// So that the gap is true where the surfaces are: less row . u, which is how far slave and
+    /// master have moved along the normal.
+    template <int dim>
+    void
+    set_drift(const LA::Vector                    &u,
+              const BoundaryFaces<dim>            &slave,
+              const std::vector<PairedPoint<dim>> &paired,
+              const bool                           is_obstacle,
+              std::vector<ContactPoint<dim>>      &points)
+    {
+      std::vector<const SparseRow *> rigid_rows;
+      for (const PairedPoint<dim> &point : paired)
+        if (is_obstacle)
+          rigid_rows.push_back(&point.partner.row);
+      const std::vector<double> rigid = row_values(rigid_rows, u);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const PairedPoint<dim> &pair = paired[i];
+          const Tensor<1, dim>   &n    = pair.partner.normal;
+          const Point<dim>        x    = slave.patches[pair.face].position(pair.xi);
+          const double            master =
+            is_obstacle ? rigid[i] : (pair.partner.position - points[i].master_position) * n;
+          points[i].drift = -points[i].closing - (x - points[i].position) * n + master;
+        }
+    }
+
+    template <int dim>
+    class OneSided
+    {
+    public:
+      OneSided(const Configuration<dim>          &configuration,
+               const ContactPair<dim>            &pair,
+               const Obstacle<dim>               *obstacle,
+               const ContactMethod               &method,
+               const Integration                 &integration,
+               const double                       reach,
+               const double                       least_limit,
+               const std::vector<LaidPoint<dim>> &laid)
+        : configuration(configuration)
+        , elasticity(configuration.elasticity())
+        , comm(elasticity.mesh().communicator())
+        , at_rest(configuration.is_rest())
+        , pair(pair)
+        , obstacle(obstacle)
+        , method(method)
+        , integration(integration)
+        , slave(configuration, pair.slave)
+        , laid(laid)
+        , is_laid(Utilities::MPI::max(laid.size(), comm) > 0)
+        , limit(find_limit(reach, least_limit))
+      {
+        surface.faces = surface.own_faces = slave.faces.size();
+        surface.separates                 = pair.separates;
+        surface.reach                     = at_rest && pair.search_distance > 0 ? limit : reach;
+      }
+
+      ContactSurface<dim>
+      make()
+      {
+        // Not the reach: boxes of overlapping bodies may be as far apart as the overlap is deep.
+        if (at_rest && is_apart(elasticity, pair, obstacle, slave, limit))
+          {
+            surface.is_apart = true;
+            return std::move(surface);
+          }
+        if (obstacle)
+          check_obstacle(configuration, pair, *obstacle, slave);
+        find_partners();
+        make_points();
+        choose_points();
+        if (!at_rest)
+          set_drift(configuration.displacement(), slave, paired, obstacle, surface.points);
+        compare(elasticity, slave, paired, obstacle, surface);
+        surface.is_apart = Utilities::MPI::sum(surface.points.size(), comm) == 0;
+        set_shapes();
+        surface.whole       = whole_faces(elasticity, slave);
+        surface.slave_faces = slave_faces(elasticity, slave, surface.points);
+        return std::move(surface);
+      }
+
+    private:
+      /// Up to which distance partners are looked for.
+      double
+      find_limit(const double reach, const double least_limit) const
+      {
+        if (!at_rest)
+          return std::max(reach, least_limit);
+        const double first   = search_limit(elasticity, pair, reach);
+        const double overlap = overlap_beyond(first, elasticity, pair, obstacle, slave);
+        return overlap > 0 ? limit_for(overlap, pair) : first;
+      }
+
+      MasterFaces<dim>
+      master() const
+      {
+        return master_faces(elasticity,
+                            BoundaryFaces<dim>(configuration, pair.master),
+                            method.predictor() == Predictor::normal_stress,
+                            !at_rest);
+      }
+
+      void
+      find_partners()
+      {
+        if (obstacle)
+          paired = obstacle_points(configuration, slave.patches, *obstacle, integration, limit);
+        else if (is_laid)
+          paired = pair_laid_points(slave.patches, laid, master(), limit, comm, surface.statistics);
+        else
+          paired =
+            pair_points(slave.patches, master(), integration, limit, comm, surface.statistics);
+        drop_empty_points(slave.patches, paired);
+      }
+
+      void
+      make_points()
+      {
+        std::vector<double> gaps;
+        if (!at_rest)
+          {
+            lay_points();
+            if (needs_gaps_at_rest(pair))
+              gaps = gaps_at_rest(elasticity, pair, obstacle, slave, limit, paired);
+          }
+        surface.points =
+          contact_points(configuration, pair, method, slave, integration, paired, gaps);
+        check_gaps(pair, surface.points, comm);
+        surface.sees_nothing = Utilities::MPI::sum(paired.size(), comm) == 0;
+      }
+
+      /// To be taken again where surfaces move on.
+      void
+      lay_points()
+      {
+        if (!is_laid || obstacle)
+          weigh_at_rest(slave, paired);
+        surface.laid = laid;
+        if (!is_laid)
+          for (const PairedPoint<dim> &point : paired)
+            surface.laid.push_back({point.face,
+                                    point.xi,
+                                    point.weight,
+                                    {point.partner.face_center, point.partner.size}});
+      }
+
+      void
+      choose_points()
+      {
+        surface.overlap = deepest_overlap(surface.points, comm);
+        surface.reach   = std::max(surface.reach, 2 * surface.overlap);
+        if (!pair.separates)
+          keep_touching(pair, slave, paired, surface.points);
+        else if (surface.reach < limit)
+          keep_candidates(surface.reach, slave, paired, surface.points);
+      }
+
+      void
+      set_shapes()
+      {
+        const auto n_prescribed = set_pressure_functions(
+          elasticity, method, integration.basis, slave, paired, surface.points);
+        const bool some_prescribed = Utilities::MPI::max(n_prescribed, comm) > 0,
+                   some_free = Utilities::MPI::max(has_shapes(surface.points) ? 1 : 0, comm) > 0;
+        if (some_prescribed && (!obstacle || !some_free))
+          throw SceneError(
+            pair.slave_place + ": the displacement of faces of '" + pair.slave +
+            "' is prescribed along the normal at all their nodes, so that they cannot carry an "
+            "unknown pressure; exchange Slave and Master, or take Contact method/Method = penalty");
+      }
+
+      const Configuration<dim>          &configuration;
+      const Elasticity<dim>             &elasticity;
+      const MPI_Comm                     comm;
+      const bool                         at_rest;
+      const ContactPair<dim>            &pair;
+      const Obstacle<dim>               *obstacle;
+      const ContactMethod               &method;
+      const Integration                 &integration;
+      const BoundaryFaces<dim>           slave;
+      const std::vector<LaidPoint<dim>> &laid;
+      const bool                         is_laid;
+      const double                       limit;
+      std::vector<PairedPoint<dim>>      paired; ///< as long as surface.points
+      ContactSurface<dim>                surface;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  ContactSurface<dim>
+  one_sided_surface(const Configuration<dim>          &configuration,
+                    const ContactPair<dim>            &pair,
+                    const Obstacle<dim>               *obstacle,
+                    const ContactMethod               &method,
+                    const Integration                 &integration,
+                    const double                       reach,
+                    const double                       least_limit,
+                    const std::vector<LaidPoint<dim>> &laid)
+  {
+    return OneSided<dim>(
+             configuration, pair, obstacle, method, integration, reach, least_limit, laid)
+      .make();
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template ContactSurface<dim> one_sided_surface(const Configuration<dim> &,                       \
+                                                 const ContactPair<dim> &,                         \
+                                                 const Obstacle<dim> *,                            \
+                                                 const ContactMethod &,                            \
+                                                 const Integration &,                              \
+                                                 double,                                           \
+                                                 double,                                           \
+                                                 const std::vector<LaidPoint<dim>> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,228 @@
+#include <signorini/contact/discretisation/segment_pairs.h>
+#include <signorini/contact/geometry/descent.h>
+#include <signorini/contact/geometry/local_faces.h>
+#include <signorini/contact/geometry/segments.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double beside = 1e-3; // a face, in units of its diameter
+
+    // Of degree 2 n - 1 at least on triangles, but for n = 2: products of two bilinear functions
+    // are integrated by three points as well as the constant pressure of a patch test needs it.
+    template <int dim>
+    Quadrature<dim - 1>
+    segment_rule(const unsigned int n)
+    {
+      if constexpr (dim == 3)
+        if (n == 2)
+          return Quadrature<2>({{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
+                               {1. / 6, 1. / 6, 1. / 6}); // Strang, Fix: degree 2
+      return QWitherdenVincentSimplex<dim - 1>(n);
+    }
+
+    template <int dim>
+    bool
+    is_distorted(const FacePatch<dim> &face)
+    {
+      if constexpr (dim == 2)
+        return false;
+      else
+        {
+          // Of the kites in an equilateral triangle it is 0.5.
+          constexpr double     most   = 0.2;
+          const Tensor<1, dim> defect = (face.position({0, 0}) - face.position({1, 0})) +
+                                        (face.position({1, 1}) - face.position({0, 1}));
+          return defect.norm() > most * face.diameter();
+        }
+    }
+
+    template <int dim>
+    struct SegmentRules
+    {
+      Quadrature<dim - 1> usual, distorted;
+    };
+
+    // A slave face on its way to the master's faces.
+    template <int dim>
+    struct TravellingFace
+    {
+      FacePatch<dim> patch;
+      unsigned int   number; // on its own rank
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &patch &number;
+      }
+    };
+
+    template <int dim>
+    Tensor<1, dim>
+    tangential_part(const Tensor<1, dim> &v, const Tensor<1, dim> &normal)
+    {
+      return v - (v * normal) * normal;
+    }
+
+    template <int dim>
+    Projection<dim>
+    project_from(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &start)
+    {
+      Projection<dim> result;
+      result.xi                  = start;
+      result.converged_by_newton = descend_to_minimum(x, face, result.xi);
+      if (!result.converged_by_newton)
+        return project(x, face);
+      result.position = face.position(result.xi);
+      result.distance = x.distance(result.position);
+      return result;
+    }
+
+    // Segments of slave faces with the master faces of this rank.
+    template <int dim>
+    class LocalSegments
+    {
+    public:
+      LocalSegments(const MasterFaces<dim>  &master,
+                    const SegmentRules<dim> &rules,
+                    const double             limit,
+                    SearchStatistics        &statistics)
+        : master(master)
+        , faceted(master.patches.begin(), master.patches.end())
+        , faces(master, statistics)
+        , rules(rules)
+        , limit(limit)
+        , statistics(statistics)
+      {
+        for (const FacePatch<dim> &face : master.patches)
+          distorted.push_back(is_distorted(face));
+      }
+
+      const RankBox<dim> &
+      extent() const
+      {
+        return faces.extent();
+      }
+
+      void
+      find(const TravellingFace<dim> &slave, std::vector<PairedPoint<dim>> &found)
+      {
+        const FacetedFace<dim> own(slave.patch);
+        const bool             own_distorted = is_distorted(slave.patch);
+        for (const unsigned int face : faces.in(own.extruded_box(reach(slave.patch, limit))))
+          for (const SegmentPoint<dim> &point :
+               segment_points(own,
+                              faceted[face],
+                              own_distorted || distorted[face] ? rules.distorted : rules.usual))
+            if (auto pair = paired(slave, face, point))
+              found.push_back(std::move(*pair));
+      }
+
+    private:
+      std::optional<PairedPoint<dim>>
+      paired(const TravellingFace<dim> &slave,
+             const unsigned int         face,
+             const SegmentPoint<dim>   &point)
+      {
+        const FacePatch<dim> &patch = master.patches[face];
+        const Point<dim>      x     = slave.patch.position(point.slave);
+        const Projection<dim> foot  = project_from(x, patch, point.master);
+        ++statistics.projections;
+        if (!foot.converged_by_newton)
+          ++statistics.fallbacks;
+
+        PairedPoint<dim> pair{slave.number, point.slave, point.weight, {}};
+        pair.partner.normal = patch.normal(foot.xi);
+        pair.is_beside      = tangential_part(x - foot.position, pair.partner.normal).norm() >
+                         beside * patch.diameter();
+        if (foot.distance > reach(slave.patch, limit) ||
+            !faces_each_other(slave.patch.normal(point.slave), pair.partner.normal))
+          return {};
+        pair.partner.position    = foot.position;
+        pair.partner.distance    = foot.distance;
+        pair.partner.face_center = patch.center();
+        master.complete(face, foot.xi, pair.partner);
+        return pair;
+      }
+
+      const MasterFaces<dim>             &master;
+      const std::vector<FacetedFace<dim>> faceted;
+      LocalFaces<dim>                     faces;
+      std::vector<bool>                   distorted; ///< faces of the master
+      const SegmentRules<dim>            &rules;
+      const double                        limit;
+      SearchStatistics                   &statistics;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  pair_by_segments(const std::vector<FacePatch<dim>> &slave,
+                   const MasterFaces<dim>            &master,
+                   const Integration                 &integration,
+                   const double                       limit,
+                   const MPI_Comm                     comm,
+                   SearchStatistics                  &statistics)
+  {
+    const unsigned int            n     = integration.n_points;
+    const unsigned int            more  = std::max(n, integration.n_points_of_distorted);
+    const SegmentRules<dim>       rules = {segment_rule<dim>(n), segment_rule<dim>(more)};
+    LocalSegments<dim>            segments(master, rules, limit, statistics);
+    std::vector<PairedPoint<dim>> points;
+    for (unsigned int i = 0; i < slave.size(); ++i)
+      segments.find({slave[i], i}, points);
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return points;
+
+    const auto                    ranks = Utilities::MPI::all_gather(comm, segments.extent());
+    std::vector<BoundingBox<dim>> boxes;
+    for (const FacePatch<dim> &face : slave)
+      boxes.push_back(FacetedFace<dim>(face).extruded_box(reach(face, limit)));
+    std::map<unsigned int, std::vector<TravellingFace<dim>>> outgoing;
+    for (unsigned int rank = 0; rank < ranks.size(); ++rank)
+      if (rank != Utilities::MPI::this_mpi_process(comm) && !ranks[rank].empty)
+        for (unsigned int i = 0; i < slave.size(); ++i)
+          if (boxes[i].get_neighbor_type(ranks[rank].box) != NeighborType::not_neighbors)
+            outgoing[rank].push_back({slave[i], i});
+
+    std::map<unsigned int, std::vector<PairedPoint<dim>>> answers;
+    for (const auto &[rank, visitors] : Utilities::MPI::some_to_some(comm, outgoing))
+      for (const TravellingFace<dim> &visitor : visitors)
+        segments.find(visitor, answers[rank]);
+    for (auto &[rank, found] : Utilities::MPI::some_to_some(comm, answers))
+      points.insert(points.end(),
+                    std::make_move_iterator(found.begin()),
+                    std::make_move_iterator(found.end()));
+    return points;
+  }
+
+
+
+  template std::vector<PairedPoint<2>>
+  pair_by_segments(const std::vector<FacePatch<2>> &,
+                   const MasterFaces<2> &,
+                   const Integration &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
+  template std::vector<PairedPoint<3>>
+  pair_by_segments(const std::vector<FacePatch<3>> &,
+                   const MasterFaces<3> &,
+                   const Integration &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
+} // namespace Signorini

@@ -1,0 +1,71 @@
+#include <signorini/contact/discretisation/slave_faces.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  std::vector<SlaveFace<dim>>
+  slave_faces(const Elasticity<dim>                &elasticity,
+              const BoundaryFaces<dim>             &slave,
+              const std::vector<ContactPoint<dim>> &points)
+  {
+    std::vector<SlaveFace<dim>> result(slave.faces.size());
+    Trace<dim>                  trace(elasticity);
+    for (const ContactPoint<dim> &point : points)
+      if (SlaveFace<dim> &face = result[point.face]; face.degree == 0)
+        {
+          const auto &[cell, f] = slave.faces[point.face];
+          trace.reinit(cell, f);
+          face.cell            = cell->id();
+          face.face            = f;
+          const unsigned int k = face.degree = cell->get_fe().degree;
+          for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+            {
+              const SparseRow shape = trace.unresolved_shape(unit_point<dim>(f, xi));
+              face.nodes.push_back(
+                std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
+                  return a.second < b.second;
+                })->first);
+              face.positions.push_back(slave.rest[point.face].position(xi));
+            }
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<SparseRow, double>>
+  whole_faces(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave)
+  {
+    std::vector<std::pair<SparseRow, double>> result;
+    Trace<dim>                                trace(elasticity);
+    for (unsigned int i = 0; i < slave.faces.size(); ++i)
+      {
+        const QGauss<dim - 1> rule(slave.faces[i].first->get_fe().degree + 1);
+        trace.reinit(slave.faces[i].first, slave.faces[i].second);
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          result.emplace_back(trace.shape(unit_point<dim>(slave.faces[i].second, rule.point(q))),
+                              rule.weight(q) * slave.rest[i].jacobian(rule.point(q)) *
+                                measure(elasticity.model(), slave.rest[i].position(rule.point(q))));
+      }
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                                  \
+  template std::vector<SlaveFace<dim>>               slave_faces(const Elasticity<dim> &,                 \
+                                                                 const BoundaryFaces<dim> &,              \
+                                                                 const std::vector<ContactPoint<dim>> &); \
+  template std::vector<std::pair<SparseRow, double>> whole_faces(const Elasticity<dim> &,                 \
+                                                                 const BoundaryFaces<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

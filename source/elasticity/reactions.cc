@@ -1,0 +1,230 @@
+#include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/kernel.h>
+#include <signorini/elasticity/reactions.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Internal forces and those of thermal strain on the nodes of a cell.
+    template <int dim>
+    class ForcesOfCell
+    {
+    public:
+      ForcesOfCell(const Elasticity<dim> &e)
+        : elasticity(e)
+        , kernel(e.mesh(), e.finite_elements(), e.model())
+        , thermal_load(e.mesh(), e.finite_elements(), e.thermal(), e.model())
+      {}
+
+      /// Internal forces minus the load. Adds forces of thermal strain to the load: they are in
+      /// balance within the body, so that they are no part of what acts on it.
+      const Vector<double> &
+      residual(const typename DoFHandler<dim>::active_cell_iterator &cell,
+               const LA::Vector                                     &ghosted,
+               Vector<double>                                       &cell_load)
+      {
+        const Material &material = elasticity.material(cell->material_id());
+        kernel.assemble(cell, material, matrix);
+        values.reinit(matrix.n());
+        force.reinit(matrix.m());
+        cell->get_dof_values(ghosted, values);
+        matrix.vmult(force, values);
+        thermal_load.add(cell, material, cell_load);
+        force -= cell_load;
+        return force;
+      }
+
+    private:
+      const Elasticity<dim> &elasticity;
+      StiffnessKernel<dim>   kernel;
+      ThermalLoad<dim>       thermal_load;
+      FullMatrix<double>     matrix;
+      Vector<double>         values, force;
+    };
+
+
+
+    /// Adds up what loads and supports exert.
+    template <int dim>
+    class Sums
+    {
+    public:
+      Sums(const Elasticity<dim> &elasticity)
+        : elasticity(elasticity)
+        , axisymmetric(elasticity.model() == Model::axisymmetric)
+        , nodes_of(elasticity.mesh(), elasticity.finite_elements())
+      {
+        result.supports.resize(elasticity.supports().size());
+        result.bodies.resize(elasticity.mesh().n_bodies());
+      }
+
+      /// The loads, and what is left of internal forces minus loads on the cells where they or
+      /// supports are, hanging nodes resolved.
+      LA::Vector
+      add_loads(const LA::Vector &u);
+
+      void
+      add_supports(const LA::Vector &residual);
+
+      Reactions<dim>
+      over_ranks();
+
+    private:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+      void
+      add_load(const Cell &cell, const Vector<double> &cell_load);
+      void
+      add_support(const HeldNode<dim> &node, const Tensor<1, dim> &force);
+      void
+      sum_over_ranks(Resultant<dim> &resultant) const;
+
+      const Elasticity<dim> &elasticity;
+      const bool             axisymmetric;
+      CellNodes<dim>         nodes_of;
+      Reactions<dim>         result;
+    };
+
+
+
+    template <int dim>
+    void
+    Sums<dim>::add_load(const Cell &cell, const Vector<double> &cell_load)
+    {
+      const std::vector<Point<dim>> &nodes = nodes_of(cell);
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        {
+          const unsigned int component = cell->get_fe().system_to_component_index(i).first;
+          if (axisymmetric && component == 0)
+            continue; // the circumference is in balance
+          Tensor<1, dim> force;
+          force[component]   = cell_load[i];
+          const auto at_node = resultant_of(nodes[i], force);
+          result.load += at_node;
+          result.bodies[cell->material_id()] += at_node;
+        }
+    }
+
+
+
+    template <int dim>
+    LA::Vector
+    Sums<dim>::add_loads(const LA::Vector &u)
+    {
+      const LA::Vector ghosted  = elasticity.with_ghosts(u);
+      LA::Vector       residual = elasticity.zero_vector();
+      ForcesOfCell     forces(elasticity);
+      LoadKernel<dim>  load_kernel(elasticity.mesh(),
+                                  elasticity.finite_elements(),
+                                  elasticity.model(),
+                                  elasticity.loads(),
+                                  elasticity.time());
+
+      Vector<double>                       cell_load;
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            read_indices<dim>(cell, indices);
+            const bool loaded    = load_kernel.assemble(cell, cell_load);
+            const bool supported = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+              return elasticity.constraints().is_constrained(i);
+            });
+            if (loaded)
+              add_load(cell, cell_load);
+            if (loaded || supported)
+              elasticity.hanging_nodes().distribute_local_to_global(
+                forces.residual(cell, ghosted, cell_load), indices, residual);
+          }
+      residual.compress(VectorOperation::add);
+      return residual;
+    }
+
+
+
+    // Where supports meet, the first one takes what it can.
+    template <int dim>
+    void
+    Sums<dim>::add_support(const HeldNode<dim> &node, const Tensor<1, dim> &force)
+    {
+      const auto directions = node.orthonormal();
+      for (unsigned int k = 0; k < directions.size(); ++k)
+        if (const Support<dim> *support = node.holds[k].support)
+          {
+            Tensor<1, dim> share = (force * directions[k]) * directions[k];
+            if (axisymmetric)
+              share[0] = 0;
+            const auto at_node = resultant_of(node.position, share);
+            result.supports[support - elasticity.supports().data()] += at_node;
+            result.bodies[elasticity.mesh().pieces()[node.piece].body] += at_node;
+          }
+    }
+
+
+
+    template <int dim>
+    void
+    Sums<dim>::add_supports(const LA::Vector &residual)
+    {
+      for (const auto &[index, node] : elasticity.held_nodes())
+        if (elasticity.owned().is_element(index))
+          {
+            Tensor<1, dim> force;
+            for (unsigned int d = 0; d < dim; ++d)
+              force[d] = residual(node.dofs[d]);
+            add_support(node, force);
+          }
+    }
+
+
+
+    template <int dim>
+    void
+    Sums<dim>::sum_over_ranks(Resultant<dim> &resultant) const
+    {
+      const MPI_Comm communicator = elasticity.mesh().communicator();
+      resultant.force             = Utilities::MPI::sum(resultant.force, communicator);
+      resultant.moment            = Utilities::MPI::sum(resultant.moment, communicator);
+      if (axisymmetric)
+        resultant.moment = 0;
+    }
+
+
+
+    template <int dim>
+    Reactions<dim>
+    Sums<dim>::over_ranks()
+    {
+      sum_over_ranks(result.load);
+      for (auto *list : {&result.supports, &result.bodies})
+        for (Resultant<dim> &resultant : *list)
+          sum_over_ranks(resultant);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Reactions<dim>
+  reactions(const Elasticity<dim> &elasticity, const LA::Vector &u, const LA::Vector &contact_force)
+  {
+    Sums<dim>  sums(elasticity);
+    LA::Vector residual = sums.add_loads(u);
+    residual -= contact_force;
+    sums.add_supports(residual);
+    return sums.over_ranks();
+  }
+
+
+
+  template Reactions<2>
+  reactions(const Elasticity<2> &, const LA::Vector &, const LA::Vector &);
+  template Reactions<3>
+  reactions(const Elasticity<3> &, const LA::Vector &, const LA::Vector &);
+} // namespace Signorini

@@ -1,0 +1,65 @@
+#include <signorini/fields/face_vertices.h>
+#include <signorini/mesh/lagrange.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  FaceVertices<dim>::Functions::Functions(const Point<dim - 1> &xi)
+  {
+    const LagrangePolynomials<dim - 1> functions(1, xi);
+    for (unsigned int c = 0; c < n; ++c)
+      {
+        value[c] = functions.value(c);
+        slope[c] = functions.gradient(c);
+      }
+  }
+
+
+
+  // Among those of the surface, rank by rank.
+  template <int dim>
+  FaceVertices<dim>::FaceVertices(const Elasticity<dim>             &elasticity,
+                                  const std::vector<SlaveFace<dim>> &faces)
+  {
+    const MPI_Comm comm   = elasticity.mesh().communicator();
+    LA::Vector     number = elasticity.zero_vector();
+    for (const SlaveFace<dim> &face : faces)
+      for (unsigned int c = 0; c < (face.degree > 0 ? n : 0); ++c)
+        number(face.nodes[node(c, face.degree)]) += 1;
+    number.compress(VectorOperation::add);
+    std::vector<types::global_dof_index> own;
+    for (const auto i : number.locally_owned_elements())
+      if (number(i) > 0)
+        own.push_back(i);
+    const auto              counts = Utilities::MPI::all_gather(comm, own.size());
+    types::global_dof_index next   = 0;
+    for (unsigned int rank = 0; rank < Utilities::MPI::this_mpi_process(comm); ++rank)
+      next += counts[rank];
+    const types::global_dof_index first = next;
+    for (const auto i : own)
+      number(i) = next++;
+    number.compress(VectorOperation::insert);
+    const LA::Vector numbers = elasticity.with_ghosts(number);
+
+    IndexSet owned(Utilities::MPI::sum(own.size(), comm)), others(owned.size());
+    owned.add_range(first, next);
+    my_vertices.resize(faces.size());
+    for (unsigned int f = 0; f < my_vertices.size(); ++f)
+      for (unsigned int c = 0; c < (faces[f].degree > 0 ? n : 0); ++c)
+        {
+          my_vertices[f][c] = std::lround(numbers(faces[f].nodes[node(c, faces[f].degree)]));
+          if (!owned.is_element(my_vertices[f][c]))
+            others.add_index(my_vertices[f][c]);
+        }
+    layout = std::make_shared<Utilities::MPI::Partitioner>(owned, others, comm);
+  }
+
+
+
+  template class FaceVertices<2>;
+  template class FaceVertices<3>;
+} // namespace Signorini

@@ -1,0 +1,65 @@
+#include <signorini/linear_algebra/diagonal.h>
+#include <signorini/linear_algebra/values.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Vector.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace LA
+  {
+    namespace
+    {
+      // deal.II wraps no scaling by a diagonal; it changes values only, never the pattern that the
+      // wrapper knows.
+      Epetra_CrsMatrix &
+      epetra(SparseMatrix &matrix)
+      {
+        return const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
+      }
+    } // namespace
+
+
+
+    Vector
+    diagonal(const SparseMatrix &matrix)
+    {
+      Epetra_Vector entries(matrix.trilinos_matrix().RowMap());
+      const int     error = matrix.trilinos_matrix().ExtractDiagonalCopy(entries);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      Vector result(matrix.locally_owned_range_indices(), matrix.get_mpi_communicator());
+      std::copy_n(entries.Values(), entries.MyLength(), values_of(result));
+      return result;
+    }
+
+
+
+    void
+    invert(Vector &v)
+    {
+      v.trilinos_vector()(0)->Reciprocal(*v.trilinos_vector()(0));
+    }
+
+
+
+    void
+    scale_rows(SparseMatrix &matrix, const Vector &factors)
+    {
+      const int error = epetra(matrix).LeftScale(*factors.trilinos_vector()(0));
+      AssertThrow(error == 0, ExcTrilinosError(error));
+    }
+
+
+
+    void
+    scale_columns(SparseMatrix &matrix, const Vector &factors)
+    {
+      const int error = epetra(matrix).RightScale(*factors.trilinos_vector()(0));
+      AssertThrow(error == 0, ExcTrilinosError(error));
+    }
+  } // namespace LA
+} // namespace Signorini

@@ -1,0 +1,90 @@
+#include <signorini/linear_algebra/direct_solver.h>
+
+#include <Amesos.h>
+#include <Amesos_BaseSolver.h>
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_LinearProblem.h>
+#include <Teuchos_ParameterList.hpp>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace LA
+  {
+    namespace
+    {
+      std::string
+      amesos_name(const DirectLibrary library)
+      {
+        return library == DirectLibrary::MUMPS ? "Amesos_Mumps" : "Amesos_Klu";
+      }
+    } // namespace
+
+
+
+    std::string
+    name_of(const DirectLibrary library)
+    {
+      return library == DirectLibrary::MUMPS ? "MUMPS" : "KLU";
+    }
+
+
+
+    DirectSolver::DirectSolver(const DirectLibrary library)
+      : library(library)
+    {}
+
+
+
+    DirectSolver::~DirectSolver() = default;
+
+
+
+    bool
+    DirectSolver::is_available(const DirectLibrary library)
+    {
+      return Amesos().Query(amesos_name(library));
+    }
+
+
+
+    int
+    DirectSolver::factorise(const SparseMatrix &matrix)
+    {
+      clear();
+      problem = std::make_unique<Epetra_LinearProblem>();
+      problem->SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
+      solver.reset(Amesos().Create(amesos_name(library), *problem));
+      AssertThrow(solver, ExcMessage("this Trilinos has no " + name_of(library)));
+      Teuchos::ParameterList parameters;
+      // Multipliers have zeros on the diagonal: their pivots are delayed, and MUMPS needs more
+      // memory than it reckons with (in percent).
+      parameters.sublist("mumps").set("ICNTL(14)", 200);
+      solver->SetParameters(parameters);
+      const int error = solver->SymbolicFactorization();
+      return error == 0 ? solver->NumericFactorization() : error;
+    }
+
+
+
+    void
+    DirectSolver::clear()
+    {
+      solver.reset();
+      problem.reset();
+    }
+
+
+
+    void
+    DirectSolver::solve(Vector &x, const Vector &right) const
+    {
+      Assert(solver, ExcNotInitialized());
+      problem->SetLHS(&x.trilinos_vector());
+      problem->SetRHS(const_cast<Epetra_MultiVector *>(&right.trilinos_vector()));
+      const int error = solver->Solve();
+      AssertThrow(error == 0, ExcTrilinosError(error));
+    }
+  } // namespace LA
+} // namespace Signorini

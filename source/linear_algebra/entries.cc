@@ -1,0 +1,98 @@
+#include <signorini/linear_algebra/entries.h>
+#include <signorini/linear_algebra/row_view.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_FECrsMatrix.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace LA
+  {
+    std::size_t
+    memory(const SparseMatrix &matrix)
+    {
+      return matrix.trilinos_matrix().NumMyNonzeros() * (sizeof(double) + sizeof(int));
+    }
+
+
+
+    void
+    add_to_entry(SparseMatrix                 &matrix,
+                 const int                     row,
+                 const types::global_dof_index column,
+                 const double                  value)
+    {
+      // Values change only, not the pattern that the wrapper knows.
+      auto     &entries = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
+      const int local   = entries.ColMap().LID(static_cast<int>(column));
+      const int error   = entries.SumIntoMyValues(row, 1, &value, &local);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+    }
+
+
+
+    SparseMatrix
+    sum(const SparseMatrix                         &K,
+        const FullMatrix<double>                   &block,
+        const std::vector<types::global_dof_index> &indices)
+    {
+      const Epetra_CrsMatrix &first = K.trilinos_matrix();
+      Epetra_FECrsMatrix      sum(Copy, first.RowMap(), 0);
+      const int              *columns = first.ColMap().MyGlobalElements();
+      for (int i = 0; i < first.NumMyRows(); ++i)
+        {
+          const RowView row(K, i);
+          for (int k = 0; k < row.size; ++k)
+            sum.InsertGlobalValues(first.GRID(i), 1, &row.values[k], &columns[row.columns[k]]);
+        }
+      const std::vector<int> places(indices.begin(), indices.end());
+      for (unsigned int i = 0; i < block.m(); ++i)
+        for (unsigned int j = 0; j < block.n(); ++j)
+          if (block(i, j) != 0)
+            sum.InsertGlobalValues(1, &places[i], 1, &places[j], &block(i, j));
+      const int error = sum.GlobalAssemble(first.DomainMap(), first.RangeMap());
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      SparseMatrix result;
+      result.reinit(static_cast<const Epetra_CrsMatrix &>(sum));
+      return result;
+    }
+
+
+
+    RowBuilder::RowBuilder(const IndexSet &rows, const SparseMatrix &from)
+      : from(from)
+      , matrix(std::make_unique<Epetra_CrsMatrix>(
+          Copy, rows.make_trilinos_map(from.get_mpi_communicator()), 0))
+    {}
+
+
+
+    RowBuilder::~RowBuilder() = default;
+
+
+
+    void
+    RowBuilder::add(const int row, const int size, const int *columns, const double *values)
+    {
+      global.resize(size);
+      for (int k = 0; k < size; ++k)
+        global[k] = from.trilinos_matrix().GCID(columns[k]);
+      const int error = matrix->InsertGlobalValues(matrix->GRID(row), size, values, global.data());
+      AssertThrow(error >= 0, ExcTrilinosError(error)); // positive: it has taken more memory
+    }
+
+
+
+    SparseMatrix
+    RowBuilder::finish()
+    {
+      const int error = matrix->FillComplete(from.trilinos_matrix().DomainMap(), matrix->RowMap());
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      SparseMatrix result;
+      result.reinit(*matrix);
+      return result;
+    }
+  } // namespace LA
+} // namespace Signorini

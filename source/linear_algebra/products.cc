@@ -1,0 +1,53 @@
+#include <signorini/linear_algebra/products.h>
+
+#include <EpetraExt_MatrixMatrix.h>
+#include <Epetra_CrsMatrix.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace LA
+  {
+    namespace
+    {
+      void
+      apply(const SparseMatrix &A, const bool transpose, Vector &dst, const Vector &src)
+      {
+        const int error =
+          A.trilinos_matrix().Multiply(transpose, src.trilinos_vector(), dst.trilinos_vector());
+        AssertThrow(error == 0, ExcTrilinosError(error));
+      }
+    } // namespace
+
+
+
+    void
+    multiply(const SparseMatrix &A, Vector &dst, const Vector &src)
+    {
+      apply(A, false, dst, src);
+    }
+
+
+
+    void
+    multiply_transposed(const SparseMatrix &A, Vector &dst, const Vector &src)
+    {
+      apply(A, true, dst, src);
+    }
+
+
+
+    SparseMatrix
+    product(const SparseMatrix &A, const SparseMatrix &B)
+    {
+      const Epetra_CrsMatrix &a = A.trilinos_matrix();
+      Epetra_CrsMatrix        c(Copy, a.RowMap(), 0);
+      const int error = EpetraExt::MatrixMatrix::Multiply(a, false, B.trilinos_matrix(), false, c);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      SparseMatrix result;
+      result.reinit(c);
+      return result;
+    }
+  } // namespace LA
+} // namespace Signorini

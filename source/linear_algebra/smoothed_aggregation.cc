@@ -1,0 +1,72 @@
+#include <signorini/linear_algebra/smoothed_aggregation.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
+#include <ml_epetra_utils.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace LA
+  {
+    namespace
+    {
+      Teuchos::ParameterList
+      parameters_of(Epetra_MultiVector &null_space, const unsigned int n_components)
+      {
+        Teuchos::ParameterList parameters;
+        ML_Epetra::SetDefaults("SA", parameters);
+        parameters.set("ML output", 0);
+        parameters.set("PDE equations", static_cast<int>(n_components));
+        parameters.set("null space: type", "pre-computed");
+        parameters.set("null space: dimension", null_space.NumVectors());
+        parameters.set("null space: vectors", null_space.Values());
+        parameters.set("aggregation: type", "Uncoupled");
+        // Dropping weak couplings harms elasticity: what looks weak is shear.
+        parameters.set("aggregation: threshold", 0.);
+        parameters.set("coarse: max size", 1000);
+        // Only the levels are wanted.
+        parameters.set("smoother: type", "do-nothing");
+        parameters.set("coarse: type", "do-nothing");
+        return parameters;
+      }
+
+      SparseMatrix
+      copy(ML_Operator &from)
+      {
+        Epetra_CrsMatrix *made  = nullptr;
+        const int         error = ML_Operator2EpetraCrsMatrix(&from, made);
+        AssertThrow(error == 0, ExcTrilinosError(error));
+        const std::unique_ptr<Epetra_CrsMatrix> matrix(made);
+        SparseMatrix                            result;
+        result.reinit(*matrix);
+        return result;
+      }
+    } // namespace
+
+
+
+    std::vector<CoarseLevel>
+    smoothed_aggregation(const SparseMatrix                     &K,
+                         const std::vector<std::vector<double>> &modes,
+                         const unsigned int                      n_components)
+    {
+      Epetra_MultiVector null_space(K.trilinos_matrix().DomainMap(), modes.size());
+      for (unsigned int m = 0; m < modes.size(); ++m)
+        std::copy(modes[m].begin(), modes[m].end(), null_space[m]);
+      const ML_Epetra::MultiLevelPreconditioner builder(K.trilinos_matrix(),
+                                                        parameters_of(null_space, n_components));
+      const ML                                 &levels = *builder.GetML();
+      std::vector<CoarseLevel>                  coarse;
+      for (int level = 1; level < levels.ML_num_actual_levels; ++level)
+        coarse.push_back({copy(levels.Amat[level]), copy(levels.Pmat[level])});
+      return coarse;
+    }
+  } // namespace LA
+} // namespace Signorini

@@ -1,0 +1,123 @@
+#include <signorini/mesh/memory.h>
+#include <signorini/mesh/mesh.h>
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+// Of class Mesh, the refinement before the first solution.
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// @param n_refined cells of this rank that are to be halved, at least, in what is still to
+    /// come
+    template <int dim>
+    void
+    check_memory(const Triangulation<dim> &triangulation, const double n_refined)
+    {
+      const MPI_Comm     comm     = triangulation.get_communicator();
+      const unsigned int children = GeometryInfo<dim>::max_children_per_cell;
+      const double       n_cells  = triangulation.n_global_active_cells() +
+                             Utilities::MPI::sum(n_refined, comm) * (children - 1);
+      const double most = largest_number_of_cells() * Utilities::MPI::n_mpi_processes(comm);
+      if (n_cells <= most)
+        return;
+      std::ostringstream text;
+      text << "Mesh: refinement at the start would make " << n_cells << " cells, more than the "
+           << most
+           << " that memory could hold; take smaller Mesh/Refinements, Contact refinements, "
+           << "Zones/.../Times or Bodies/.../Refinements, or coarser bodies";
+      throw SceneError(text.str());
+    }
+
+    /// @param growth of the number of cells that are wanted, at least, from one time to the next
+    template <int dim, typename Wanted>
+    void
+    refine_where(Triangulation<dim> &triangulation,
+                 const unsigned int  times,
+                 const double        growth,
+                 const Wanted       &wanted)
+    {
+      for (unsigned int i = 0; i < times; ++i)
+        {
+          std::size_t n_refined = 0;
+          for (const auto &cell : triangulation.active_cell_iterators())
+            if (!cell->is_artificial() && wanted(cell))
+              {
+                cell->set_refine_flag();
+                n_refined += cell->is_locally_owned();
+              }
+          if (Utilities::MPI::sum(n_refined, triangulation.get_communicator()) == 0)
+            return;
+          check_memory(triangulation, n_refined * std::pow(growth, times - i - 1));
+          triangulation.execute_coarsening_and_refinement();
+        }
+    }
+
+    template <int dim>
+    bool
+    touches(const RefinementZone<dim>                               &zone,
+            const typename Triangulation<dim>::active_cell_iterator &cell)
+    {
+      for (const unsigned int v : cell->vertex_indices())
+        if (zone.where.value(cell->vertex(v)) > 0)
+          return true;
+      return zone.where.value(cell->center()) > 0;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Mesh<dim>::refine_initially(
+    Triangulation<dim>                                       &triangulation,
+    const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
+    const MeshSettings<dim>                                  &settings,
+    const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const
+  {
+    constexpr double children = GeometryInfo<dim>::max_children_per_cell;
+    refine_where(triangulation, settings.refinements, children, [](const auto &) { return true; });
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      refine_where(triangulation, bodies[b].second.refinements, children, [b](const auto &cell) {
+        return cell->material_id() == b;
+      });
+
+    BoundaryIds surfaces;
+    for (const auto &[slave, master] : contact_surfaces)
+      for (const std::string &surface : {slave, master})
+        if (!surface.empty())
+          surfaces.insert(boundary_ids(surface).begin(), boundary_ids(surface).end());
+    refine_where(triangulation, settings.contact_refinements, children / 2, [&](const auto &cell) {
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && surfaces.count(cell->face(f)->boundary_id()) > 0)
+          return true;
+      return false;
+    });
+
+    for (const RefinementZone<dim> &zone : settings.zones)
+      refine_where(triangulation, zone.times, 1, [&](const auto &cell) {
+        return touches<dim>(zone, cell) &&
+               (zone.bodies.empty() ||
+                std::count(zone.bodies.begin(), zone.bodies.end(), names[cell->material_id()]));
+      });
+  }
+
+
+
+  template void
+  Mesh<2>::refine_initially(Triangulation<2> &,
+                            const std::vector<std::pair<std::string, BodyMesh<2>>> &,
+                            const MeshSettings<2> &,
+                            const std::vector<std::pair<std::string, std::string>> &) const;
+  template void
+  Mesh<3>::refine_initially(Triangulation<3> &,
+                            const std::vector<std::pair<std::string, BodyMesh<3>>> &,
+                            const MeshSettings<3> &,
+                            const std::vector<std::pair<std::string, std::string>> &) const;
+} // namespace Signorini

@@ -1,0 +1,165 @@
+#include <signorini/mesh/mesh.h>
+#include <signorini/mesh/pieces.h>
+#include <signorini/mesh/transformed_manifold.h>
+
+#include <algorithm>
+#include <sstream>
+
+// Of class Mesh, what makes one coarse mesh of those of the bodies.
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // A fully distributed triangulation ends at its ghost cells: where their neighbours are
+    // missing, it has false boundary faces with id 0. None of ours may be taken for them.
+    constexpr types::boundary_id first_boundary_id = 1;
+
+    template <typename Object>
+    void
+    shift(std::vector<Object>     &objects,
+          const unsigned int       first_vertex,
+          const types::manifold_id first_manifold)
+    {
+      for (Object &object : objects)
+        {
+          for (unsigned int &vertex : object.vertices)
+            vertex += first_vertex;
+          if (object.manifold_id != numbers::flat_manifold_id)
+            object.manifold_id += first_manifold;
+        }
+    }
+
+    template <typename Object>
+    void
+    shift_boundary(std::vector<Object> &objects, const types::boundary_id first)
+    {
+      for (Object &object : objects)
+        if (object.boundary_id != numbers::internal_face_boundary_id)
+          object.boundary_id += first;
+    }
+
+    template <typename T>
+    void
+    append(std::vector<T> &to, const std::vector<T> &from)
+    {
+      to.insert(to.end(), from.begin(), from.end());
+    }
+
+    template <int dim>
+    double
+    diagonal_of(const std::vector<Point<dim>> &points)
+    {
+      const BoundingBox<dim> box(points);
+      return box.get_boundary_points().first.distance(box.get_boundary_points().second);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  CoarseMesh<dim>
+  Mesh<dim>::merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies)
+  {
+    CoarseMesh<dim> all;
+    for (const auto &[name, body] : bodies)
+      {
+        CoarseMesh<dim> one       = body.generator->generate();
+        bool            is_curved = body.generator->curved();
+        const double    size      = diagonal_of(one.vertices);
+        if (!body.transformation.empty())
+          is_curved = transform(one, is_curved, body.transformation);
+        const double growth = diagonal_of(one.vertices) / size;
+        degree_of_body.push_back(is_curved ? body.degree : 1);
+        degree = std::max(degree, degree_of_body.back());
+        if (is_curved)
+          degree_of_surfaces = 4;
+
+        my_temperature.append(one.cells, body.generator->temperature());
+        const types::manifold_id first_manifold =
+          all.manifolds.empty() ? 0 : all.manifolds.rbegin()->first + 1;
+        for (const auto &[id, manifold] : one.manifolds)
+          all.manifolds[first_manifold + id] = manifold;
+
+        shift(one.cells, all.vertices.size(), first_manifold);
+        shift(one.faces.boundary_lines, all.vertices.size(), first_manifold);
+        shift(one.faces.boundary_quads, all.vertices.size(), first_manifold);
+        const types::boundary_id first_id = first_boundary_id + n_ids;
+        shift_boundary(one.faces.boundary_lines, first_id);
+        shift_boundary(one.faces.boundary_quads, first_id);
+        n_ids += one.n_boundary_ids();
+        first_cells.push_back(all.cells.size());
+        generators.push_back(body.generator);
+        for (CellData<dim> &cell : one.cells)
+          cell.material_id = names.size();
+
+        append(all.vertices, one.vertices);
+        append(all.cells, one.cells);
+        append(all.faces.boundary_lines, one.faces.boundary_lines);
+        append(all.faces.boundary_quads, one.faces.boundary_quads);
+        for (unsigned int i = 0; i < one.boundaries.size(); ++i)
+          {
+            boundary_names.push_back(name + "." + one.boundaries[i]);
+            body_of_boundary.push_back(names.size());
+            facets.push_back(one.facets.empty() ? FacetHeight() : one.facets[i]);
+            facets.back().height *= growth;
+            facets.back().length *= growth;
+            ids_of_names.emplace_back();
+            for (const types::boundary_id id : one.ids_of(i))
+              ids_of_names.back().insert(first_id + id);
+          }
+        names.push_back(name);
+      }
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  Mesh<dim>::find_pieces(const CoarseMesh<dim> &coarse)
+  {
+    piece_of_coarse_cell = pieces_of(coarse.cells, coarse.vertices.size());
+    std::vector<unsigned int> of_body(n_bodies());
+    for (unsigned int c = 0; c < coarse.cells.size(); ++c)
+      {
+        const Point<dim> &first = coarse.vertices[coarse.cells[c].vertices[0]];
+        if (piece_of_coarse_cell[c] == my_pieces.size())
+          {
+            my_pieces.push_back(
+              {coarse.cells[c].material_id, "", BoundingBox<dim>({first, first})});
+            ++of_body[my_pieces.back().body];
+          }
+        for (const unsigned int v : coarse.cells[c].vertices)
+          my_pieces[piece_of_coarse_cell[c]].extent.merge_with(
+            BoundingBox<dim>({coarse.vertices[v], coarse.vertices[v]}));
+      }
+    for (unsigned int i = 0, k = 1; i < my_pieces.size(); ++i, ++k)
+      {
+        BodyPiece<dim> &piece = my_pieces[i];
+        if (i > 0 && my_pieces[i - 1].body != piece.body)
+          k = 1;
+        piece.name = names[piece.body];
+        if (of_body[piece.body] > 1)
+          {
+            std::ostringstream place;
+            place << piece.extent.center();
+            piece.name += ", piece " + std::to_string(k) + " of " +
+                          std::to_string(of_body[piece.body]) + " about (" + place.str() + ")";
+          }
+      }
+  }
+
+
+
+  template CoarseMesh<2>
+  Mesh<2>::merge(const std::vector<std::pair<std::string, BodyMesh<2>>> &);
+  template CoarseMesh<3>
+  Mesh<3>::merge(const std::vector<std::pair<std::string, BodyMesh<3>>> &);
+  template void
+  Mesh<2>::find_pieces(const CoarseMesh<2> &);
+  template void
+  Mesh<3>::find_pieces(const CoarseMesh<3> &);
+} // namespace Signorini

@@ -1,0 +1,211 @@
+#include <signorini/linear_algebra/columns.h>
+#include <signorini/linear_algebra/entries.h>
+#include <signorini/linear_algebra/products.h>
+#include <signorini/linear_algebra/row_view.h>
+#include <signorini/linear_algebra/values.h>
+#include <signorini/solve/preconditioners/amg_springs.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Where each local row goes when those with the same columns, points between the same two
+    /// faces, become one.
+    std::vector<unsigned int>
+    groups_of(const LA::SparseMatrix &B, const int n_rows)
+    {
+      std::vector<unsigned int> groups;
+      for (int row = 0; row < n_rows; ++row)
+        {
+          const bool is_first = row == 0,
+                     is_same =
+                       !is_first && LA::RowView(B, row).has_columns_of(LA::RowView(B, row - 1));
+          groups.push_back(is_first ? 0 : groups.back() + (is_same ? 0 : 1));
+        }
+      return groups;
+    }
+
+    /// Each group's mean row, weighted.
+    LA::SparseMatrix
+    mean_rows(const LA::SparseMatrix          &B,
+              const std::vector<unsigned int> &groups,
+              const LA::Vector                &weight,
+              const LA::Vector                &group_weight)
+    {
+      LA::RowBuilder      mean(group_weight.locally_owned_elements(), B);
+      const double *const points = LA::values_of(weight);
+      std::vector<double> sum;
+      for (unsigned int first = 0, last = 0; first < groups.size(); first = last)
+        {
+          const LA::RowView columns(B, first);
+          const double      total = LA::values_of(group_weight)[groups[first]];
+          sum.assign(columns.size, 0.);
+          for (; last < groups.size() && groups[last] == groups[first]; ++last)
+            {
+              const LA::RowView row(B, last);
+              for (int k = 0; k < row.size; ++k)
+                sum[k] += points[last] / total * row.values[k];
+            }
+          mean.add(groups[first], columns.size, columns.columns, sum.data());
+        }
+      return mean.finish();
+    }
+
+    /// b^T D b on the columns of this rank.
+    FullMatrix<double>
+    local_springs(const LA::SparseMatrix &b, const LA::Vector &D, const unsigned int n_columns)
+    {
+      FullMatrix<double> springs(n_columns);
+      for (unsigned int i = 0; i < D.locally_owned_size(); ++i)
+        {
+          const double spring = LA::values_of(D)[i];
+          if (spring == 0)
+            continue;
+          const LA::RowView row(b, i);
+          for (int k = 0; k < row.size; ++k)
+            for (int l = 0; l < row.size; ++l)
+              springs(row.columns[k], row.columns[l]) += spring * row.values[k] * row.values[l];
+        }
+      return springs;
+    }
+
+    enum class Entries
+    {
+      diagonal,
+      all
+    };
+
+    /// Adds the diagonal of b^T D b, or the sums of its rows' entries.
+    void
+    add_springs(const LA::SparseMatrix &b,
+                const LA::Vector       &D,
+                const Entries           entries,
+                LA::Vector             &result)
+    {
+      const LA::ColumnExchange columns(b);
+      std::vector<double>      of_columns(columns.size(), 0.);
+      for (unsigned int i = 0; i < D.locally_owned_size(); ++i)
+        {
+          const LA::RowView row(b, i);
+          double            sum = 0;
+          for (int k = 0; k < row.size; ++k)
+            sum += std::abs(row.values[k]);
+          for (int k = 0; k < row.size; ++k)
+            {
+              const double size = std::abs(row.values[k]);
+              of_columns[row.columns[k]] +=
+                LA::values_of(D)[i] * size * (entries == Entries::all ? sum : size);
+            }
+        }
+      LA::Vector sums;
+      sums.reinit(result);
+      columns.add(of_columns.data(), sums);
+      result += sums;
+    }
+  } // namespace
+
+
+
+  AMGSprings::AMGSprings(const Hierarchy &hierarchy, const GapOperator &contact)
+    : groups(groups_of(contact.B_free, contact.weight.locally_owned_size()))
+  {
+    const unsigned int n    = groups.empty() ? 0 : groups.back() + 1;
+    const MPI_Comm     comm = contact.weight.get_mpi_communicator();
+    LA::Vector         weight(LA::contiguous_partition(n, comm), comm);
+    limit           = weight;
+    D               = weight;
+    const double *W = LA::values_of(contact.weight),
+                 *k = LA::values_of(contact.coefficients.stiffness);
+    for (unsigned int i = 0; i < groups.size(); ++i)
+      {
+        LA::values_of(weight)[groups[i]] += W[i];
+        LA::values_of(limit)[groups[i]] += 6. * k[i] * W[i];
+      }
+    for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
+      {
+        const LA::SparseMatrix &K = hierarchy.matrix(l);
+        levels.push_back({l == 0 ? mean_rows(contact.B_free, groups, contact.weight, weight) :
+                                   LA::product(levels[l - 1].B, hierarchy.prolongation(l - 1)),
+                          D,
+                          LA::Vector(K.locally_owned_range_indices(), K.get_mpi_communicator())});
+      }
+  }
+
+
+
+  void
+  AMGSprings::set(const LA::Vector &springs)
+  {
+    remove();
+    double *d = LA::values_of(D);
+    for (unsigned int i = 0; i < groups.size(); ++i)
+      d[groups[i]] =
+        std::min(d[groups[i]] + LA::values_of(springs)[i], LA::values_of(limit)[groups[i]]);
+  }
+
+
+
+  void
+  AMGSprings::stiffen()
+  {
+    D = limit;
+  }
+
+
+
+  void
+  AMGSprings::remove()
+  {
+    D = 0.;
+  }
+
+
+
+  bool
+  AMGSprings::any() const
+  {
+    return D.linfty_norm() > 0;
+  }
+
+
+
+  void
+  AMGSprings::add_diagonal(const unsigned int level, LA::Vector &result) const
+  {
+    add_springs(levels[level].B, D, Entries::diagonal, result);
+  }
+
+
+
+  void
+  AMGSprings::add_row_sums(const unsigned int level, LA::Vector &result) const
+  {
+    add_springs(levels[level].B, D, Entries::all, result);
+  }
+
+
+
+  void
+  AMGSprings::add_product(const unsigned int level, LA::Vector &dst, const LA::Vector &src) const
+  {
+    Level &at = levels[level];
+    LA::multiply(at.B, at.gap, src);
+    at.gap.scale(D);
+    LA::multiply_transposed(at.B, at.force, at.gap);
+    dst += at.force;
+  }
+
+
+
+  LA::SparseMatrix
+  AMGSprings::added_to(const LA::SparseMatrix &K, const unsigned int level) const
+  {
+    const std::vector<types::global_dof_index> columns = LA::global_columns(levels[level].B);
+    return LA::sum(K, local_springs(levels[level].B, D, columns.size()), columns);
+  }
+} // namespace Signorini
