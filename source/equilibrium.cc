@@ -1,5 +1,6 @@
 #include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/equilibrium.h>
+#include <signorini/matrix_free/make_stiffness.h>
 #include <signorini/parameters/text.h>
 
 #include <cmath>
@@ -328,8 +329,7 @@ namespace Signorini
     FreeMotions free_motions = make_free_motions(); // may search farther
     clock.start();
     if (!hierarchies)
-      hierarchies.emplace(
-        scene.solver, bodies->stiffness(), [this] { return rigid_body_modes(elasticity); }, dim);
+      hierarchies.emplace(scene.solver, bodies->stiffness(), elasticity);
     contact.turn_forces(pressure);
     NewtonSettings settings = scene.newton;
     settings.tolerance      = tolerance;
@@ -352,8 +352,7 @@ namespace Signorini
   {
     clock.start();
     TimerOutput::Scope scope(timer, "assembly");
-    elasticity.assemble();
-    bodies.emplace(elasticity.stiffness(),
+    bodies.emplace(make_stiffness(choose_form(scene.solver.stiffness_form, elasticity), elasticity),
                    elasticity.stabilising_springs(),
                    elasticity.constraints(),
                    bodies_of_dofs(elasticity));

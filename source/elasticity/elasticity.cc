@@ -3,7 +3,6 @@
 #include <signorini/elasticity/kernel.h>
 #include <signorini/elasticity/rigid_pose.h>
 #include <signorini/elasticity/stress.h>
-#include <signorini/linear_algebra/sparsity_pattern.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -80,30 +79,19 @@ namespace Signorini
 
 
 
-  namespace
+  template <int dim>
+  StiffnessAssembly<dim>
+  Elasticity<dim>::assembly() const
   {
-    template <int dim>
-    LA::SparsityPattern
-    sparsity_of(const Displacements<dim> &displacements)
-    {
-      const IndexSet                      &owned = displacements.owned();
-      LA::SparsityPattern                  result(owned,
-                                 owned,
-                                 displacements.relevant(),
-                                 displacements.mesh().communicator());
-      std::vector<types::global_dof_index> indices;
-      for (const auto &cell : displacements.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            read_indices<dim>(cell, indices);
-            displacements.constraints().add_entries_local_to_global(indices, result, false);
-          }
-      for (const auto i : owned)
-        result.add(i, i);
-      result.compress();
-      return result;
-    }
-  } // namespace
+    return {this->mesh(),
+            materials,
+            this->model(),
+            this->dof_handler(),
+            this->finite_elements(),
+            this->constraints(),
+            this->owned(),
+            this->relevant()};
+  }
 
 
 
@@ -111,45 +99,28 @@ namespace Signorini
   void
   Elasticity<dim>::assemble()
   {
-    matrix.reinit(sparsity_of(*this));
-    add_cells_to_matrix();
-    add_diagonal_to_matrix();
+    assembly().assemble(matrix);
+    const LA::Vector diagonal = diagonal_terms();
+    for (const auto i : this->owned())
+      if (diagonal(i) > 0)
+        matrix.add(i, i, diagonal(i));
     matrix.compress(VectorOperation::add);
   }
 
 
 
   template <int dim>
-  void
-  Elasticity<dim>::add_cells_to_matrix()
+  LA::Vector
+  Elasticity<dim>::diagonal_terms() const
   {
-    const AffineConstraints<double> &constraints = this->constraints();
-    StiffnessKernel<dim>             kernel(this->mesh(), this->finite_elements(), this->model());
-    FullMatrix<double>               cell_matrix;
-    std::vector<types::global_dof_index> indices;
-    for (const auto &cell : this->dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
-          read_indices<dim>(cell, indices);
-          constraints.distribute_local_to_global(cell_matrix, indices, matrix);
-        }
-  }
-
-
-
-  // What keeps K regular: prescribed motions of rigid bodies, springs where motions are free.
-  template <int dim>
-  void
-  Elasticity<dim>::add_diagonal_to_matrix()
-  {
+    LA::Vector result = this->zero_vector();
+    if (has_free_motions())
+      result = stabilisation;
     for (auto i = this->dof_handler().n_dofs(); i < this->owned().size(); ++i)
       if (this->owned().is_element(i) && this->constraints().is_constrained(i))
-        matrix.add(i, i, rigid_stiffness());
-    if (has_free_motions())
-      for (const auto i : this->owned())
-        if (stabilisation(i) > 0)
-          matrix.add(i, i, stabilisation(i));
+        result(i) = rigid_stiffness();
+    result.compress(VectorOperation::insert);
+    return result;
   }
 
 

@@ -36,11 +36,12 @@ namespace Signorini
 
   template <int dim>
   std::vector<std::vector<double>>
-  rigid_body_modes(const Displacements<dim> &displacements)
+  rigid_body_modes(const Mesh<dim>             &mesh,
+                   const DoFHandler<dim>       &dofs,
+                   const hp::FECollection<dim> &elements,
+                   const IndexSet              &owned)
   {
-    const DoFHandler<dim>           &dofs  = displacements.dof_handler();
-    const IndexSet                  &owned = displacements.owned();
-    const RigidBodyModes<dim>        all(displacements.mesh().extent());
+    const RigidBodyModes<dim>        all(mesh.extent());
     std::vector<std::vector<double>> modes(RigidBodyModes<dim>::n,
                                            std::vector<double>(owned.n_elements()));
     // Rigid bodies are not connected to others, but each of their nodes can move.
@@ -48,7 +49,7 @@ namespace Signorini
       if (owned.is_element(i))
         modes[(i - dofs.n_dofs()) % dim][owned.index_within_set(i)] = 1;
 
-    CellNodes<dim> nodes_of(displacements.mesh(), displacements.finite_elements());
+    CellNodes<dim>                       nodes_of(mesh, elements);
     std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -64,6 +65,18 @@ namespace Signorini
               }
         }
     return modes;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Displacements<dim> &displacements)
+  {
+    return rigid_body_modes(displacements.mesh(),
+                            displacements.dof_handler(),
+                            displacements.finite_elements(),
+                            displacements.owned());
   }
 
 
@@ -90,6 +103,16 @@ namespace Signorini
 
   template class RigidBodyModes<2>;
   template class RigidBodyModes<3>;
+  template std::vector<std::vector<double>>
+  rigid_body_modes(const Mesh<2> &,
+                   const DoFHandler<2> &,
+                   const hp::FECollection<2> &,
+                   const IndexSet &);
+  template std::vector<std::vector<double>>
+  rigid_body_modes(const Mesh<3> &,
+                   const DoFHandler<3> &,
+                   const hp::FECollection<3> &,
+                   const IndexSet &);
   template std::vector<std::vector<double>>
   rigid_body_modes(const Displacements<2> &);
   template std::vector<std::vector<double>>

@@ -4,15 +4,15 @@ namespace Signorini
 {
   using namespace dealii;
 
-  LinearBodies::LinearBodies(const LA::SparseMatrix          &K,
+  LinearBodies::LinearBodies(std::unique_ptr<const Stiffness> K,
                              const LA::Vector                &springs,
                              const AffineConstraints<double> &constraints,
                              std::vector<unsigned int>        body_of_dof)
-    : K(K)
+    : K(std::move(K))
     , springs(springs)
     , my_constraints(constraints)
     , bodies(std::move(body_of_dof))
-    , f(this->K.owned(), this->K.communicator())
+    , f(this->K->owned(), this->K->communicator())
   {}
 
 
@@ -30,7 +30,7 @@ namespace Signorini
   {
     LA::Vector r;
     r.reinit(f, true);
-    K.vmult(r, u);
+    K->vmult(r, u);
     r.sadd(-1, 1, f);
     if (springs.size() > 0)
       {

@@ -1,5 +1,5 @@
 #include <signorini/contact/law/normal_contact.h>
-#include <signorini/elasticity/rigid_body_modes.h>
+#include <signorini/matrix_free/make_stiffness.h>
 #include <signorini/solve/linear_reference.h>
 
 #include <deal.II/base/timer.h>
@@ -40,17 +40,16 @@ namespace Signorini
         clock.restart();
         return seconds;
       };
-      elasticity.assemble();
+      const std::unique_ptr<const Stiffness> stiffness =
+        make_stiffness(choose_form(settings.stiffness_form, elasticity), elasticity);
       const LA::Vector f      = elasticity.load();
       result.seconds_assembly = lap();
 
-      const GapOperator        contact = nothing(elasticity.owned(), comm);
-      const AssembledStiffness stiffness(elasticity.stiffness());
-      const NormalContact      law = NormalContact::springs(contact, 0);
-      const ContactSystem      system(stiffness, law);
-      BodiesHierarchy          hierarchies(
-        settings, stiffness, [&] { return rigid_body_modes(elasticity); }, dim);
-      LinearSolver solver(settings, system, hierarchies, timer);
+      const GapOperator   contact = nothing(elasticity.owned(), comm);
+      const NormalContact law     = NormalContact::springs(contact, 0);
+      const ContactSystem system(*stiffness, law);
+      BodiesHierarchy     hierarchies(settings, *stiffness, elasticity);
+      LinearSolver        solver(settings, system, hierarchies, timer);
       solver.update();
       result.seconds_preconditioner = lap();
 
@@ -76,6 +75,8 @@ namespace Signorini
       {
         LinearSolverSettings chosen;
         chosen.near_null_space    = near_null_space;
+        chosen.stiffness_form     = settings.stiffness_form;
+        chosen.coarsening         = settings.coarsening;
         chosen.direct_solver      = settings.direct_solver;
         chosen.maximum_iterations = settings.maximum_iterations;
         LinearReference result    = measure(elasticity, chosen, tolerance);

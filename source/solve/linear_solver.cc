@@ -1,3 +1,4 @@
+#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/linear_algebra/direct_solver.h>
 #include <signorini/parameters/text.h>
 #include <signorini/solve/linear_solver.h>
@@ -73,15 +74,53 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    template <int dim>
+    std::shared_ptr<const Hierarchy>
+    make_hierarchy(const LinearSolverSettings &settings,
+                   const Stiffness            &stiffness,
+                   const Elasticity<dim>      &elasticity)
+    {
+      const auto known = [&](std::vector<std::vector<double>> &&modes) {
+        if (settings.near_null_space == NearNullSpace::translations)
+          modes.resize(dim); // they come first
+        return std::move(modes);
+      };
+      const bool by_degree =
+        settings.coarsening ? settings.coarsening == Coarsening::degree : elasticity.degree() > 1;
+      if (!by_degree)
+        return std::make_shared<const Hierarchy>(stiffness,
+                                                 known(rigid_body_modes(elasticity)),
+                                                 dim);
+      DegreeLevel level = make_degree_level(elasticity, stiffness.diagonal());
+      level.modes       = known(std::move(level.modes));
+      return std::make_shared<const Hierarchy>(stiffness, std::move(level), dim);
+    }
+  } // namespace
+
+
+
+  template <int d>
   BodiesHierarchy::BodiesHierarchy(const LinearSolverSettings &settings,
                                    const Stiffness            &stiffness,
-                                   std::function<Modes()>      modes,
-                                   const unsigned int          dim)
-    : is_needed(settings.preconditioner != "direct")
-    , translations_only(settings.near_null_space == NearNullSpace::translations)
-    , stiffness(stiffness)
-    , modes(std::move(modes))
+                                   const Elasticity<d>        &elasticity)
+    : BodiesHierarchy(stiffness, d)
+  {
+    if (settings.preconditioner != "direct")
+      make = [settings, &stiffness, &elasticity] {
+        return make_hierarchy(settings, stiffness, elasticity);
+      };
+  }
+
+
+
+  BodiesHierarchy::BodiesHierarchy(const Stiffness                                  &stiffness,
+                                   const unsigned int                                dim,
+                                   std::function<std::shared_ptr<const Hierarchy>()> make)
+    : stiffness(stiffness)
     , my_dim(dim)
+    , make(std::move(make))
   {}
 
 
@@ -89,13 +128,10 @@ namespace Signorini
   std::shared_ptr<const Hierarchy>
   BodiesHierarchy::get()
   {
-    if (!is_needed || version == stiffness.version())
+    if (!make || version == stiffness.version())
       return hierarchy;
     hierarchy.reset(); // before there are two
-    Modes known = modes();
-    if (translations_only)
-      known.resize(my_dim); // they come first
-    hierarchy = std::make_shared<const Hierarchy>(stiffness.matrix(), known, my_dim);
+    hierarchy = make();
     version   = stiffness.version();
     return hierarchy;
   }
@@ -255,4 +291,13 @@ namespace Signorini
              "Factor if the method has one"));
       }
   }
+
+
+
+  template BodiesHierarchy::BodiesHierarchy(const LinearSolverSettings &,
+                                            const Stiffness &,
+                                            const Elasticity<2> &);
+  template BodiesHierarchy::BodiesHierarchy(const LinearSolverSettings &,
+                                            const Stiffness &,
+                                            const Elasticity<3> &);
 } // namespace Signorini

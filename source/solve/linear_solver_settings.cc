@@ -27,6 +27,16 @@ namespace Signorini
 
 
 
+  const Choices<Coarsening> &
+  coarsenings()
+  {
+    static const Choices<Coarsening> list = {{"degree", Coarsening::degree},
+                                             {"algebraic", Coarsening::algebraic}};
+    return list;
+  }
+
+
+
   void
   LinearSolverSettings::declare(Section &section)
   {
@@ -37,6 +47,18 @@ namespace Signorini
       "contact filter: exact on the contact zone, multigrid elsewhere, and direct where that does not converge and the "
       "system is not too large (400,000 unknowns in 2D, 60,000 in 3D); block ones and SIMPLE: for "
       "multipliers, by a Schur complement; direct: small problems");
+    section.add_choice(
+      "Operator",
+      stiffness_form,
+      or_auto(stiffness_forms()),
+      "products with the stiffness from a matrix, or from the cells each time (in three dimensions, degree one and "
+      "two); auto: the quicker one, which is the second with degree two");
+    section.add_choice(
+      "Coarsening",
+      coarsening,
+      or_auto(coarsenings()),
+      "first step of multigrid: to degree one on the same mesh, or to aggregates of nodes as all further "
+      "steps; auto: degree where a body has more than one");
     section.add_choice(
       "Krylov method",
       krylov,

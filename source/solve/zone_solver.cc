@@ -10,28 +10,51 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// What points of this rank touch, if they count. @param counts of the number of a point
+    template <typename Counts>
+    LA::Vector
+    touched_by(const ContactSystem &system, const Counts &counts)
+    {
+      LA::Vector marker;
+      marker.reinit(system.zero().block(0));
+      if (system.gap_operator().empty())
+        return marker;
+      const LA::SparseMatrix  &B = system.gap_operator().B_free;
+      const LA::ColumnExchange columns(B);
+      std::vector<double>      touched(columns.size(), 0.);
+      int                      row = 0;
+      for (const auto i : system.gap_operator().weight.locally_owned_elements())
+        {
+          const LA::RowView view(B, row++);
+          if (counts(i))
+            for (int k = 0; k < view.size; ++k)
+              if (view.values[k] != 0)
+                touched[view.columns[k]] = 1;
+        }
+      // Columns may belong to other ranks: tell them.
+      columns.enlarge(touched.data(), marker);
+      return marker;
+    }
+  } // namespace
+
+
+
   LA::Vector
   contact_zone(const ContactSystem &system)
   {
-    LA::Vector marker;
-    marker.reinit(system.zero().block(0));
-    if (system.gap_operator().empty())
-      return marker;
-    const LA::SparseMatrix  &B = system.gap_operator().B_free;
-    const LA::ColumnExchange columns(B);
-    std::vector<double>      touched(columns.size(), 0.);
-    int                      row = 0;
-    for (const auto i : system.gap_operator().weight.locally_owned_elements())
-      {
-        const LA::RowView view(B, row++);
-        if (system.spring()(i) != 0 || system.coupling()(i) != 0)
-          for (int k = 0; k < view.size; ++k)
-            if (view.values[k] != 0)
-              touched[view.columns[k]] = 1;
-      }
-    // Columns may belong to other ranks: tell them.
-    columns.enlarge(touched.data(), marker);
-    return marker;
+    return touched_by(system, [&](const types::global_dof_index i) {
+      return system.spring()(i) != 0 || system.coupling()(i) != 0;
+    });
+  }
+
+
+
+  LA::Vector
+  contact_reach(const ContactSystem &system)
+  {
+    return touched_by(system, [](const types::global_dof_index) { return true; });
   }
 
 

@@ -43,7 +43,7 @@ namespace
     ConditionalOStream out(log, true);
     TimerOutput        timer(out, TimerOutput::never, TimerOutput::wall_times);
     LinearBodies       bodies = problem.bodies();
-    BodiesHierarchy    hierarchies(direct, bodies.stiffness(), {}, 1);
+    BodiesHierarchy    hierarchies(bodies.stiffness(), 1);
     ContactSolver      solver({}, direct, *method, bodies, problem.contact, {}, hierarchies, timer);
     LA::Vector         u = problem.load, p = problem.contact.zero();
     u                         = 0.;

@@ -65,7 +65,7 @@ namespace TestScene
     LinearBodies
     bodies() const
     {
-      LinearBodies result(stiffness,
+      LinearBodies result(std::make_unique<AssembledStiffness>(stiffness),
                           {},
                           constraints,
                           std::vector<unsigned int>(owned.n_elements(), 0));

@@ -31,13 +31,12 @@ namespace
   {
     CAPTURE(dim);
     CAPTURE(spring);
-    const auto           method = make_method("Lagrange multiplier");
-    const TwoBlocks<dim> scene(*method, 2);
-    const Hierarchy      hierarchy(scene.elasticity.stiffness(),
-                              rigid_body_modes(scene.elasticity),
-                              dim);
-    AMG                  amg(hierarchy, scene.contact.get());
-    LA::Vector           D = every_other(*scene.contact);
+    const auto               method = make_method("Lagrange multiplier");
+    const TwoBlocks<dim>     scene(*method, 2);
+    const AssembledStiffness K(scene.elasticity.stiffness());
+    const Hierarchy          hierarchy(K, rigid_body_modes(scene.elasticity), dim);
+    AMG                      amg(hierarchy, scene.contact.get());
+    LA::Vector               D = every_other(*scene.contact);
     D *= spring;
     amg.set_springs(D);
 
@@ -58,11 +57,9 @@ namespace
     CAPTURE(dim);
     CAPTURE(factor);
     const TwoBlocks<dim>     scene(*make_method("penalty"), 1);
-    const Hierarchy          hierarchy(scene.elasticity.stiffness(),
-                              rigid_body_modes(scene.elasticity),
-                              dim);
-    const NormalContact      law = NormalContact::springs(*scene.contact, factor);
     const AssembledStiffness K(scene.elasticity.stiffness());
+    const Hierarchy          hierarchy(K, rigid_body_modes(scene.elasticity), dim);
+    const NormalContact      law = NormalContact::springs(*scene.contact, factor);
     ContactSystem            system(K, law);
     LA::Vector               active = scene.contact->zero();
     active                          = 1.;

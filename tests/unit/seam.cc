@@ -179,9 +179,8 @@ TEST_CASE("bodies that stiffen: of second order, with contact, whatever solves t
         StiffeningBodies     bodies(elasticity, c);
         LinearSolverSettings settings = scene.scene.solver;
         settings.preconditioner       = preconditioner;
-        Silence         silence;
-        BodiesHierarchy hierarchies(
-          settings, bodies.stiffness(), [&] { return rigid_body_modes(elasticity); }, 2);
+        Silence          silence;
+        BodiesHierarchy  hierarchies(settings, bodies.stiffness(), elasticity);
         ContactSolver    solver(scene.scene.newton,
                              settings,
                              scene.method(),
@@ -227,13 +226,12 @@ TEST_CASE("bodies that stiffen: of second order, with contact, whatever solves t
 TEST_CASE("linear bodies: one hierarchy, whatever is asked of it")
 {
   SmallScene<2>   scene(cases_2d().front().lines + Lines{"Dimension=2", "Mesh/Degree=1"});
-  LinearBodies    bodies(scene.elasticity->stiffness(),
+  LinearBodies    bodies(std::make_unique<AssembledStiffness>(scene.elasticity->stiffness()),
                       scene.elasticity->stabilising_springs(),
                       scene.elasticity->constraints(),
                       bodies_of_dofs(*scene.elasticity));
-  BodiesHierarchy hierarchies(
-    scene.scene.solver, bodies.stiffness(), [&] { return rigid_body_modes(*scene.elasticity); }, 2);
-  const auto first = hierarchies.get();
+  BodiesHierarchy hierarchies(scene.scene.solver, bodies.stiffness(), *scene.elasticity);
+  const auto      first = hierarchies.get();
   REQUIRE(first);
   bodies.linearise(scene.elasticity->zero_vector());
   CHECK(hierarchies.get() == first);
@@ -275,18 +273,13 @@ TEST_CASE("a law with two components a point is another law, not another solver"
       LinearBodies    bodies = problem.bodies();
       Glue            law(problem.contact, springs);
       ContactSystem   system(bodies.stiffness(), law);
-      BodiesHierarchy hierarchies(
-        settings,
-        bodies.stiffness(),
-        [&] {
-          return std::vector<std::vector<double>>(1,
-                                                  std::vector<double>(problem.owned.n_elements(),
-                                                                      1.));
-        },
-        1);
-      LinearSolver linear_solver(settings, system, hierarchies, silence.timer);
-      Newton       newton({}, bodies, law, system, linear_solver);
-      LA::Vector   u = problem.load, p = problem.contact.zero(), active = p;
+      BodiesHierarchy hierarchies(bodies.stiffness(), 1, [&] {
+        const std::vector<double> ones(problem.owned.n_elements(), 1.);
+        return std::make_shared<const Hierarchy>(bodies.stiffness(), std::vector(1, ones), 1);
+      });
+      LinearSolver    linear_solver(settings, system, hierarchies, silence.timer);
+      Newton          newton({}, bodies, law, system, linear_solver);
+      LA::Vector      u = problem.load, p = problem.contact.zero(), active = p;
       u                         = 0.;
       const NewtonReport report = newton.solve(u, p, active, print_steps(silence.out));
       CAPTURE(silence.log.str());

@@ -84,14 +84,13 @@ namespace TestScene
   {
     elasticity->set_time(t);
     contact->set_time(t);
-    LinearBodies bodies(elasticity->stiffness(),
+    LinearBodies bodies(std::make_unique<AssembledStiffness>(elasticity->stiffness()),
                         elasticity->stabilising_springs(),
                         elasticity->constraints(),
                         bodies_of_dofs(*elasticity));
     bodies.set_load(elasticity->load());
-    BodiesHierarchy hierarchies(
-      scene.solver, bodies.stiffness(), [&] { return rigid_body_modes(*elasticity); }, dim);
-    ContactSolver solver(scene.newton,
+    BodiesHierarchy hierarchies(scene.solver, bodies.stiffness(), *elasticity);
+    ContactSolver   solver(scene.newton,
                          scene.solver,
                          method(),
                          bodies,

@@ -186,9 +186,9 @@ TEST_CASE("the contact filter keeps all constraints")
 {
   SmallScene<2> scene(small("2"));
   scene.use({"Method=Lagrange multiplier"});
-  const Hierarchy hierarchy(scene.elasticity->stiffness(), rigid_body_modes(*scene.elasticity), 2);
-  const NormalContact      law(scene.method(), scene.gap_operator());
   const AssembledStiffness stiffness(scene.elasticity->stiffness());
+  const Hierarchy          hierarchy(stiffness, rigid_body_modes(*scene.elasticity), 2);
+  const NormalContact      law(scene.method(), scene.gap_operator());
   ContactSystem            system(stiffness, law);
   system.set_active(every_other(scene.gap_operator()));
   ContactFilter filter(system, hierarchy, direct_solver());
@@ -216,11 +216,9 @@ TEST_CASE("Schur complements are those of their definitions")
     {
       CAPTURE(method[0]);
       scene.use(method);
-      const Hierarchy          hierarchy(scene.elasticity->stiffness(),
-                                rigid_body_modes(*scene.elasticity),
-                                2);
-      const NormalContact      law(scene.method(), scene.gap_operator());
       const AssembledStiffness stiffness(scene.elasticity->stiffness());
+      const Hierarchy          hierarchy(stiffness, rigid_body_modes(*scene.elasticity), 2);
+      const NormalContact      law(scene.method(), scene.gap_operator());
       ContactSystem            system(stiffness, law);
       system.set_active(every_other(scene.gap_operator()));
       const AMG             amg(hierarchy, nullptr);

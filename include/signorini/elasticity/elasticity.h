@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/elasticity/assembly.h>
 #include <signorini/elasticity/displacements.h>
 #include <signorini/elasticity/thermal_strain.h>
 #include <signorini/elasticity/unheld_motions.h>
@@ -51,6 +52,15 @@ namespace Signorini
       return matrix;
     }
 
+    /// What K has on its diagonal beyond the stiffness of cells: something for prescribed motions
+    /// of rigid bodies, and springs where motions are free.
+    LA::Vector
+    diagonal_terms() const;
+
+    /// Of K, of all cells or some, without those terms. Refers to this object.
+    StiffnessAssembly<dim>
+    assembly() const;
+
     /// Right-hand side that belongs to stiffness() at the time of set_time(): loads and forces of
     /// thermal strain, minus the forces of the prescribed displacements. Zero at constrained
     /// degrees of freedom. Throws SceneError where a load is not a number. Collective.
@@ -76,6 +86,13 @@ namespace Signorini
     material(const unsigned int body) const
     {
       return materials[body];
+    }
+
+    /// One a body.
+    const std::vector<Material> &
+    all_materials() const
+    {
+      return materials;
     }
 
     const std::vector<Load<dim>> &
@@ -120,10 +137,6 @@ namespace Signorini
     }
 
   private:
-    void
-    add_cells_to_matrix();
-    void
-    add_diagonal_to_matrix();
     void
     add_cells(LA::Vector &f) const;
     void

@@ -36,6 +36,15 @@ namespace Signorini
   /// The modes on the locally owned degrees of freedom, mode by mode. One set serves all bodies:
   /// aggregates of the multigrid method never contain nodes of two bodies, and on one body a
   /// rotation about another center differs by a translation only.
+  /// @param owned degrees of freedom of the mesh, and of rigid bodies behind them
+  template <int dim>
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Mesh<dim>                     &mesh,
+                   const dealii::DoFHandler<dim>       &dofs,
+                   const dealii::hp::FECollection<dim> &elements,
+                   const dealii::IndexSet              &owned);
+
+  /// Of the displacements of bodies.
   template <int dim>
   std::vector<std::vector<double>>
   rigid_body_modes(const Displacements<dim> &displacements);

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <signorini/solve/stiffness.h>
+#include <signorini/elasticity/stiffness.h>
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <memory>
 #include <vector>
 
 namespace Signorini
@@ -46,9 +47,9 @@ namespace Signorini
   class LinearBodies : public Bodies
   {
   public:
-    /// Refers to matrix and constraints.
+    /// Refers to the constraints.
     /// @param springs those that K has against free motions; empty: none
-    LinearBodies(const LA::SparseMatrix                  &K,
+    LinearBodies(std::unique_ptr<const Stiffness>         K,
                  const LA::Vector                        &springs,
                  const dealii::AffineConstraints<double> &constraints,
                  std::vector<unsigned int>                body_of_dof);
@@ -73,7 +74,7 @@ namespace Signorini
     const Stiffness &
     stiffness() const override
     {
-      return K;
+      return *K;
     }
 
     const dealii::AffineConstraints<double> &
@@ -89,7 +90,7 @@ namespace Signorini
     }
 
   private:
-    const AssembledStiffness                 K;
+    std::unique_ptr<const Stiffness>         K;
     const LA::Vector                         springs;
     const dealii::AffineConstraints<double> &my_constraints;
     const std::vector<unsigned int>          bodies;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <signorini/contact/law/contact_law.h>
+#include <signorini/elasticity/stiffness.h>
 #include <signorini/linear_algebra/columns.h>
 #include <signorini/solve/free_motions.h>
-#include <signorini/solve/stiffness.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>

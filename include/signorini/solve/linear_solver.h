@@ -23,14 +23,17 @@ namespace Signorini
   class BodiesHierarchy
   {
   public:
-    using Modes = std::vector<std::vector<double>>;
-
-    /// Refers to the stiffness.
-    /// @param modes makes rigid_body_modes(), which are too large to be kept
+    /// Refers to stiffness and elasticity.
+    template <int d>
     BodiesHierarchy(const LinearSolverSettings &settings,
                     const Stiffness            &stiffness,
-                    std::function<Modes()>      modes,
-                    unsigned int                dim);
+                    const Elasticity<d>        &elasticity);
+
+    /// @param dim components of a node
+    /// @param make empty: there is none
+    BodiesHierarchy(const Stiffness                                  &stiffness,
+                    unsigned int                                      dim,
+                    std::function<std::shared_ptr<const Hierarchy>()> make = {});
 
     /// Of the stiffness as it is now; null where the preconditioner needs none. Collective.
     std::shared_ptr<const Hierarchy>
@@ -43,12 +46,11 @@ namespace Signorini
     }
 
   private:
-    const bool                       is_needed, translations_only;
-    const Stiffness                 &stiffness;
-    const std::function<Modes()>     modes;
-    const unsigned int               my_dim;
-    std::shared_ptr<const Hierarchy> hierarchy;
-    unsigned int                     version = 0; ///< of the stiffness that it is of
+    const Stiffness                                  &stiffness;
+    const unsigned int                                my_dim;
+    std::function<std::shared_ptr<const Hierarchy>()> make;
+    std::shared_ptr<const Hierarchy>                  hierarchy;
+    unsigned int version = 0; ///< of the stiffness that it is of
   };
 
   /// Solves the contact systems of one mesh. Rebuilds as much as has changed: with the active set,

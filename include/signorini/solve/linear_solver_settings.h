@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/elasticity/stiffness.h>
 #include <signorini/linear_algebra/direct_library.h>
 #include <signorini/parameters/choices.h>
 
@@ -24,6 +25,13 @@ namespace Signorini
     translations
   };
 
+  /// The level below the stiffness itself.
+  enum class Coarsening
+  {
+    degree,   ///< displacements of degree one on the same mesh; aggregates below that
+    algebraic ///< aggregates
+  };
+
   // As the scene file calls them.
 
   const Choices<Krylov> &
@@ -32,8 +40,13 @@ namespace Signorini
   const Choices<NearNullSpace> &
   near_null_spaces();
 
+  const Choices<Coarsening> &
+  coarsenings();
+
   struct LinearSolverSettings
   {
+    std::optional<StiffnessForm>     stiffness_form; ///< none: the quicker one
+    std::optional<Coarsening>        coarsening;     ///< none: degree where it is more than one
     std::string                      preconditioner = "contact filter";
     std::optional<Krylov>            krylov; ///< none: what suits system and preconditioner
     std::string                      schur_complement = "zone";

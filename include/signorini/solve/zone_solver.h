@@ -15,6 +15,10 @@ namespace Signorini
   LA::Vector
   contact_zone(const ContactSystem &system);
 
+  /// At those that any contact points touch.
+  LA::Vector
+  contact_reach(const ContactSystem &system);
+
   /// Exact solution of a ContactSystem restricted to a zone: some of the degrees of freedom, and
   /// all multipliers. With the degrees of freedom that contact touches it costs a surface, with all
   /// of them it is a direct solver.

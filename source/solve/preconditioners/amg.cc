@@ -1,6 +1,5 @@
 #include <signorini/linear_algebra/diagonal.h>
 #include <signorini/linear_algebra/products.h>
-#include <signorini/linear_algebra/row_view.h>
 #include <signorini/linear_algebra/values.h>
 #include <signorini/solve/preconditioners/amg.h>
 
@@ -15,30 +14,15 @@ namespace Signorini
 
   namespace
   {
-    /// Of absolute values.
-    LA::Vector
-    sums_of_rows(const LA::SparseMatrix &K)
-    {
-      LA::Vector    sums(K.locally_owned_range_indices(), K.get_mpi_communicator());
-      double *const sum = LA::values_of(sums);
-      for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
-        {
-          const LA::RowView row(K, i);
-          for (int k = 0; k < row.size; ++k)
-            sum[i] += std::abs(row.values[k]);
-        }
-      return sums;
-    }
-
     /// Something that has all frequencies, times a function that is largest where the rows are
     /// heavy beside their diagonal. There are the few badly shaped cells to which the largest
     /// eigenvalue of the scaled matrix belongs; from a start that is the same everywhere, one among
     /// millions is not found in time.
     LA::Vector
-    stiff_oscillation(const LA::Vector &row_sums, const LA::Vector &inverse_diagonal)
+    stiff_oscillation(const LA::Vector &row_sizes, const LA::Vector &inverse_diagonal)
     {
       constexpr double power = 16, everywhere = 0.01;
-      LA::Vector       result = row_sums;
+      LA::Vector       result = row_sizes;
       result.scale(inverse_diagonal);
       const double  largest = result.linfty_norm();
       const double *inverse = LA::values_of(inverse_diagonal);
@@ -62,8 +46,8 @@ namespace Signorini
         levels.push_back(std::make_unique<Level>());
         Level &level     = *levels.back();
         level.number     = l;
-        level.K          = &hierarchy.matrix(l);
-        level.diagonal_K = LA::diagonal(*level.K);
+        level.K          = &hierarchy.stiffness(l);
+        level.diagonal_K = level.K->diagonal();
         if (l + 1 < hierarchy.n_levels())
           level.P = &hierarchy.prolongation(l);
         for (LA::Vector *v : {&level.x, &level.right, &level.rest, &level.step, &level.first})
@@ -121,10 +105,10 @@ namespace Signorini
   {
     // By the numbers that conjugate gradients leave behind. (A power iteration of twice as many
     // products underestimates so much that the smoothers may diverge.)
-    LA::Vector row_sums = sums_of_rows(*level.K);
+    LA::Vector row_sizes = level.K->row_sizes();
     if (springs)
-      springs->add_row_sums(level.number, row_sums);
-    const LA::Vector right = stiff_oscillation(row_sums, level.inverse_diagonal);
+      springs->add_row_sums(level.number, row_sizes);
+    const LA::Vector right = stiff_oscillation(row_sizes, level.inverse_diagonal);
     LA::Vector       x;
     x.reinit(right);
     struct Operator
@@ -166,8 +150,9 @@ namespace Signorini
     direct.clear();
     coarsest.reset();
     if (springs && springs->any())
-      coarsest = std::make_unique<LA::SparseMatrix>(springs->added_to(*last.K, last.number));
-    const int error = direct.factorise(coarsest ? *coarsest : *last.K);
+      coarsest =
+        std::make_unique<LA::SparseMatrix>(springs->added_to(last.K->matrix(), last.number));
+    const int error = direct.factorise(coarsest ? *coarsest : last.K->matrix());
     AssertThrow(error == 0, ExcTrilinosError(error));
   }
 
@@ -176,7 +161,7 @@ namespace Signorini
   void
   AMG::multiply(const Level &level, LA::Vector &dst, const LA::Vector &src) const
   {
-    LA::multiply(*level.K, dst, src);
+    level.K->vmult(dst, src);
     if (springs)
       springs->add_product(level.number, dst, src);
   }

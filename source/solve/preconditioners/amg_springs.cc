@@ -128,11 +128,11 @@ namespace Signorini
       }
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
       {
-        const LA::SparseMatrix &K = hierarchy.matrix(l);
+        const Stiffness &K = hierarchy.stiffness(l);
         levels.push_back({l == 0 ? mean_rows(contact.B_free, groups, contact.weight, weight) :
                                    LA::product(levels[l - 1].B, hierarchy.prolongation(l - 1)),
                           D,
-                          LA::Vector(K.locally_owned_range_indices(), K.get_mpi_communicator())});
+                          LA::Vector(K.owned(), K.communicator())});
       }
   }
 

@@ -29,7 +29,10 @@ namespace Signorini
     : system(system)
     , amg(hierarchy, &system.gap_operator())
     , direct_solver(direct_solver)
-  {}
+  {
+    // Those of any active set, once.
+    system.stiffness().rows(contact_reach(system));
+  }
 
 
 

@@ -35,8 +35,9 @@ namespace Signorini
   private:
     struct Level
     {
-      unsigned int            number;          ///< 0: the finest
-      const LA::SparseMatrix *K, *P = nullptr; ///< P: from the next level to this
+      unsigned int            number; ///< 0: the finest
+      const Stiffness        *K;
+      const LA::SparseMatrix *P = nullptr; ///< from the next level to this
       LA::Vector              diagonal_K;
       LA::Vector              inverse_diagonal;       ///< of K + B^T D B
       double                  largest_eigenvalue = 0; ///< of inverse_diagonal * (K + B^T D B)

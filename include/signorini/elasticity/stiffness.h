@@ -1,9 +1,22 @@
 #pragma once
 
-#include <signorini/linear_algebra/types.h>
+#include <signorini/linear_algebra/products.h>
+#include <signorini/parameters/choices.h>
 
 namespace Signorini
 {
+  /// How products with K are made.
+  enum class StiffnessForm
+  {
+    assembled,  ///< from a matrix
+    matrix_free ///< from the cells, each time
+  };
+
+  // As the scene file calls them.
+
+  const Choices<StiffnessForm> &
+  stiffness_forms();
+
   /// K, how the forces of the bodies change with their displacement, with what a solver asks of it:
   /// products, the diagonal, and the rows near contact. Only what cannot do without asks for the
   /// whole matrix.
@@ -20,6 +33,18 @@ namespace Signorini
 
     virtual LA::Vector
     diagonal() const = 0;
+
+    /// How large each row is as a whole: the sum of its absolute values, or about as much. Beside
+    /// the diagonal it is large where cells are of bad shape.
+    virtual LA::Vector
+    row_sizes() const = 0;
+
+    /// The same in single precision, if that is quicker: good enough for a preconditioner.
+    virtual const Stiffness &
+    rounded() const
+    {
+      return *this;
+    }
 
     /// A matrix in which at least the rows of some degrees of freedom of this rank are complete.
     /// Collective. @param marker nonzero there
@@ -66,7 +91,7 @@ namespace Signorini
     void
     vmult(LA::Vector &dst, const LA::Vector &src) const override
     {
-      K.vmult(dst, src);
+      LA::multiply(K, dst, src);
     }
 
     void
@@ -77,6 +102,9 @@ namespace Signorini
 
     LA::Vector
     diagonal() const override;
+
+    LA::Vector
+    row_sizes() const override;
 
     const LA::SparseMatrix &
     rows(const LA::Vector & /*marker*/) const override

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <signorini/elasticity/elasticity.h>
+#include <signorini/elasticity/stiffness.h>
+
+#include <memory>
+#include <optional>
+
+namespace Signorini
+{
+  /// The form that is asked for, or the quicker one: without a matrix in space, where bodies have
+  /// degree two. Throws SceneError if there is no code for what is asked for.
+  template <int dim>
+  StiffnessForm
+  choose_form(const std::optional<StiffnessForm> &wanted, const Elasticity<dim> &elasticity);
+
+  /// K on the present mesh. Refers to the elasticity. Collective.
+  template <int dim>
+  std::unique_ptr<const Stiffness>
+  make_stiffness(StiffnessForm form, Elasticity<dim> &elasticity);
+} // namespace Signorini

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <signorini/elasticity/stiffness.h>
+#include <signorini/matrix_free/cell_operator.h>
+
+#include <memory>
+
+namespace Signorini
+{
+  /// K of linear elasticity in space whose products are made by the cells. Whoever asks for rows
+  /// gets them assembled from the cells around them.
+  class MatrixFreeStiffness : public Stiffness
+  {
+  public:
+    /// Refers to the elasticity. Collective.
+    explicit MatrixFreeStiffness(const Elasticity<3> &elasticity);
+
+    void
+    vmult(LA::Vector &dst, const LA::Vector &src) const override
+    {
+      cells.vmult(dst, src);
+    }
+
+    void
+    vmult_add(LA::Vector &dst, const LA::Vector &src) const override;
+
+    LA::Vector
+    diagonal() const override
+    {
+      return cells.diagonal();
+    }
+
+    LA::Vector
+    row_sizes() const override
+    {
+      return cells.row_sizes();
+    }
+
+    const Stiffness &
+    rounded() const override;
+
+    /// What was returned before is void if there are marks that it had not.
+    const LA::SparseMatrix &
+    rows(const LA::Vector &marker) const override;
+
+    const LA::SparseMatrix &
+    matrix() const override;
+
+    dealii::IndexSet
+    owned() const override
+    {
+      return elasticity.owned();
+    }
+
+    MPI_Comm
+    communicator() const override
+    {
+      return elasticity.mesh().communicator();
+    }
+
+    unsigned int
+    version() const override
+    {
+      return 1;
+    }
+
+  private:
+    class Rounded;
+
+    const Elasticity<3>                      &elasticity;
+    const CellOperator<double>                cells;
+    mutable std::unique_ptr<const Stiffness>  in_single_precision;
+    mutable LA::Vector                        marked; ///< the rows that there are, empty: none
+    mutable std::unique_ptr<LA::SparseMatrix> some_rows;
+    mutable LA::Vector                        workspace;
+  };
+} // namespace Signorini

@@ -1,0 +1,102 @@
+#include <signorini/matrix_free/batches.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  namespace
+  {
+    /// Is the place of each node that which its neighbours of the first one along the axes
+    /// foretell?
+    bool
+    is_affine_cell(const double *points, const unsigned int degree)
+    {
+      constexpr double   rounding = 1e-10; // of the cell's size
+      const unsigned int n        = degree + 1;
+      const double      *far[3]   = {points + 3 * degree,
+                                     points + 3 * degree * n,
+                                     points + 3 * degree * n * n};
+      double             size     = 0;
+      for (const double *corner : far)
+        for (unsigned int c = 0; c < 3; ++c)
+          size = std::max(size, std::abs(corner[c] - points[c]));
+      for (unsigned int i = 0; i < n * n * n; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const unsigned int at[3]    = {i % n, i / n % n, i / (n * n)};
+            double             foretold = points[c];
+            for (unsigned int d = 0; d < 3; ++d)
+              foretold += (far[d][c] - points[c]) * at[d] / degree;
+            if (std::abs(points[3 * i + c] - foretold) > rounding * size)
+              return false;
+          }
+      return true;
+    }
+
+    unsigned int
+    cube(const unsigned int n)
+    {
+      return n * n * n;
+    }
+  } // namespace
+
+
+
+  template <typename Number>
+  Batches<Number>::Batches(const KernelCells &cells, const unsigned int width)
+    : my_cells(&cells)
+    , width(width)
+    , n_nodes(cube(cells.degree + 1))
+  {
+    std::vector<bool> is_real;
+    const auto        append = [&](const bool affine) {
+      for (unsigned int cell = 0; cell < cells.size(); ++cell)
+        if (is_affine_cell(&cells.points[std::size_t(cell) * 3 * n_nodes], cells.degree) == affine)
+          {
+            order.push_back(cell);
+            is_real.push_back(true);
+          }
+      while (order.size() % width != 0)
+        {
+          order.push_back(order.back());
+          is_real.push_back(false);
+        }
+      return order.size() / width;
+    };
+    n_affine  = append(true);
+    n_batches = append(false);
+
+    my_nodes.resize(n_batches * n_nodes * width);
+    my_material.resize(n_batches * 2 * width);
+    my_fills.resize(n_batches * width);
+    if (n_batches == 0)
+      return;
+    my_geometry.resize(n_batches == n_affine ? first_of(n_affine - 1, 0) + 10 * width :
+                                               first_of(n_batches - 1, n_nodes - 1) + 10 * width);
+    for (std::size_t place = 0; place < order.size(); ++place)
+      {
+        const std::size_t cell = order[place], batch = place / width, w = place % width;
+        my_fills[place]                            = is_real[place] ? 1 : 0;
+        my_material[batch * 2 * width + w]         = cells.lambda[cell];
+        my_material[batch * 2 * width + width + w] = cells.mu[cell];
+        for (std::size_t i = 0; i < n_nodes; ++i)
+          my_nodes[(batch * n_nodes + i) * width + w] = cells.nodes[cell * n_nodes + i];
+      }
+  }
+
+
+
+  template <typename Number>
+  std::size_t
+  Batches<Number>::memory() const
+  {
+    return my_nodes.size() * sizeof(std::uint32_t) +
+           (my_geometry.size() + my_material.size() + my_fills.size()) * sizeof(Number);
+  }
+
+
+
+  template class Batches<float>;
+  template class Batches<double>;
+} // namespace Signorini

@@ -1,0 +1,34 @@
+#include <signorini/matrix_free/kernel_tables.h>
+
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <typename Number, int degree>
+  KernelTables<Number, degree>::KernelTables()
+  {
+    const QGauss<1> rule(n);
+    const auto      of_nodes  = Polynomials::LagrangeEquidistant::generate_complete_basis(degree);
+    const auto      of_points = Polynomials::generate_complete_Lagrange_basis(rule.get_points());
+    for (int q = 0; q < n; ++q)
+      {
+        const double x = rule.point(q)[0];
+        weights[q]     = rule.weight(q);
+        for (int i = 0; i < n; ++i)
+          {
+            values[q][i]      = of_nodes[i].value(x);
+            derivatives[q][i] = of_points[i].derivative().value(x);
+          }
+      }
+  }
+
+
+
+  template struct KernelTables<float, 1>;
+  template struct KernelTables<float, 2>;
+  template struct KernelTables<double, 1>;
+  template struct KernelTables<double, 2>;
+} // namespace Signorini

@@ -1,0 +1,43 @@
+#include <signorini/matrix_free/make_stiffness.h>
+#include <signorini/matrix_free/matrix_free_stiffness.h>
+#include <signorini/parameters/raw.h>
+
+namespace Signorini
+{
+  template <int dim>
+  StiffnessForm
+  choose_form(const std::optional<StiffnessForm> &wanted, const Elasticity<dim> &elasticity)
+  {
+    const bool is_possible = dim == 3 && elasticity.degree() <= largest_kernel_degree;
+    if (wanted == StiffnessForm::matrix_free && !is_possible)
+      throw SceneError(
+        "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two; "
+        "take auto or assembled");
+    return wanted.value_or(is_possible && elasticity.degree() > 1 ? StiffnessForm::matrix_free :
+                                                                    StiffnessForm::assembled);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<const Stiffness>
+  make_stiffness(const StiffnessForm form, Elasticity<dim> &elasticity)
+  {
+    if constexpr (dim == 3)
+      if (form == StiffnessForm::matrix_free)
+        return std::make_unique<MatrixFreeStiffness>(elasticity);
+    elasticity.assemble();
+    return std::make_unique<AssembledStiffness>(elasticity.stiffness());
+  }
+
+
+
+  template StiffnessForm
+  choose_form(const std::optional<StiffnessForm> &, const Elasticity<2> &);
+  template StiffnessForm
+  choose_form(const std::optional<StiffnessForm> &, const Elasticity<3> &);
+  template std::unique_ptr<const Stiffness>
+  make_stiffness(StiffnessForm, Elasticity<2> &);
+  template std::unique_ptr<const Stiffness>
+  make_stiffness(StiffnessForm, Elasticity<3> &);
+} // namespace Signorini

@@ -1,0 +1,170 @@
+#include <signorini/elasticity/cell_nodes.h>
+#include <signorini/linear_algebra/values.h>
+#include <signorini/matrix_free/matrix_free_stiffness.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  /// For preconditioners: products only, and the diagonal.
+  class MatrixFreeStiffness::Rounded : public Stiffness
+  {
+  public:
+    explicit Rounded(const MatrixFreeStiffness &exact)
+      : exact(exact)
+      , cells(exact.elasticity)
+    {}
+
+    void
+    vmult(LA::Vector &dst, const LA::Vector &src) const override
+    {
+      cells.vmult(dst, src);
+    }
+
+    void
+    vmult_add(LA::Vector &dst, const LA::Vector &src) const override
+    {
+      exact.vmult_add(dst, src);
+    }
+
+    LA::Vector
+    diagonal() const override
+    {
+      return exact.diagonal();
+    }
+
+    LA::Vector
+    row_sizes() const override
+    {
+      return cells.row_sizes();
+    }
+
+    const LA::SparseMatrix &
+    rows(const LA::Vector &marker) const override
+    {
+      return exact.rows(marker);
+    }
+
+    const LA::SparseMatrix &
+    matrix() const override
+    {
+      return exact.matrix();
+    }
+
+    IndexSet
+    owned() const override
+    {
+      return exact.owned();
+    }
+
+    MPI_Comm
+    communicator() const override
+    {
+      return exact.communicator();
+    }
+
+    unsigned int
+    version() const override
+    {
+      return exact.version();
+    }
+
+  private:
+    const MatrixFreeStiffness &exact;
+    const CellOperator<float>  cells;
+  };
+
+
+
+  MatrixFreeStiffness::MatrixFreeStiffness(const Elasticity<3> &elasticity)
+    : elasticity(elasticity)
+    , cells(elasticity)
+    , workspace(elasticity.zero_vector())
+  {}
+
+
+
+  void
+  MatrixFreeStiffness::vmult_add(LA::Vector &dst, const LA::Vector &src) const
+  {
+    cells.vmult(workspace, src);
+    dst += workspace;
+  }
+
+
+
+  const Stiffness &
+  MatrixFreeStiffness::rounded() const
+  {
+    if (!in_single_precision)
+      in_single_precision = std::make_unique<Rounded>(*this);
+    return *in_single_precision;
+  }
+
+
+
+  namespace
+  {
+    /// Is anything marked that was not before?
+    bool
+    has_more(const LA::Vector &marker, const LA::Vector &before)
+    {
+      const double *const now = LA::values_of(marker);
+      const double *const old = before.size() > 0 ? LA::values_of(before) : nullptr;
+      bool                any = false;
+      for (unsigned int i = 0; i < marker.locally_owned_size() && !any; ++i)
+        any = now[i] != 0 && !(old && old[i] != 0);
+      return Utilities::MPI::max(any ? 1 : 0, marker.get_mpi_communicator()) == 1;
+    }
+  } // namespace
+
+
+
+  const LA::SparseMatrix &
+  MatrixFreeStiffness::rows(const LA::Vector &marker) const
+  {
+    if (some_rows && !has_more(marker, marked))
+      return *some_rows;
+    if (marked.size() == 0)
+      marked = marker;
+    else
+      for (unsigned int i = 0; i < marker.locally_owned_size(); ++i)
+        if (LA::values_of(marker)[i] != 0)
+          LA::values_of(marked)[i] = 1;
+
+    LA::Vector seen(elasticity.owned(), elasticity.relevant(), communicator());
+    seen                                             = marked;
+    const AffineConstraints<double>     &constraints = elasticity.constraints();
+    std::vector<types::global_dof_index> indices;
+    const auto                           reaches = [&](const types::global_dof_index dof) {
+      const auto *line = constraints.get_constraint_entries(dof);
+      return seen(dof) != 0 ||
+             (line && std::any_of(line->begin(), line->end(), [&](const auto &entry) {
+                return seen(entry.first) != 0;
+              }));
+    };
+    some_rows = std::make_unique<LA::SparseMatrix>();
+    elasticity.assembly().assemble(*some_rows, [&](const auto &cell) {
+      read_indices<3>(cell, indices);
+      return std::any_of(indices.begin(), indices.end(), reaches);
+    });
+    const LA::Vector terms = elasticity.diagonal_terms();
+    for (const auto i : terms.locally_owned_elements())
+      if (terms(i) > 0)
+        some_rows->add(i, i, terms(i));
+    some_rows->compress(VectorOperation::add);
+    return *some_rows;
+  }
+
+
+
+  const LA::SparseMatrix &
+  MatrixFreeStiffness::matrix() const
+  {
+    LA::Vector all = elasticity.zero_vector();
+    all            = 1.;
+    return rows(all);
+  }
+} // namespace Signorini

@@ -1,0 +1,252 @@
+// Products without a matrix against the assembled matrix, on every kind of cell and constraint, and
+// the level of degree one against its Galerkin product.
+
+#include <signorini/levels/degree_level.h>
+#include <signorini/linear_algebra/diagonal.h>
+#include <signorini/linear_algebra/row_view.h>
+#include <signorini/linear_algebra/values.h>
+#include <signorini/matrix_free/matrix_free_stiffness.h>
+#include <signorini/solve/preconditioners/amg.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "contact_cases.h"
+
+using namespace TestScene;
+
+namespace
+{
+  std::vector<Case>
+  cases()
+  {
+    std::vector<Case> result;
+    for (const std::string degree : {"1", "2"})
+      for (Case one : cases_3d())
+        {
+          one.name += ", degree " + degree;
+          one.lines.push_back("Mesh/Degree=" + degree);
+          result.push_back(one);
+        }
+    result.push_back({"degrees one and two",
+                      cases_3d()[2].lines + Lines{"Mesh/Degree=2", "Bodies/lower/Degree=1"}});
+    result.push_back({"distorted",
+                      cases_3d()[0].lines +
+                        Lines{"Mesh/Degree=2",
+                              "Bodies/lower/Transformation=x+0.2*x*y+0.1*y*z; y+0.1*x*z; z+0.1*x*y",
+                              "Contact pairs/pair/Master=lower.top"}});
+    return result;
+  }
+
+  double
+  distance(const LA::Vector &a, const LA::Vector &b)
+  {
+    LA::Vector difference = a;
+    difference -= b;
+    return difference.linfty_norm() / b.linfty_norm();
+  }
+
+  /// By many steps of a power iteration.
+  double
+  largest_eigenvalue(const LA::SparseMatrix &K, const LA::Vector &start)
+  {
+    LA::Vector inverse = LA::diagonal(K), x = start, y = start;
+    LA::invert(inverse);
+    double value = 0;
+    for (unsigned int n = 0; n < 300; ++n)
+      {
+        K.vmult(y, x);
+        y.scale(inverse);
+        value = y.l2_norm() / x.l2_norm();
+        x     = y;
+        x /= y.l2_norm();
+      }
+    return value;
+  }
+
+  void
+  check_rows(const LA::SparseMatrix &K, const Stiffness &stiffness, const LA::Vector &marker)
+  {
+    const LA::SparseMatrix &rows  = stiffness.rows(marker);
+    double                  worst = 0;
+    for (unsigned int i = 0; i < marker.locally_owned_size(); ++i)
+      if (LA::values_of(marker)[i] != 0)
+        {
+          const auto global = marker.locally_owned_elements().nth_index_in_set(i);
+          for (auto entry = K.begin(global); entry != K.end(global); ++entry)
+            worst = std::max(worst, std::abs(entry->value() - rows.el(global, entry->column())));
+        }
+    CHECK(Utilities::MPI::max(worst, MPI_COMM_WORLD) < 1e-12 * K.linfty_norm());
+  }
+} // namespace
+
+
+
+TEST_CASE("products, diagonal and rows without a matrix are those of the matrix")
+{
+  for (const Case &one : cases())
+    {
+      CAPTURE(one.name);
+      SmallScene<3>           scene(one.lines);
+      const LA::SparseMatrix &K = scene.elasticity->stiffness();
+      MatrixFreeStiffness     stiffness(*scene.elasticity);
+      const LA::Vector        u     = scene.rough_field(1, 0.3);
+      LA::Vector              exact = u, product = u;
+      K.vmult(exact, u);
+      stiffness.vmult(product, u);
+      CHECK(distance(product, exact) < 1e-12);
+      stiffness.vmult_add(product, u);
+      product -= exact;
+      CHECK(distance(product, exact) < 1e-12);
+      stiffness.rounded().vmult(product, u);
+      CHECK(distance(product, exact) < 1e-5);
+
+      LA::Vector diagonal = stiffness.diagonal(), known = LA::diagonal(K);
+      CHECK(diagonal.min() > 0);
+      scene.elasticity->constraints().set_zero(diagonal);
+      scene.elasticity->constraints().set_zero(known);
+      CHECK(distance(diagonal, known) < 1e-12);
+
+      LA::Vector marker = scene.elasticity->zero_vector();
+      for (const auto i : marker.locally_owned_elements())
+        marker(i) = i % 7 == 0 ? 1 : 0;
+      marker.compress(VectorOperation::insert);
+      check_rows(K, stiffness, marker);
+      marker = 1.;
+      check_rows(K, stiffness, marker);
+    }
+}
+
+
+
+TEST_CASE("eigenvalues of cells bound those of K, and are large where cells are of bad shape")
+{
+  for (const Case &one : cases())
+    {
+      CAPTURE(one.name);
+      SmallScene<3>       scene(one.lines);
+      MatrixFreeStiffness stiffness(*scene.elasticity);
+      LA::Vector          ratios = stiffness.row_sizes(), inverse = stiffness.diagonal();
+      LA::invert(inverse);
+      ratios.scale(inverse);
+      const double known =
+        largest_eigenvalue(scene.elasticity->stiffness(), scene.rough_field(1, 0.3));
+      CHECK(ratios.linfty_norm() > 0.9 * known);
+      CHECK(ratios.linfty_norm() < 3 * known);
+    }
+}
+
+
+
+TEST_CASE("all instruction sets give the same")
+{
+  for (const unsigned int degree : {1u, 2u})
+    {
+      // Some cells are affine, others are not, and their number fills no batch.
+      KernelCells        cells;
+      const unsigned int n_nodes = (degree + 1) * (degree + 1) * (degree + 1), n_cells = 21;
+      cells.degree = degree;
+      for (unsigned int cell = 0; cell < n_cells; ++cell)
+        {
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              const unsigned int n = degree + 1;
+              const Point<3>     x(i % n, i / n % n + 0.2 * (i % n), i / (n * n));
+              const double       bend = cell % 3 == 0 ? 0 : 0.1 * std::sin(cell + 3. * i);
+              cells.points.insert(cells.points.end(), {x[0] + bend, x[1], (1 + 0.1 * cell) * x[2]});
+              cells.nodes.push_back(3 * ((i * 5 + cell * 3) % (2 * n_nodes)));
+            }
+          cells.lambda.push_back(1 + 0.1 * cell);
+          cells.mu.push_back(2 - 0.05 * cell);
+        }
+      std::vector<double> u(6 * n_nodes), first;
+      for (unsigned int i = 0; i < u.size(); ++i)
+        u[i] = std::sin(1 + 2. * i * i);
+      const std::vector<float> rounded(u.begin(), u.end());
+      double                   size = 0;
+      for (const std::string &set : instruction_sets())
+        {
+          CAPTURE(set);
+          std::vector<double> f(u.size(), 0.);
+          CellKernel<double>::create(cells, set)->add_product(f.data(), u.data());
+          std::vector<float> g(u.size(), 0.f);
+          CellKernel<float>::create(cells, set)->add_product(g.data(), rounded.data());
+          if (first.empty())
+            first = f;
+          for (const double value : first)
+            size = std::max(size, std::abs(value));
+          double worst = 0, worst_rounded = 0;
+          for (unsigned int i = 0; i < f.size(); ++i)
+            {
+              worst         = std::max(worst, std::abs(f[i] - first[i]));
+              worst_rounded = std::max(worst_rounded, std::abs(g[i] - first[i]));
+            }
+          CHECK(size > 1);
+          CHECK(worst < 1e-13 * size);
+          CHECK(worst_rounded < 1e-5 * size);
+        }
+    }
+}
+
+
+
+TEST_CASE("the level of degree one is the Galerkin product where cells are flat")
+{
+  for (const Case &one : cases_3d())
+    if (one.name != "curved, not matching")
+      {
+        CAPTURE(one.name);
+        SmallScene<3>           scene(one.lines + Lines{"Mesh/Degree=2"});
+        const LA::SparseMatrix &K     = scene.elasticity->stiffness();
+        const DegreeLevel       level = make_degree_level(*scene.elasticity, LA::diagonal(K));
+        LA::Vector u(level.stiffness.locally_owned_range_indices(), MPI_COMM_WORLD), coarse = u;
+        for (const auto i : u.locally_owned_elements())
+          u(i) = std::sin(1 + 2. * i * i);
+        u.compress(VectorOperation::insert);
+        LA::Vector fine = scene.elasticity->zero_vector(), f = fine, galerkin = u;
+        level.prolongation.vmult(fine, u);
+        K.vmult(f, fine);
+        level.prolongation.Tvmult(galerkin, f);
+        // Constrained degrees of freedom stand for nothing: nothing is prolongated from there.
+        LA::Vector free = u, ones = f;
+        ones = 1.;
+        level.prolongation.Tvmult(free, ones);
+        for (const auto i : u.locally_owned_elements())
+          u(i) = free(i) != 0 ? u(i) : 0.;
+        u.compress(VectorOperation::insert);
+        level.stiffness.vmult(coarse, u);
+        CHECK(distance(coarse, galerkin) < 1e-12);
+      }
+}
+
+
+
+TEST_CASE("a cycle through degree one is symmetric and positive definite, matrix or not")
+{
+  for (const Case &one : cases_3d())
+    {
+      CAPTURE(one.name);
+      SmallScene<3> scene(one.lines + Lines{"Mesh/Degree=2"});
+      scene.use({"Method=penalty"});
+      const AssembledStiffness  matrix(scene.elasticity->stiffness());
+      const MatrixFreeStiffness cells(*scene.elasticity);
+      for (const Stiffness *stiffness : std::vector<const Stiffness *>{&matrix, &cells})
+        {
+          const Hierarchy hierarchy(*stiffness,
+                                    make_degree_level(*scene.elasticity, stiffness->diagonal()),
+                                    3);
+          AMG             amg(hierarchy, &scene.gap_operator());
+          LA::Vector      springs = scene.gap_operator().weight;
+          springs *= 100;
+          amg.set_springs(springs);
+          const LA::Vector x = scene.rough_field(1, 0.3), y = scene.rough_field(1, 1.1);
+          LA::Vector       Vx = x, Vy = y;
+          amg.vmult(Vx, x);
+          amg.vmult(Vy, y);
+          const double size = std::sqrt((x * Vx) * (y * Vy));
+          CHECK(std::abs(x * Vy - y * Vx) < (stiffness == &matrix ? 1e-11 : 1e-6) * size);
+          CHECK(x * Vx > 0);
+        }
+    }
+}
