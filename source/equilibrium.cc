@@ -352,7 +352,10 @@ namespace Signorini
   {
     clock.start();
     TimerOutput::Scope scope(timer, "assembly");
-    bodies.emplace(make_stiffness(choose_form(scene.solver.stiffness_form, elasticity), elasticity),
+    bodies.emplace(make_stiffness(choose_form(scene.solver.stiffness_form,
+                                              scene.solver.needs_matrix(),
+                                              elasticity),
+                                  elasticity),
                    elasticity.stabilising_springs(),
                    elasticity.constraints(),
                    bodies_of_dofs(elasticity));

@@ -6,15 +6,18 @@ namespace Signorini
 {
   template <int dim>
   StiffnessForm
-  choose_form(const std::optional<StiffnessForm> &wanted, const Elasticity<dim> &elasticity)
+  choose_form(const std::optional<StiffnessForm> &wanted,
+              const bool                          needs_matrix,
+              const Elasticity<dim>              &elasticity)
   {
     const bool is_possible = dim == 3 && elasticity.degree() <= largest_kernel_degree;
     if (wanted == StiffnessForm::matrix_free && !is_possible)
       throw SceneError(
         "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two; "
         "take auto or assembled");
-    return wanted.value_or(is_possible && elasticity.degree() > 1 ? StiffnessForm::matrix_free :
-                                                                    StiffnessForm::assembled);
+    return wanted.value_or(is_possible && !needs_matrix && elasticity.degree() > 1 ?
+                             StiffnessForm::matrix_free :
+                             StiffnessForm::assembled);
   }
 
 
@@ -33,9 +36,9 @@ namespace Signorini
 
 
   template StiffnessForm
-  choose_form(const std::optional<StiffnessForm> &, const Elasticity<2> &);
+  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<2> &);
   template StiffnessForm
-  choose_form(const std::optional<StiffnessForm> &, const Elasticity<3> &);
+  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<3> &);
   template std::unique_ptr<const Stiffness>
   make_stiffness(StiffnessForm, Elasticity<2> &);
   template std::unique_ptr<const Stiffness>

@@ -1,5 +1,6 @@
 #include <signorini/contact/geometry/boundary_faces.h>
 #include <signorini/contact/geometry/face_patches.h>
+#include <signorini/matrix_free/make_stiffness.h>
 #include <signorini/output/preflight.h>
 #include <signorini/parameters/raw.h>
 
@@ -417,18 +418,22 @@ namespace Signorini
     warn_of_bodies(scene, warnings);
     const Json of_bodies = bodies(scene, elasticity);
     warn_of_heat(of_bodies, warnings);
-    Json report = {{"model", scene.model},
-                   {"dofs", elasticity.dof_handler().n_dofs()},
-                   {"bodies", of_bodies},
-                   {"held_by_contact_alone", elasticity.free_motion_names()},
-                   {"pairs", pairs(scene, elasticity, surfaces, warnings)},
-                   {"left_out", left_out(scene, surfaces, contact)},
-                   {"warnings", warnings},
-                   {"predicted",
-                    {{"seconds", prediction.seconds},
-                     {"seconds_before", prediction.seconds_before},
-                     {"memory_mb", prediction.memory_mb},
-                     {"seconds_per_cell", prediction.seconds_per_cell}}}};
+    Json report = {
+      {"model", scene.model},
+      {"dofs", elasticity.dof_handler().n_dofs()},
+      {"bodies", of_bodies},
+      {"operator",
+       word_of(stiffness_forms(),
+               choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity))},
+      {"held_by_contact_alone", elasticity.free_motion_names()},
+      {"pairs", pairs(scene, elasticity, surfaces, warnings)},
+      {"left_out", left_out(scene, surfaces, contact)},
+      {"warnings", warnings},
+      {"predicted",
+       {{"seconds", prediction.seconds},
+        {"seconds_before", prediction.seconds_before},
+        {"memory_mb", prediction.memory_mb},
+        {"seconds_per_cell", prediction.seconds_per_cell}}}};
     return report;
   }
 

@@ -109,6 +109,8 @@ namespace Signorini
       print_pair(name, pair, out);
     for (const auto &motion : report["held_by_contact_alone"])
       out << "  stopped by contact alone: " << motion.get<std::string>() << "\n";
+    if (report["operator"] != "assembled")
+      out << "  products with the stiffness: " << report["operator"].get<std::string>() << "\n";
     for (const auto &what : report["left_out"])
       out << "  left out: " << what.get<std::string>() << "\n";
     for (const auto &warning : report["warnings"])

@@ -41,7 +41,8 @@ namespace Signorini
         return seconds;
       };
       const std::unique_ptr<const Stiffness> stiffness =
-        make_stiffness(choose_form(settings.stiffness_form, elasticity), elasticity);
+        make_stiffness(choose_form(settings.stiffness_form, settings.needs_matrix(), elasticity),
+                       elasticity);
       const LA::Vector f      = elasticity.load();
       result.seconds_assembly = lap();
 

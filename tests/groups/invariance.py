@@ -128,6 +128,17 @@ def springs(scene, sets):
     return body
 
 
+def operators(scene, sets):
+    """How products with the stiffness are made, and by which levels systems are solved."""
+    def body(test):
+        def found(operator, coarsening):
+            return answers(test.results(scene, [*sets, f"Solver/Operator={operator}", f"Solver/Coarsening={coarsening}"]))
+        first = found("assembled", "algebraic")
+        for operator, coarsening in (("assembled", "degree"), ("matrix-free", "degree"), ("matrix-free", "algebraic")):
+            compare(test, f"{operator}, {coarsening}", found(operator, coarsening), first)
+    return body
+
+
 def cases():
     def table(check, scenes, ranks=1, label="quick", methods=METHODS, sets=()):
         for scene in scenes:
@@ -136,6 +147,10 @@ def cases():
                 yield Case(f"invariance/{check.__name__}", name, check(SCENES / f"{scene}.prm", [*sets, *method(one)]),
                            ranks, {label})
 
+    for degree, on_ranks, name, scenes in ((1, 1, "penalty", ["cone-force"]), (2, 1, "Lagrange multiplier", []),
+                                           (2, 2, "Nitsche", [])):
+        yield from table(operators, ("patch-3d", "patch-3d-distorted", "platen-3d", *scenes), on_ranks,
+                         methods=(name,), sets=(f"Mesh/Degree={degree}",))
     yield from table(units, ("shrink-fit", "hertz-2d", "tube-clearance", "hertz-2d-force", "tilted-punch", "patch-3d"))
     yield Case("invariance/units", "hertz-3d/multiplier", labels={"full"},
                body=units(SCENES / "hertz-3d.prm", method(METHODS[1]), counts_differ=1))

@@ -222,6 +222,45 @@ TEST_CASE("the level of degree one is the Galerkin product where cells are flat"
 
 
 
+TEST_CASE("supports at nodes that degree one has not are not lost")
+{
+  // The middles of edges of a bar's cells, so that no vertex is held.
+  SmallScene<3>     scene({"Dimension=3",
+                           "Mesh/Degree=2",
+                           "Bodies/Names=bar",
+                           "Bodies/bar/Corners=0,0,0 : 2,3,4",
+                           "Bodies/bar/Subdivisions=2,2,2",
+                           "Bodies/bar/Young's modulus=1",
+                           "Bodies/bar/Poisson's ratio=0.3",
+                           "Supports/Names=one, two, three",
+                           "Supports/one/Point=0.5,0,0",
+                           "Supports/one/Displacement=0; 0; 0",
+                           "Supports/two/Point=1.5,0,0",
+                           "Supports/two/Displacement=free; 0; 0",
+                           "Supports/three/Point=0.5,3,0",
+                           "Supports/three/Displacement=free; free; 0"});
+  const DegreeLevel level =
+    make_degree_level(*scene.elasticity, LA::diagonal(scene.elasticity->stiffness()));
+  const unsigned int n = level.modes.size();
+  FullMatrix<double> energies(n, n);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        LA::Vector a(level.stiffness.locally_owned_range_indices(), MPI_COMM_WORLD), b = a, Kb = a;
+        std::copy(level.modes[i].begin(), level.modes[i].end(), LA::values_of(a));
+        std::copy(level.modes[j].begin(), level.modes[j].end(), LA::values_of(b));
+        level.stiffness.vmult(Kb, b);
+        energies(i, j) = a * Kb;
+      }
+  // None is free: the smallest eigenvalue, by the inverse's trace.
+  const double size = energies.frobenius_norm();
+  energies.gauss_jordan();
+  CHECK(energies.trace() * size < 1e4);
+  CHECK(energies.trace() > 0);
+}
+
+
+
 TEST_CASE("a cycle through degree one is symmetric and positive definite, matrix or not")
 {
   for (const Case &one : cases_3d())

@@ -9,10 +9,13 @@
 namespace Signorini
 {
   /// The form that is asked for, or the quicker one: without a matrix in space, where bodies have
-  /// degree two. Throws SceneError if there is no code for what is asked for.
+  /// degree two, and nobody needs the matrix anyway. Throws SceneError if there is no code for what
+  /// is asked for.
   template <int dim>
   StiffnessForm
-  choose_form(const std::optional<StiffnessForm> &wanted, const Elasticity<dim> &elasticity);
+  choose_form(const std::optional<StiffnessForm> &wanted,
+              bool                                needs_matrix,
+              const Elasticity<dim>              &elasticity);
 
   /// K on the present mesh. Refers to the elasticity. Collective.
   template <int dim>

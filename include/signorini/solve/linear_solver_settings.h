@@ -57,5 +57,12 @@ namespace Signorini
 
     void
     declare(Section &section);
+
+    /// True if the preconditioner asks for the whole matrix.
+    bool
+    needs_matrix() const
+    {
+      return preconditioner != "contact filter";
+    }
   };
 } // namespace Signorini

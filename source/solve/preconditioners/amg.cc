@@ -44,10 +44,11 @@ namespace Signorini
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
       {
         levels.push_back(std::make_unique<Level>());
-        Level &level     = *levels.back();
-        level.number     = l;
-        level.K          = &hierarchy.stiffness(l);
-        level.diagonal_K = level.K->diagonal();
+        Level &level           = *levels.back();
+        level.number           = l;
+        level.K                = &hierarchy.stiffness(l);
+        level.diagonal_K       = level.K->diagonal();
+        level.smoothing_degree = hierarchy.smoothing_degree(l);
         if (l + 1 < hierarchy.n_levels())
           level.P = &hierarchy.prolongation(l);
         for (LA::Vector *v : {&level.x, &level.right, &level.rest, &level.step, &level.first})
@@ -174,8 +175,8 @@ namespace Signorini
               const LA::Vector &right,
               const bool        from_zero) const
   {
-    // Chebyshev polynomial of second degree on the upper part of the spectrum (Saad, Iterative
-    // Methods for Sparse Linear Systems, algorithm 12.1).
+    // Chebyshev polynomial on the upper part of the spectrum (Saad, Iterative Methods for Sparse
+    // Linear Systems, algorithm 12.1).
     const double largest = 1.1 * level.largest_eigenvalue, smallest = largest / 20;
     const double theta = (largest + smallest) / 2, delta = (largest - smallest) / 2;
     const double sigma = theta / delta;
@@ -193,14 +194,17 @@ namespace Signorini
     level.step.scale(level.inverse_diagonal);
     level.step /= theta;
     x += level.step;
-
-    multiply(level, level.rest, x);
-    level.rest.sadd(-1, 1, right);
-    level.rest.scale(level.inverse_diagonal);
-    const double next = 1 / (2 * sigma - rho);
-    level.step *= next * rho;
-    level.step.add(2 * next / delta, level.rest);
-    x += level.step;
+    for (unsigned int k = 1; k < level.smoothing_degree; ++k)
+      {
+        multiply(level, level.rest, x);
+        level.rest.sadd(-1, 1, right);
+        level.rest.scale(level.inverse_diagonal);
+        const double next = 1 / (2 * sigma - rho);
+        level.step *= next * rho;
+        level.step.add(2 * next / delta, level.rest);
+        x += level.step;
+        rho = next;
+      }
   }
 
 

@@ -16,6 +16,7 @@ namespace Signorini
                        DegreeLevel        level,
                        const unsigned int n_components)
     : finest(stiffness.rounded())
+    , n_degree_levels(1)
   {
     coarse.push_back(
       std::make_unique<Level>(std::move(level.stiffness), std::move(level.prolongation)));

@@ -37,7 +37,8 @@ namespace Signorini
     {
       unsigned int            number; ///< 0: the finest
       const Stiffness        *K;
-      const LA::SparseMatrix *P = nullptr; ///< from the next level to this
+      const LA::SparseMatrix *P = nullptr;      ///< from the next level to this
+      unsigned int            smoothing_degree; ///< of Chebyshev's polynomial
       LA::Vector              diagonal_K;
       LA::Vector              inverse_diagonal;       ///< of K + B^T D B
       double                  largest_eigenvalue = 0; ///< of inverse_diagonal * (K + B^T D B)

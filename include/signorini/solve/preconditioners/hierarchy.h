@@ -41,6 +41,15 @@ namespace Signorini
       return level == 0 ? finest : coarse[level - 1]->stiffness;
     }
 
+    /// Of polynomials that smooth a level. Where the degree of displacements falls, the next level
+    /// knows less of what is smooth: with 2, 3, 4 and 5, CG takes 13, 9, 8 and 7 iterations there,
+    /// and 3 is quickest.
+    unsigned int
+    smoothing_degree(const unsigned int level) const
+    {
+      return level < n_degree_levels ? 3 : 2;
+    }
+
     /// From level + 1 to level.
     const LA::SparseMatrix &
     prolongation(const unsigned int level) const
@@ -67,6 +76,7 @@ namespace Signorini
                    unsigned int                            n_components);
 
     const Stiffness                    &finest;
+    unsigned int                        n_degree_levels = 0; ///< above the one of degree one
     std::vector<std::unique_ptr<Level>> coarse;
   };
 } // namespace Signorini
