@@ -26,7 +26,10 @@ namespace Signorini
         parameters.set("PDE equations", static_cast<int>(n_components));
         parameters.set("null space: type", "pre-computed");
         parameters.set("null space: dimension", null_space.NumVectors());
-        parameters.set("null space: vectors", null_space.Values());
+        // Without any pointer ML would do without null space on ranks that have no rows.
+        static double nothing = 0;
+        parameters.set("null space: vectors",
+                       null_space.MyLength() > 0 ? null_space.Values() : &nothing);
         parameters.set("aggregation: type", "Uncoupled");
         // Dropping weak couplings harms elasticity: what looks weak is shear.
         parameters.set("aggregation: threshold", 0.);

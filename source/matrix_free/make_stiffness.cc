@@ -10,14 +10,15 @@ namespace Signorini
               const bool                          needs_matrix,
               const Elasticity<dim>              &elasticity)
   {
-    const bool is_possible = dim == 3 && elasticity.degree() <= largest_kernel_degree;
+    const auto &triangulation = elasticity.mesh().triangulation();
+    const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree,
+               has_levels     = elasticity.degree() > 1 || triangulation.n_global_levels() > 1;
     if (wanted == StiffnessForm::matrix_free && !is_possible)
       throw SceneError(
         "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two; "
         "take auto or assembled");
-    return wanted.value_or(is_possible && !needs_matrix && elasticity.degree() > 1 ?
-                             StiffnessForm::matrix_free :
-                             StiffnessForm::assembled);
+    return wanted.value_or(is_possible && has_levels && !needs_matrix ? StiffnessForm::matrix_free :
+                                                                        StiffnessForm::assembled);
   }
 
 

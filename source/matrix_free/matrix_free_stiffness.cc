@@ -8,79 +8,16 @@ namespace Signorini
 {
   using namespace dealii;
 
-  /// For preconditioners: products only, and the diagonal.
-  class MatrixFreeStiffness::Rounded : public Stiffness
-  {
-  public:
-    explicit Rounded(const MatrixFreeStiffness &exact)
-      : exact(exact)
-      , cells(exact.elasticity)
-    {}
-
-    void
-    vmult(LA::Vector &dst, const LA::Vector &src) const override
-    {
-      cells.vmult(dst, src);
-    }
-
-    void
-    vmult_add(LA::Vector &dst, const LA::Vector &src) const override
-    {
-      exact.vmult_add(dst, src);
-    }
-
-    LA::Vector
-    diagonal() const override
-    {
-      return exact.diagonal();
-    }
-
-    LA::Vector
-    row_sizes() const override
-    {
-      return cells.row_sizes();
-    }
-
-    const LA::SparseMatrix &
-    rows(const LA::Vector &marker) const override
-    {
-      return exact.rows(marker);
-    }
-
-    const LA::SparseMatrix &
-    matrix() const override
-    {
-      return exact.matrix();
-    }
-
-    IndexSet
-    owned() const override
-    {
-      return exact.owned();
-    }
-
-    MPI_Comm
-    communicator() const override
-    {
-      return exact.communicator();
-    }
-
-    unsigned int
-    version() const override
-    {
-      return exact.version();
-    }
-
-  private:
-    const MatrixFreeStiffness &exact;
-    const CellOperator<float>  cells;
-  };
-
-
-
   MatrixFreeStiffness::MatrixFreeStiffness(const Elasticity<3> &elasticity)
+    : MatrixFreeStiffness(elasticity, cell_space(elasticity))
+  {}
+
+
+
+  MatrixFreeStiffness::MatrixFreeStiffness(const Elasticity<3> &elasticity, const CellSpace &space)
     : elasticity(elasticity)
-    , cells(elasticity)
+    , cells(space)
+    , in_single_precision(space)
     , workspace(elasticity.zero_vector())
   {}
 
@@ -91,16 +28,6 @@ namespace Signorini
   {
     cells.vmult(workspace, src);
     dst += workspace;
-  }
-
-
-
-  const Stiffness &
-  MatrixFreeStiffness::rounded() const
-  {
-    if (!in_single_precision)
-      in_single_precision = std::make_unique<Rounded>(*this);
-    return *in_single_precision;
   }
 
 

@@ -1,4 +1,5 @@
 #include <signorini/elasticity/rigid_body_modes.h>
+#include <signorini/levels/make_levels.h>
 #include <signorini/linear_algebra/direct_solver.h>
 #include <signorini/parameters/text.h>
 #include <signorini/solve/linear_solver.h>
@@ -87,15 +88,12 @@ namespace Signorini
           modes.resize(dim); // they come first
         return std::move(modes);
       };
-      const bool by_degree =
-        settings.coarsening ? settings.coarsening == Coarsening::degree : elasticity.degree() > 1;
-      if (!by_degree)
-        return std::make_shared<const Hierarchy>(stiffness,
-                                                 known(rigid_body_modes(elasticity)),
-                                                 dim);
-      DegreeLevel level = make_degree_level(elasticity, stiffness.diagonal());
-      level.modes       = known(std::move(level.modes));
-      return std::make_shared<const Hierarchy>(stiffness, std::move(level), dim);
+      Spaces spaces;
+      if (settings.coarsening != Coarsening::algebraic)
+        spaces = make_spaces(elasticity, stiffness, settings.coarsening != Coarsening::degree);
+      const auto modes =
+        known(spaces.levels.empty() ? rigid_body_modes(elasticity) : std::move(spaces.modes));
+      return std::make_shared<const Hierarchy>(stiffness, std::move(spaces.levels), modes, dim);
     }
   } // namespace
 

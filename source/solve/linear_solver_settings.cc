@@ -30,7 +30,8 @@ namespace Signorini
   const Choices<Coarsening> &
   coarsenings()
   {
-    static const Choices<Coarsening> list = {{"degree", Coarsening::degree},
+    static const Choices<Coarsening> list = {{"geometric", Coarsening::geometric},
+                                             {"degree", Coarsening::degree},
                                              {"algebraic", Coarsening::algebraic}};
     return list;
   }
@@ -56,9 +57,10 @@ namespace Signorini
     section.add_choice(
       "Coarsening",
       coarsening,
-      or_auto(coarsenings()),
-      "first step of multigrid: to degree one on the same mesh, or to aggregates of nodes as all further "
-      "steps; auto: degree where a body has more than one");
+      coarsenings(),
+      "levels of multigrid. geometric: where bodies have a higher degree, degree one on the same mesh; in three dimensions "
+      "then coarser meshes, as far as cells have been refined; at last aggregates of nodes. degree: without coarser meshes. "
+      "algebraic: aggregates alone");
     section.add_choice(
       "Krylov method",
       krylov,

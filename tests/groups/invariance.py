@@ -134,7 +134,7 @@ def operators(scene, sets):
         def found(operator, coarsening):
             return answers(test.results(scene, [*sets, f"Solver/Operator={operator}", f"Solver/Coarsening={coarsening}"]))
         first = found("assembled", "algebraic")
-        for operator, coarsening in (("assembled", "degree"), ("matrix-free", "degree"), ("matrix-free", "algebraic")):
+        for operator, coarsening in (("assembled", "degree"), ("matrix-free", "geometric"), ("matrix-free", "algebraic")):
             compare(test, f"{operator}, {coarsening}", found(operator, coarsening), first)
     return body
 

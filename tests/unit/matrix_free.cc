@@ -1,7 +1,8 @@
 // Products without a matrix against the assembled matrix, on every kind of cell and constraint, and
 // the level of degree one against its Galerkin product.
 
-#include <signorini/levels/degree_level.h>
+#include <signorini/elasticity/rigid_body_modes.h>
+#include <signorini/levels/make_levels.h>
 #include <signorini/linear_algebra/diagonal.h>
 #include <signorini/linear_algebra/row_view.h>
 #include <signorini/linear_algebra/values.h>
@@ -191,33 +192,98 @@ TEST_CASE("all instruction sets give the same")
 
 
 
-TEST_CASE("the level of degree one is the Galerkin product where cells are flat")
+namespace
+{
+  /// |P^T K P u - K_coarse u| / |K_coarse u| for a rough u on the coarse level.
+  double
+  galerkin_defect(const StiffnessOperator &fine, const Level &coarse)
+  {
+    const LA::SparseMatrix &P = *coarse.prolongation;
+    LA::Vector              u(coarse.stiffness->owned(), MPI_COMM_WORLD), product = u, galerkin = u;
+    LA::Vector              on_fine(fine.owned(), MPI_COMM_WORLD), f = on_fine;
+    // Constrained degrees of freedom stand for nothing: nothing is prolongated from there.
+    f = 1.;
+    P.Tvmult(u, f);
+    for (const auto i : u.locally_owned_elements())
+      u(i) = std::abs(u(i)) > 1e-10 ? std::sin(1 + 2. * i * i) : 0.;
+    u.compress(VectorOperation::insert);
+    P.vmult(on_fine, u);
+    fine.vmult(f, on_fine);
+    P.Tvmult(galerkin, f);
+    coarse.stiffness->vmult(product, u);
+    return distance(product, galerkin);
+  }
+} // namespace
+
+
+
+TEST_CASE("levels are Galerkin products where cells are flat, on meshes with hanging nodes, too")
 {
   for (const Case &one : cases_3d())
-    if (one.name != "curved, not matching")
-      {
-        CAPTURE(one.name);
-        SmallScene<3>           scene(one.lines + Lines{"Mesh/Degree=2"});
-        const LA::SparseMatrix &K     = scene.elasticity->stiffness();
-        const DegreeLevel       level = make_degree_level(*scene.elasticity, LA::diagonal(K));
-        LA::Vector u(level.stiffness.locally_owned_range_indices(), MPI_COMM_WORLD), coarse = u;
-        for (const auto i : u.locally_owned_elements())
-          u(i) = std::sin(1 + 2. * i * i);
-        u.compress(VectorOperation::insert);
-        LA::Vector fine = scene.elasticity->zero_vector(), f = fine, galerkin = u;
-        level.prolongation.vmult(fine, u);
-        K.vmult(f, fine);
-        level.prolongation.Tvmult(galerkin, f);
-        // Constrained degrees of freedom stand for nothing: nothing is prolongated from there.
-        LA::Vector free = u, ones = f;
-        ones = 1.;
-        level.prolongation.Tvmult(free, ones);
-        for (const auto i : u.locally_owned_elements())
-          u(i) = free(i) != 0 ? u(i) : 0.;
-        u.compress(VectorOperation::insert);
-        level.stiffness.vmult(coarse, u);
-        CHECK(distance(coarse, galerkin) < 1e-12);
-      }
+    for (const std::string degree : {"1", "2"})
+      if (one.name != "curved, not matching")
+        {
+          CAPTURE(one.name);
+          CAPTURE(degree);
+          SmallScene<3> scene(one.lines + Lines{"Mesh/Degree=" + degree, "Mesh/Refinements=2"});
+          const MatrixFreeStiffness stiffness(*scene.elasticity);
+          for (const bool to_coarser_meshes : {false, true})
+            {
+              const Spaces spaces = make_spaces(*scene.elasticity, stiffness, to_coarser_meshes);
+              CHECK(spaces.levels.size() >= (degree == "2" ? 1 : 0) + (to_coarser_meshes ? 1 : 0));
+              const StiffnessOperator *above = &stiffness;
+              for (const Level &level : spaces.levels)
+                {
+                  CHECK(galerkin_defect(*above, level) < 1e-5);
+                  above = level.stiffness.get();
+                }
+              if (spaces.levels.empty())
+                continue;
+              REQUIRE(spaces.levels.back().matrix);
+              CHECK(spaces.modes.size() == 6);
+              for (const auto &mode : spaces.modes)
+                CHECK(mode.size() == spaces.levels.back().stiffness->owned().n_elements());
+            }
+        }
+}
+
+
+
+TEST_CASE("prolongation from coarser meshes keeps rigid-body motions")
+{
+  // No support: they are to pass all levels.
+  SmallScene<3>             scene({"Dimension=3",
+                                   "Mesh/Degree=1",
+                                   "Mesh/Refinements=3",
+                                   "Bodies/Names=bar",
+                                   "Bodies/bar/Corners=0,0,0 : 2,3,4",
+                                   "Bodies/bar/Subdivisions=1,2,2",
+                                   "Bodies/bar/Young's modulus=1",
+                                   "Bodies/bar/Poisson's ratio=0.3",
+                                   "Mesh/Zones/Names=near",
+                                   "Mesh/Zones/near/Where=min(0.5 - x, 1 - y)",
+                                   "Newton/Undetermined motions=hold"});
+  const MatrixFreeStiffness stiffness(*scene.elasticity);
+  const Spaces              spaces = make_spaces(*scene.elasticity, stiffness, true);
+  REQUIRE(spaces.levels.size() >= 2);
+  const auto exact = rigid_body_modes(*scene.elasticity);
+  for (unsigned int m = 0; m < 6; ++m)
+    {
+      LA::Vector u(spaces.levels.back().stiffness->owned(), MPI_COMM_WORLD);
+      std::copy(spaces.modes[m].begin(), spaces.modes[m].end(), LA::values_of(u));
+      for (auto level = spaces.levels.rbegin(); level != spaces.levels.rend(); ++level)
+        {
+          LA::Vector above(level->prolongation->locally_owned_range_indices(), MPI_COMM_WORLD);
+          level->prolongation->vmult(above, u);
+          u = above;
+        }
+      double worst = 0;
+      for (unsigned int i = 0; i < u.locally_owned_size(); ++i)
+        if (const auto dof = u.locally_owned_elements().nth_index_in_set(i);
+            !scene.elasticity->constraints().is_constrained(dof))
+          worst = std::max(worst, std::abs(LA::values_of(u)[i] - exact[m][i]));
+      CHECK(Utilities::MPI::max(worst, MPI_COMM_WORLD) < 1e-12);
+    }
 }
 
 
@@ -225,31 +291,33 @@ TEST_CASE("the level of degree one is the Galerkin product where cells are flat"
 TEST_CASE("supports at nodes that degree one has not are not lost")
 {
   // The middles of edges of a bar's cells, so that no vertex is held.
-  SmallScene<3>     scene({"Dimension=3",
-                           "Mesh/Degree=2",
-                           "Bodies/Names=bar",
-                           "Bodies/bar/Corners=0,0,0 : 2,3,4",
-                           "Bodies/bar/Subdivisions=2,2,2",
-                           "Bodies/bar/Young's modulus=1",
-                           "Bodies/bar/Poisson's ratio=0.3",
-                           "Supports/Names=one, two, three",
-                           "Supports/one/Point=0.5,0,0",
-                           "Supports/one/Displacement=0; 0; 0",
-                           "Supports/two/Point=1.5,0,0",
-                           "Supports/two/Displacement=free; 0; 0",
-                           "Supports/three/Point=0.5,3,0",
-                           "Supports/three/Displacement=free; free; 0"});
-  const DegreeLevel level =
-    make_degree_level(*scene.elasticity, LA::diagonal(scene.elasticity->stiffness()));
-  const unsigned int n = level.modes.size();
-  FullMatrix<double> energies(n, n);
+  SmallScene<3>             scene({"Dimension=3",
+                                   "Mesh/Degree=2",
+                                   "Bodies/Names=bar",
+                                   "Bodies/bar/Corners=0,0,0 : 2,3,4",
+                                   "Bodies/bar/Subdivisions=2,2,2",
+                                   "Bodies/bar/Young's modulus=1",
+                                   "Bodies/bar/Poisson's ratio=0.3",
+                                   "Supports/Names=one, two, three",
+                                   "Supports/one/Point=0.5,0,0",
+                                   "Supports/one/Displacement=0; 0; 0",
+                                   "Supports/two/Point=1.5,0,0",
+                                   "Supports/two/Displacement=free; 0; 0",
+                                   "Supports/three/Point=0.5,3,0",
+                                   "Supports/three/Displacement=free; free; 0"});
+  const MatrixFreeStiffness stiffness(*scene.elasticity);
+  const Spaces              spaces = make_spaces(*scene.elasticity, stiffness, true);
+  REQUIRE(spaces.levels.size() == 1);
+  const LA::SparseMatrix &K = *spaces.levels.front().matrix;
+  const unsigned int      n = spaces.modes.size();
+  FullMatrix<double>      energies(n, n);
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
       {
-        LA::Vector a(level.stiffness.locally_owned_range_indices(), MPI_COMM_WORLD), b = a, Kb = a;
-        std::copy(level.modes[i].begin(), level.modes[i].end(), LA::values_of(a));
-        std::copy(level.modes[j].begin(), level.modes[j].end(), LA::values_of(b));
-        level.stiffness.vmult(Kb, b);
+        LA::Vector a(K.locally_owned_range_indices(), MPI_COMM_WORLD), b = a, Kb = a;
+        std::copy(spaces.modes[i].begin(), spaces.modes[i].end(), LA::values_of(a));
+        std::copy(spaces.modes[j].begin(), spaces.modes[j].end(), LA::values_of(b));
+        K.vmult(Kb, b);
         energies(i, j) = a * Kb;
       }
   // None is free: the smallest eigenvalue, by the inverse's trace.
@@ -261,31 +329,33 @@ TEST_CASE("supports at nodes that degree one has not are not lost")
 
 
 
-TEST_CASE("a cycle through degree one is symmetric and positive definite, matrix or not")
+TEST_CASE(
+  "a cycle through degree one and coarser meshes is symmetric and positive definite, matrix or not")
 {
   for (const Case &one : cases_3d())
     {
       CAPTURE(one.name);
-      SmallScene<3> scene(one.lines + Lines{"Mesh/Degree=2"});
+      SmallScene<3> scene(one.lines + Lines{"Mesh/Degree=2", "Mesh/Refinements=1"});
       scene.use({"Method=penalty"});
       const AssembledStiffness  matrix(scene.elasticity->stiffness());
       const MatrixFreeStiffness cells(*scene.elasticity);
-      for (const Stiffness *stiffness : std::vector<const Stiffness *>{&matrix, &cells})
-        {
-          const Hierarchy hierarchy(*stiffness,
-                                    make_degree_level(*scene.elasticity, stiffness->diagonal()),
-                                    3);
-          AMG             amg(hierarchy, &scene.gap_operator());
-          LA::Vector      springs = scene.gap_operator().weight;
-          springs *= 100;
-          amg.set_springs(springs);
-          const LA::Vector x = scene.rough_field(1, 0.3), y = scene.rough_field(1, 1.1);
-          LA::Vector       Vx = x, Vy = y;
-          amg.vmult(Vx, x);
-          amg.vmult(Vy, y);
-          const double size = std::sqrt((x * Vx) * (y * Vy));
-          CHECK(std::abs(x * Vy - y * Vx) < (stiffness == &matrix ? 1e-11 : 1e-6) * size);
-          CHECK(x * Vx > 0);
-        }
+      for (const bool to_coarser_meshes : {false, true})
+        for (const Stiffness *stiffness : std::vector<const Stiffness *>{&matrix, &cells})
+          {
+            Spaces          spaces = make_spaces(*scene.elasticity, *stiffness, to_coarser_meshes);
+            const Hierarchy hierarchy(*stiffness, std::move(spaces.levels), spaces.modes, 3);
+            AMG             amg(hierarchy, &scene.gap_operator());
+            LA::Vector      springs = scene.gap_operator().weight;
+            springs *= 100;
+            amg.set_springs(springs);
+            const LA::Vector x = scene.rough_field(1, 0.3), y = scene.rough_field(1, 1.1);
+            LA::Vector       Vx = x, Vy = y;
+            amg.vmult(Vx, x);
+            amg.vmult(Vy, y);
+            const double size     = std::sqrt((x * Vx) * (y * Vy));
+            const bool   is_exact = stiffness == &matrix && !to_coarser_meshes;
+            CHECK(std::abs(x * Vy - y * Vx) < (is_exact ? 1e-11 : 1e-5) * size);
+            CHECK(x * Vx > 0);
+          }
     }
 }

@@ -34,7 +34,7 @@ namespace
     const auto               method = make_method("Lagrange multiplier");
     const TwoBlocks<dim>     scene(*method, 2);
     const AssembledStiffness K(scene.elasticity.stiffness());
-    const Hierarchy          hierarchy(K, rigid_body_modes(scene.elasticity), dim);
+    const Hierarchy          hierarchy(K, {}, rigid_body_modes(scene.elasticity), dim);
     AMG                      amg(hierarchy, scene.contact.get());
     LA::Vector               D = every_other(*scene.contact);
     D *= spring;
@@ -58,7 +58,7 @@ namespace
     CAPTURE(factor);
     const TwoBlocks<dim>     scene(*make_method("penalty"), 1);
     const AssembledStiffness K(scene.elasticity.stiffness());
-    const Hierarchy          hierarchy(K, rigid_body_modes(scene.elasticity), dim);
+    const Hierarchy          hierarchy(K, {}, rigid_body_modes(scene.elasticity), dim);
     const NormalContact      law = NormalContact::springs(*scene.contact, factor);
     ContactSystem            system(K, law);
     LA::Vector               active = scene.contact->zero();

@@ -275,7 +275,10 @@ TEST_CASE("a law with two components a point is another law, not another solver"
       ContactSystem   system(bodies.stiffness(), law);
       BodiesHierarchy hierarchies(bodies.stiffness(), 1, [&] {
         const std::vector<double> ones(problem.owned.n_elements(), 1.);
-        return std::make_shared<const Hierarchy>(bodies.stiffness(), std::vector(1, ones), 1);
+        return std::make_shared<const Hierarchy>(bodies.stiffness(),
+                                                 std::vector<Level>(),
+                                                 std::vector(1, ones),
+                                                 1);
       });
       LinearSolver    linear_solver(settings, system, hierarchies, silence.timer);
       Newton          newton({}, bodies, law, system, linear_solver);

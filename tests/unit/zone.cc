@@ -187,7 +187,7 @@ TEST_CASE("the contact filter keeps all constraints")
   SmallScene<2> scene(small("2"));
   scene.use({"Method=Lagrange multiplier"});
   const AssembledStiffness stiffness(scene.elasticity->stiffness());
-  const Hierarchy          hierarchy(stiffness, rigid_body_modes(*scene.elasticity), 2);
+  const Hierarchy          hierarchy(stiffness, {}, rigid_body_modes(*scene.elasticity), 2);
   const NormalContact      law(scene.method(), scene.gap_operator());
   ContactSystem            system(stiffness, law);
   system.set_active(every_other(scene.gap_operator()));
@@ -217,7 +217,7 @@ TEST_CASE("Schur complements are those of their definitions")
       CAPTURE(method[0]);
       scene.use(method);
       const AssembledStiffness stiffness(scene.elasticity->stiffness());
-      const Hierarchy          hierarchy(stiffness, rigid_body_modes(*scene.elasticity), 2);
+      const Hierarchy          hierarchy(stiffness, {}, rigid_body_modes(*scene.elasticity), 2);
       const NormalContact      law(scene.method(), scene.gap_operator());
       ContactSystem            system(stiffness, law);
       system.set_active(every_other(scene.gap_operator()));

@@ -17,19 +17,15 @@ namespace Signorini
   const Choices<StiffnessForm> &
   stiffness_forms();
 
-  /// K, how the forces of the bodies change with their displacement, with what a solver asks of it:
-  /// products, the diagonal, and the rows near contact. Only what cannot do without asks for the
-  /// whole matrix.
-  class Stiffness
+  /// What the smoother of a level of multigrid asks of a stiffness K.
+  class StiffnessOperator
   {
   public:
-    virtual ~Stiffness() = default;
+    virtual ~StiffnessOperator() = default;
 
+    /// dst = K src. Collective.
     virtual void
     vmult(LA::Vector &dst, const LA::Vector &src) const = 0;
-
-    virtual void
-    vmult_add(LA::Vector &dst, const LA::Vector &src) const = 0;
 
     virtual LA::Vector
     diagonal() const = 0;
@@ -39,8 +35,24 @@ namespace Signorini
     virtual LA::Vector
     row_sizes() const = 0;
 
+    /// The degrees of freedom of this rank.
+    virtual dealii::IndexSet
+    owned() const = 0;
+
+    virtual MPI_Comm
+    communicator() const = 0;
+  };
+
+  /// K, how the forces of the bodies change with their displacement, with what else solvers ask of
+  /// it, such as the rows near contact. Only what cannot do without asks for the whole matrix.
+  class Stiffness : public StiffnessOperator
+  {
+  public:
+    virtual void
+    vmult_add(LA::Vector &dst, const LA::Vector &src) const = 0;
+
     /// The same in single precision, if that is quicker: good enough for a preconditioner.
-    virtual const Stiffness &
+    virtual const StiffnessOperator &
     rounded() const
     {
       return *this;
@@ -54,13 +66,6 @@ namespace Signorini
     /// Collective.
     virtual const LA::SparseMatrix &
     matrix() const = 0;
-
-    /// The degrees of freedom of this rank.
-    virtual dealii::IndexSet
-    owned() const = 0;
-
-    virtual MPI_Comm
-    communicator() const = 0;
 
     /// Another one after each change of values. What was returned before may be void then.
     virtual unsigned int

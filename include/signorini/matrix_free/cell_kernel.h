@@ -26,6 +26,12 @@ namespace Signorini
     {
       return lambda.size();
     }
+
+    unsigned int
+    nodes_per_cell() const
+    {
+      return (degree + 1) * (degree + 1) * (degree + 1);
+    }
   };
 
   /// Linear elasticity of hexahedra without their matrices: the integrals int sigma(u):eps(v) dV

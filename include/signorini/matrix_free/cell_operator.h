@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/elasticity/elasticity.h>
-#include <signorini/matrix_free/cell_kernel.h>
+#include <signorini/elasticity/stiffness.h>
+#include <signorini/matrix_free/cell_space.h>
 #include <signorini/matrix_free/local_vectors.h>
 
 #include <memory>
@@ -9,38 +9,49 @@
 
 namespace Signorini
 {
-  /// K of bodies in space by kernels for their cells, with hanging nodes condensed and prescribed
-  /// displacements eliminated; on its diagonal what Elasticity::diagonal_terms() says, and the
-  /// plain stiffness where a degree of freedom is constrained.
+  /// K by kernels for the cells of a space, with hanging nodes condensed and prescribed
+  /// displacements eliminated; on its diagonal also the space's terms, and the plain stiffness
+  /// where a degree of freedom is constrained.
   template <typename Number>
-  class CellOperator
+  class CellOperator : public StiffnessOperator
   {
   public:
-    /// The elasticity is not needed any more afterwards. Its degrees are those that there are
-    /// kernels for.
-    explicit CellOperator(const Elasticity<3> &elasticity);
+    /// The space is not needed any more afterwards.
+    explicit CellOperator(const CellSpace &space);
 
-    /// dst = K src. Collective, as the others.
     void
-    vmult(LA::Vector &dst, const LA::Vector &src) const;
+    vmult(LA::Vector &dst, const LA::Vector &src) const override;
 
-    const LA::Vector &
-    diagonal() const
+    LA::Vector
+    diagonal() const override
     {
       return my_diagonal;
     }
 
-    /// See Stiffness::row_sizes().
+    /// From the eigenvalues of cells.
     LA::Vector
-    row_sizes() const;
+    row_sizes() const override;
+
+    dealii::IndexSet
+    owned() const override
+    {
+      return my_owned;
+    }
+
+    MPI_Comm
+    communicator() const override
+    {
+      return my_diagonal.get_mpi_communicator();
+    }
 
     std::size_t
     memory() const;
 
   private:
     void
-    make_diagonal(const Elasticity<3> &elasticity);
+    make_diagonal(const CellSpace &space);
 
+    const dealii::IndexSet                           my_owned;
     LocalVectors<Number>                             vectors;
     std::vector<std::unique_ptr<CellKernel<Number>>> kernels; ///< one a degree
     LA::Vector                                       my_diagonal, terms;

@@ -8,8 +8,9 @@
 
 namespace Signorini
 {
-  /// The form that is asked for, or the quicker one: without a matrix in space, where bodies have
-  /// degree two, and nobody needs the matrix anyway. Throws SceneError if there is no code for what
+  /// The form that is asked for, or the quicker one: without a matrix in space, where there are
+  /// coarser levels (bodies of degree two, or cells that were refined), and nobody needs the matrix
+  /// anyway. Throws SceneError if there is no code for what
   /// is asked for.
   template <int dim>
   StiffnessForm

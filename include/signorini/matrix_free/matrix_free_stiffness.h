@@ -36,8 +36,11 @@ namespace Signorini
       return cells.row_sizes();
     }
 
-    const Stiffness &
-    rounded() const override;
+    const StiffnessOperator &
+    rounded() const override
+    {
+      return in_single_precision;
+    }
 
     /// What was returned before is void if there are marks that it had not.
     const LA::SparseMatrix &
@@ -65,11 +68,11 @@ namespace Signorini
     }
 
   private:
-    class Rounded;
+    MatrixFreeStiffness(const Elasticity<3> &elasticity, const CellSpace &space);
 
     const Elasticity<3>                      &elasticity;
     const CellOperator<double>                cells;
-    mutable std::unique_ptr<const Stiffness>  in_single_precision;
+    const CellOperator<float>                 in_single_precision;
     mutable LA::Vector                        marked; ///< the rows that there are, empty: none
     mutable std::unique_ptr<LA::SparseMatrix> some_rows;
     mutable LA::Vector                        workspace;

@@ -25,11 +25,12 @@ namespace Signorini
     translations
   };
 
-  /// The level below the stiffness itself.
+  /// The levels below the stiffness itself, before those of aggregates.
   enum class Coarsening
   {
-    degree,   ///< displacements of degree one on the same mesh; aggregates below that
-    algebraic ///< aggregates
+    geometric, ///< displacements of degree one on the same mesh, then on coarser ones
+    degree,    ///< the first alone
+    algebraic  ///< none
   };
 
   // As the scene file calls them.
@@ -46,7 +47,7 @@ namespace Signorini
   struct LinearSolverSettings
   {
     std::optional<StiffnessForm>     stiffness_form; ///< none: the quicker one
-    std::optional<Coarsening>        coarsening;     ///< none: degree where it is more than one
+    Coarsening                       coarsening     = Coarsening::geometric;
     std::string                      preconditioner = "contact filter";
     std::optional<Krylov>            krylov; ///< none: what suits system and preconditioner
     std::string                      schur_complement = "zone";

@@ -37,7 +37,8 @@ namespace Signorini
 
 
   AMG::AMG(const Hierarchy &hierarchy, const GapOperator *contact)
-    : direct(LA::DirectLibrary::KLU)
+    : coarsest_K(hierarchy.coarsest_matrix())
+    , direct(LA::DirectLibrary::KLU)
   {
     if (contact && !contact->empty())
       springs.emplace(hierarchy, *contact);
@@ -49,6 +50,7 @@ namespace Signorini
         level.K                = &hierarchy.stiffness(l);
         level.diagonal_K       = level.K->diagonal();
         level.smoothing_degree = hierarchy.smoothing_degree(l);
+        level.n_visits         = hierarchy.n_visits(l);
         if (l + 1 < hierarchy.n_levels())
           level.P = &hierarchy.prolongation(l);
         for (LA::Vector *v : {&level.x, &level.right, &level.rest, &level.step, &level.first})
@@ -151,9 +153,8 @@ namespace Signorini
     direct.clear();
     coarsest.reset();
     if (springs && springs->any())
-      coarsest =
-        std::make_unique<LA::SparseMatrix>(springs->added_to(last.K->matrix(), last.number));
-    const int error = direct.factorise(coarsest ? *coarsest : last.K->matrix());
+      coarsest = std::make_unique<LA::SparseMatrix>(springs->added_to(coarsest_K, last.number));
+    const int error = direct.factorise(coarsest ? *coarsest : coarsest_K);
     AssertThrow(error == 0, ExcTrilinosError(error));
   }
 
@@ -224,7 +225,7 @@ namespace Signorini
     const Level &next = *levels[l + 1];
     LA::multiply_transposed(*level.P, next.right, level.rest);
     cycle(l + 1, next.x, next.right);
-    if (next.P) // a W-cycle: what is left, once more
+    if (next.P && next.n_visits == 2) // what is left, once more
       {
         next.first = next.x;
         multiply(next, next.rest, next.first);

@@ -128,7 +128,7 @@ namespace Signorini
       }
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
       {
-        const Stiffness &K = hierarchy.stiffness(l);
+        const StiffnessOperator &K = hierarchy.stiffness(l);
         levels.push_back({l == 0 ? mean_rows(contact.B_free, groups, contact.weight, weight) :
                                    LA::product(levels[l - 1].B, hierarchy.prolongation(l - 1)),
                           D,

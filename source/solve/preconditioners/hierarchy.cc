@@ -1,37 +1,19 @@
+#include <signorini/linear_algebra/smoothed_aggregation.h>
 #include <signorini/solve/preconditioners/hierarchy.h>
 
 namespace Signorini
 {
   Hierarchy::Hierarchy(const Stiffness                        &stiffness,
+                       std::vector<Level>                      spaces,
                        const std::vector<std::vector<double>> &modes,
                        const unsigned int                      n_components)
     : finest(stiffness.rounded())
+    , coarse(std::move(spaces))
+    , n_spaces(coarse.size())
+    , coarsest(coarse.empty() ? &stiffness.matrix() : coarse.back().matrix.get())
   {
-    add_aggregates(stiffness.matrix(), modes, n_components);
-  }
-
-
-
-  Hierarchy::Hierarchy(const Stiffness   &stiffness,
-                       DegreeLevel        level,
-                       const unsigned int n_components)
-    : finest(stiffness.rounded())
-    , n_degree_levels(1)
-  {
-    coarse.push_back(
-      std::make_unique<Level>(std::move(level.stiffness), std::move(level.prolongation)));
-    add_aggregates(coarse.back()->matrix, level.modes, n_components);
-  }
-
-
-
-  void
-  Hierarchy::add_aggregates(const LA::SparseMatrix                 &matrix,
-                            const std::vector<std::vector<double>> &modes,
-                            const unsigned int                      n_components)
-  {
-    for (LA::CoarseLevel &level : LA::smoothed_aggregation(matrix, modes, n_components))
-      coarse.push_back(
-        std::make_unique<Level>(std::move(level.matrix), std::move(level.prolongation)));
+    for (LA::CoarseLevel &level : LA::smoothed_aggregation(*coarsest, modes, n_components))
+      coarse.emplace_back(std::move(level.prolongation), std::move(level.matrix));
+    coarsest = coarse.empty() ? &stiffness.matrix() : coarse.back().matrix.get();
   }
 } // namespace Signorini

@@ -35,14 +35,15 @@ namespace Signorini
   private:
     struct Level
     {
-      unsigned int            number; ///< 0: the finest
-      const Stiffness        *K;
-      const LA::SparseMatrix *P = nullptr;      ///< from the next level to this
-      unsigned int            smoothing_degree; ///< of Chebyshev's polynomial
-      LA::Vector              diagonal_K;
-      LA::Vector              inverse_diagonal;       ///< of K + B^T D B
-      double                  largest_eigenvalue = 0; ///< of inverse_diagonal * (K + B^T D B)
-      mutable LA::Vector      x, right, rest, step, first;
+      unsigned int             number; ///< 0: the finest
+      const StiffnessOperator *K;
+      const LA::SparseMatrix  *P = nullptr;      ///< from the next level to this
+      unsigned int             smoothing_degree; ///< of Chebyshev's polynomial
+      unsigned int             n_visits;         ///< in a cycle of the level above
+      LA::Vector               diagonal_K;
+      LA::Vector               inverse_diagonal;       ///< of K + B^T D B
+      double                   largest_eigenvalue = 0; ///< of inverse_diagonal * (K + B^T D B)
+      mutable LA::Vector       x, right, rest, step, first;
     };
 
     void
@@ -63,6 +64,7 @@ namespace Signorini
 
     std::vector<std::unique_ptr<Level>> levels;
     std::optional<AMGSprings>           springs;
+    const LA::SparseMatrix             &coarsest_K;
     std::unique_ptr<LA::SparseMatrix>   coarsest; ///< with springs; null: there are none
     LA::DirectSolver                    direct;   ///< of the coarsest level
     mutable unsigned int                n_cycles = 0;

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/stiffness.h>
-#include <signorini/levels/degree_level.h>
-#include <signorini/linear_algebra/smoothed_aggregation.h>
+#include <signorini/levels/level.h>
 
 #include <memory>
 #include <vector>
@@ -12,21 +11,22 @@ namespace Signorini
   /// The levels of a multigrid method for the stiffness of bodies. Belongs to the mesh; no level
   /// joins nodes of two bodies.
   ///
-  /// Below the stiffness itself, or below a level of degree one on the same mesh, there are those
-  /// of smoothed aggregation, made by ML from the near-null-space, the rigid-body modes:
-  /// translations alone cost half as many again, and the count then grows with the mesh.
+  /// Below the stiffness itself there may be spaces of lower degree and on coarser meshes
+  /// (`levels/`). Below the last of them come those of smoothed aggregation, made by ML from the
+  /// near-null-space, the rigid-body modes: translations alone cost half as many again, and the
+  /// count then grows with the mesh.
   class Hierarchy
   {
   public:
-    /// Refers to the stiffness, whose matrix it asks for.
-    /// @param modes rigid-body modes on the locally owned degrees of freedom, mode by mode
+    /// Refers to the stiffness. Without spaces, asks for its matrix.
+    /// @param spaces from finer to coarser, the last one with a matrix
+    /// @param modes rigid-body modes of the last of them, or of the stiffness, on the locally owned
+    /// degrees of freedom, mode by mode
     /// @param n_components unknowns of a node
     Hierarchy(const Stiffness                        &stiffness,
+              std::vector<Level>                      spaces,
               const std::vector<std::vector<double>> &modes,
               unsigned int                            n_components);
-
-    /// Refers to the stiffness, which needs no matrix.
-    Hierarchy(const Stiffness &stiffness, DegreeLevel level, unsigned int n_components);
 
     unsigned int
     n_levels() const
@@ -35,48 +35,46 @@ namespace Signorini
     }
 
     /// Level 0 is the finest, the stiffness itself, as a preconditioner needs it.
-    const Stiffness &
+    const StiffnessOperator &
     stiffness(const unsigned int level) const
     {
-      return level == 0 ? finest : coarse[level - 1]->stiffness;
+      return level == 0 ? finest : *coarse[level - 1].stiffness;
     }
 
-    /// Of polynomials that smooth a level. Where the degree of displacements falls, the next level
-    /// knows less of what is smooth: with 2, 3, 4 and 5, CG takes 13, 9, 8 and 7 iterations there,
-    /// and 3 is quickest.
-    unsigned int
-    smoothing_degree(const unsigned int level) const
+    const LA::SparseMatrix &
+    coarsest_matrix() const
     {
-      return level < n_degree_levels ? 3 : 2;
+      return *coarsest;
     }
 
     /// From level + 1 to level.
     const LA::SparseMatrix &
     prolongation(const unsigned int level) const
     {
-      return coarse[level]->prolongation;
+      return *coarse[level].prolongation;
+    }
+
+    /// Of polynomials that smooth a level. A space below knows less of what is smooth than
+    /// aggregates do: where the degree falls, CG takes 13, 9, 8 and 7 iterations with 2, 3, 4 and
+    /// 5, and 3 is the quickest.
+    unsigned int
+    smoothing_degree(const unsigned int level) const
+    {
+      return level < n_spaces ? 3 : 2;
+    }
+
+    /// Of each cycle above it: a W-cycle over aggregates, which are not as good, but there are few
+    /// levels of them; a V-cycle over meshes, where refinement may make many that hardly shrink.
+    unsigned int
+    n_visits(const unsigned int level) const
+    {
+      return level < n_spaces ? 1 : 2;
     }
 
   private:
-    struct Level
-    {
-      Level(LA::SparseMatrix &&matrix, LA::SparseMatrix &&prolongation)
-        : matrix(std::move(matrix))
-        , prolongation(std::move(prolongation))
-        , stiffness(this->matrix)
-      {}
-
-      const LA::SparseMatrix   matrix, prolongation;
-      const AssembledStiffness stiffness; ///< refers to the matrix
-    };
-
-    void
-    add_aggregates(const LA::SparseMatrix                 &matrix,
-                   const std::vector<std::vector<double>> &modes,
-                   unsigned int                            n_components);
-
-    const Stiffness                    &finest;
-    unsigned int                        n_degree_levels = 0; ///< above the one of degree one
-    std::vector<std::unique_ptr<Level>> coarse;
+    const StiffnessOperator &finest;
+    std::vector<Level>       coarse;
+    const unsigned int       n_spaces;
+    const LA::SparseMatrix  *coarsest;
   };
 } // namespace Signorini

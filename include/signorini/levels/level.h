@@ -1,0 +1,37 @@
+#pragma once
+
+#include <signorini/elasticity/stiffness.h>
+
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+  /// A level of multigrid below another one.
+  struct Level
+  {
+    /// With an assembled stiffness.
+    Level(LA::SparseMatrix &&prolongation, LA::SparseMatrix &&assembled)
+      : prolongation(std::make_unique<LA::SparseMatrix>(std::move(prolongation)))
+      , matrix(std::make_unique<LA::SparseMatrix>(std::move(assembled)))
+      , stiffness(std::make_unique<AssembledStiffness>(*matrix))
+    {}
+
+    /// With products only.
+    Level(LA::SparseMatrix &&prolongation, std::unique_ptr<const StiffnessOperator> stiffness)
+      : prolongation(std::make_unique<LA::SparseMatrix>(std::move(prolongation)))
+      , stiffness(std::move(stiffness))
+    {}
+
+    std::unique_ptr<const LA::SparseMatrix>  prolongation; ///< from this level to the one above
+    std::unique_ptr<const LA::SparseMatrix>  matrix;       ///< null: there is none
+    std::unique_ptr<const StiffnessOperator> stiffness;    ///< looks at the matrix
+  };
+
+  /// Levels of multigrid below the stiffness of bodies that are spaces of displacements.
+  struct Spaces
+  {
+    std::vector<Level>               levels; ///< from finer to coarser; the last has a matrix
+    std::vector<std::vector<double>> modes;  ///< of the last one, see rigid_body_modes()
+  };
+} // namespace Signorini

@@ -1,0 +1,123 @@
+#include <signorini/elasticity/rigid_body_modes.h>
+#include <signorini/levels/linear_space.h>
+#include <signorini/levels/make_levels.h>
+#include <signorini/levels/mesh_levels.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    LA::SparseMatrix
+    assembled(const Elasticity<dim>  &elasticity,
+              const LinearSpace<dim> &space,
+              const LostSupports     &lost,
+              const LA::Vector       &terms)
+    {
+      LA::SparseMatrix K;
+      StiffnessAssembly<dim>(elasticity.mesh(),
+                             elasticity.all_materials(),
+                             elasticity.model(),
+                             space.dofs,
+                             space.elements,
+                             space.constraints,
+                             space.owned,
+                             space.relevant)
+        .assemble(K);
+      lost.add_to(K);
+      for (const auto i : space.owned)
+        if (terms(i) > 0)
+          K.add(i, i, terms(i));
+      K.compress(VectorOperation::add);
+      return K;
+    }
+
+    template <int dim>
+    std::vector<std::vector<double>>
+    modes_of(const Elasticity<dim> &elasticity, const LinearSpace<dim> &space)
+    {
+      return rigid_body_modes(elasticity.mesh(), space.dofs, space.elements, space.owned);
+    }
+
+    /// Below bodies of degree one.
+    template <int dim>
+    Spaces
+    coarser_meshes(const Elasticity<dim> &elasticity)
+    {
+      if constexpr (dim == 3)
+        return mesh_levels({elasticity.dof_handler(),
+                            elasticity.hanging_nodes(),
+                            elasticity.constraints(),
+                            elasticity.owned(),
+                            elasticity.diagonal_terms(),
+                            rigid_body_modes(elasticity)},
+                           elasticity);
+      return {};
+    }
+
+    /// Below degree one, itself a level below bodies that have more.
+    template <int dim>
+    Spaces
+    coarser_meshes(const Elasticity<dim>  &elasticity,
+                   const LinearSpace<dim> &space,
+                   LA::SparseMatrix      &&P,
+                   const LA::Vector       &terms)
+    {
+      Spaces result;
+      if constexpr (dim == 3)
+        {
+          const LinearDisplacements linear{space.dofs,
+                                           space.hanging,
+                                           space.constraints,
+                                           space.owned,
+                                           terms,
+                                           modes_of(elasticity, space)};
+          result = mesh_levels(linear, elasticity);
+          if (!result.levels.empty())
+            result.levels.emplace(result.levels.begin(),
+                                  std::move(P),
+                                  finest_operator(linear, elasticity));
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Spaces
+  make_spaces(const Elasticity<dim> &elasticity,
+              const Stiffness       &stiffness,
+              const bool             to_coarser_meshes)
+  {
+    if (elasticity.degree() == 1)
+      return to_coarser_meshes ? coarser_meshes(elasticity) : Spaces();
+
+    const LinearSpace<dim> space(elasticity);
+    LA::SparseMatrix       P;
+    make_prolongation(elasticity, space, P);
+    const LostSupports lost(elasticity, space, stiffness.diagonal());
+    const LA::Vector   terms = restrict_terms(elasticity.diagonal_terms(),
+                                            P,
+                                            space.owned,
+                                            space.owned.size() - space.dofs.n_dofs());
+    if (to_coarser_meshes && !lost.any())
+      if (Spaces result = coarser_meshes(elasticity, space, std::move(P), terms);
+          !result.levels.empty())
+        return result;
+
+    Spaces result;
+    result.levels.emplace_back(std::move(P), assembled(elasticity, space, lost, terms));
+    result.modes = modes_of(elasticity, space);
+    return result;
+  }
+
+
+
+  template Spaces
+  make_spaces(const Elasticity<2> &, const Stiffness &, bool);
+  template Spaces
+  make_spaces(const Elasticity<3> &, const Stiffness &, bool);
+} // namespace Signorini

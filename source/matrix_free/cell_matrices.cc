@@ -1,0 +1,45 @@
+#include <signorini/matrix_free/cell_matrices.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  CellMatrices::CellMatrices(const KernelCells &cells, const std::vector<unsigned int> &which)
+    : n_dofs(3 * cells.nodes_per_cell())
+  {
+    KernelCells apart;
+    apart.degree = cells.degree;
+    for (const unsigned int cell : which)
+      {
+        for (unsigned int i = 0; i < n_dofs; i += 3)
+          apart.nodes.push_back(n_dofs * apart.size() + i);
+        const auto first = cells.points.begin() + std::size_t(n_dofs) * cell;
+        apart.points.insert(apart.points.end(), first, first + n_dofs);
+        apart.lambda.push_back(cells.lambda[cell]);
+        apart.mu.push_back(cells.mu[cell]);
+      }
+    const auto          kernel = CellKernel<double>::create(apart);
+    std::vector<double> u(std::size_t(n_dofs) * which.size(), 0.);
+    columns.resize(n_dofs, u);
+    for (unsigned int j = 0; j < n_dofs; ++j)
+      {
+        for (std::size_t at = j; at < u.size(); at += n_dofs)
+          u[at] = 1;
+        kernel->add_product(columns[j].data(), u.data());
+        for (std::size_t at = j; at < u.size(); at += n_dofs)
+          u[at] = 0;
+      }
+  }
+
+
+
+  FullMatrix<double>
+  CellMatrices::matrix(const unsigned int k) const
+  {
+    FullMatrix<double> result(n_dofs, n_dofs);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      for (unsigned int j = 0; j < n_dofs; ++j)
+        result(i, j) = columns[j][std::size_t(n_dofs) * k + i];
+    return result;
+  }
+} // namespace Signorini

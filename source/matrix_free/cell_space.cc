@@ -1,0 +1,192 @@
+#include <signorini/elasticity/cell_nodes.h>
+#include <signorini/linear_algebra/sparsity_pattern.h>
+#include <signorini/matrix_free/cell_matrices.h>
+#include <signorini/matrix_free/cell_space.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr int dim = 3;
+
+    /// Of a cell's degrees of freedom, those of the first components of its nodes, in lexicographic
+    /// order.
+    std::vector<unsigned int>
+    lexicographic_nodes(const FiniteElement<dim> &fe)
+    {
+      const auto               &scalar = dynamic_cast<const FE_Q<dim> &>(fe.base_element(0));
+      std::vector<unsigned int> result;
+      for (const unsigned int node : scalar.get_poly_space_numbering_inverse())
+        {
+          result.push_back(fe.component_to_system_index(0, node));
+          for (unsigned int c = 1; c < dim; ++c)
+            AssertThrow(fe.component_to_system_index(c, node) == result.back() + c,
+                        ExcInternalError("Components of a node are not one after the other."));
+        }
+      return result;
+    }
+
+    /// The cells of this rank with element number `element`.
+    KernelCells
+    cells_of(const Elasticity<dim> &elasticity, const unsigned int element)
+    {
+      const FiniteElement<dim>       &fe    = elasticity.finite_elements()[element];
+      const std::vector<unsigned int> nodes = lexicographic_nodes(fe);
+      const QIterated<dim>            lattice(QTrapezoid<1>(), fe.degree);
+      const FE_Nothing<dim>           nothing;
+      FEValues<dim> places(elasticity.mesh().mapping(), nothing, lattice, update_quadrature_points);
+      KernelCells   cells;
+      cells.degree = fe.degree;
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->active_fe_index() == element)
+          {
+            read_indices<dim>(cell, indices);
+            for (const unsigned int i : nodes)
+              cells.nodes.push_back(indices[i]);
+            places.reinit(static_cast<const Triangulation<dim>::cell_iterator &>(cell));
+            for (const Point<dim> &x : places.get_quadrature_points())
+              cells.points.insert(cells.points.end(), x.begin_raw(), x.end_raw());
+            const Material &material = elasticity.material(cell->material_id());
+            cells.lambda.push_back(material.lambda());
+            cells.mu.push_back(material.mu());
+          }
+      return cells;
+    }
+  } // namespace
+
+
+
+  CellSpace
+  cell_space(const Elasticity<dim> &elasticity)
+  {
+    CellSpace space;
+    space.owned          = elasticity.owned();
+    space.comm           = elasticity.mesh().communicator();
+    space.diagonal_terms = elasticity.diagonal_terms();
+    space.constraints.copy_from(elasticity.constraints());
+    for (unsigned int e = 0; e < elasticity.finite_elements().size(); ++e)
+      space.cells.push_back(cells_of(elasticity, e));
+    return space;
+  }
+
+
+
+  namespace
+  {
+    std::vector<types::global_dof_index>
+    dofs_of(const KernelCells &cells, const unsigned int cell)
+    {
+      const unsigned int                   n = cells.nodes_per_cell();
+      std::vector<types::global_dof_index> dofs;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          dofs.push_back(cells.nodes[std::size_t(n) * cell + i] + c);
+      return dofs;
+    }
+  } // namespace
+
+
+
+  void
+  add_tied_diagonal(const CellSpace                                            &space,
+                    const std::function<void(types::global_dof_index, double)> &add)
+  {
+    const auto is_tied = [&](const types::global_dof_index dof) {
+      const auto *line = space.constraints.get_constraint_entries(dof);
+      return line && !line->empty();
+    };
+    for (const KernelCells &cells : space.cells)
+      {
+        std::vector<unsigned int> tied;
+        for (unsigned int cell = 0; cell < cells.size(); ++cell)
+          {
+            const auto dofs = dofs_of(cells, cell);
+            if (std::any_of(dofs.begin(), dofs.end(), is_tied))
+              tied.push_back(cell);
+          }
+        const CellMatrices matrices(cells, tied);
+        for (unsigned int k = 0; k < tied.size(); ++k)
+          {
+            const auto               dofs = dofs_of(cells, tied[k]);
+            const FullMatrix<double> K    = matrices.matrix(k);
+            // Of each degree of freedom that others hang on: those of the cell, and their weights.
+            std::map<types::global_dof_index, std::vector<std::pair<unsigned int, double>>> columns;
+            for (unsigned int r = 0; r < dofs.size(); ++r)
+              if (is_tied(dofs[r]))
+                for (const auto &[dof, weight] : *space.constraints.get_constraint_entries(dofs[r]))
+                  columns[dof].emplace_back(r, weight);
+            for (auto &[dof, entries] : columns)
+              {
+                const auto own = std::find(dofs.begin(), dofs.end(), dof);
+                double     sum = 0;
+                if (own != dofs.end())
+                  {
+                    const unsigned int j = own - dofs.begin();
+                    entries.emplace_back(j, 1.);
+                    sum -= K(j, j); // is there already
+                  }
+                for (const auto &[r, weight] : entries)
+                  for (const auto &[s, other] : entries)
+                    sum += weight * other * K(r, s);
+                add(dof, sum);
+              }
+          }
+      }
+  }
+
+
+
+  void
+  assemble(const CellSpace &space, LA::SparseMatrix &K)
+  {
+    IndexSet   relevant = space.owned;
+    const auto for_each = [&](const auto &act) {
+      for (const KernelCells &cells : space.cells)
+        for (unsigned int cell = 0; cell < cells.size(); ++cell)
+          act(cells, cell);
+    };
+    for_each([&](const KernelCells &cells, const unsigned int cell) {
+      for (const auto dof : dofs_of(cells, cell))
+        {
+          relevant.add_index(dof);
+          if (const auto *line = space.constraints.get_constraint_entries(dof))
+            for (const auto &entry : *line)
+              relevant.add_index(entry.first);
+        }
+    });
+    LA::SparsityPattern pattern(space.owned, space.owned, relevant, space.comm);
+    for_each([&](const KernelCells &cells, const unsigned int cell) {
+      space.constraints.add_entries_local_to_global(dofs_of(cells, cell), pattern, false);
+    });
+    for (const auto i : space.owned)
+      pattern.add(i, i);
+    pattern.compress();
+    K.reinit(pattern);
+    for (const KernelCells &cells : space.cells)
+      {
+        std::vector<unsigned int> all(cells.size());
+        std::iota(all.begin(), all.end(), 0);
+        const CellMatrices matrices(cells, all);
+        for (const unsigned int cell : all)
+          space.constraints.distribute_local_to_global(matrices.matrix(cell),
+                                                       dofs_of(cells, cell),
+                                                       K);
+      }
+    for (const auto i : space.owned)
+      if (space.diagonal_terms(i) > 0)
+        K.add(i, i, space.diagonal_terms(i));
+    K.compress(VectorOperation::add);
+  }
+} // namespace Signorini
