@@ -91,6 +91,10 @@ namespace Signorini
         settings.coarsen_fraction,
         settings.maximum_cells);
 
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (static_cast<unsigned int>(cell->level()) <= mesh.least_level(cell->material_id()))
+        cell->clear_coarsen_flag();
+
     std::vector<LA::Vector>          ghosted;
     std::vector<std::vector<double>> rigid;
     std::vector<const LA::Vector *>  in;

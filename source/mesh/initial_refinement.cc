@@ -84,9 +84,10 @@ namespace Signorini
     constexpr double children = GeometryInfo<dim>::max_children_per_cell;
     refine_where(triangulation, settings.refinements, children, [](const auto &) { return true; });
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      refine_where(triangulation, bodies[b].second.refinements, children, [b](const auto &cell) {
-        return cell->material_id() == b;
-      });
+      refine_where(triangulation,
+                   my_least_levels[b] + bodies[b].second.refinements,
+                   children,
+                   [b](const auto &cell) { return cell->material_id() == b; });
 
     BoundaryIds surfaces;
     for (const auto &[slave, master] : contact_surfaces)

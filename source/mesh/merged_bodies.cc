@@ -61,12 +61,14 @@ namespace Signorini
 
   template <int dim>
   CoarseMesh<dim>
-  Mesh<dim>::merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies)
+  Mesh<dim>::merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
+                   const bool                                                merges_cells)
   {
     CoarseMesh<dim> all;
     for (const auto &[name, body] : bodies)
       {
-        CoarseMesh<dim> one       = body.generator->generate();
+        my_least_levels.push_back(merges_cells ? body.generator->possible_merges() : 0);
+        CoarseMesh<dim> one       = body.generator->generate_merged(my_least_levels.back());
         bool            is_curved = body.generator->curved();
         const double    size      = diagonal_of(one.vertices);
         if (!body.transformation.empty())
@@ -155,9 +157,9 @@ namespace Signorini
 
 
   template CoarseMesh<2>
-  Mesh<2>::merge(const std::vector<std::pair<std::string, BodyMesh<2>>> &);
+  Mesh<2>::merge(const std::vector<std::pair<std::string, BodyMesh<2>>> &, bool);
   template CoarseMesh<3>
-  Mesh<3>::merge(const std::vector<std::pair<std::string, BodyMesh<3>>> &);
+  Mesh<3>::merge(const std::vector<std::pair<std::string, BodyMesh<3>>> &, bool);
   template void
   Mesh<2>::find_pieces(const CoarseMesh<2> &);
   template void

@@ -101,7 +101,8 @@ namespace Signorini
                   const std::vector<std::pair<std::string, std::string>>   &contact_surfaces,
                   const MPI_Comm                                            comm)
   {
-    const CoarseMesh<dim> coarse = merge(bodies);
+    const bool            is_refinable = settings.distribution != Distribution::METIS;
+    const CoarseMesh<dim> coarse       = merge(bodies, is_refinable);
     if (settings.geometry_degree > 0)
       {
         degree = degree_of_surfaces = settings.geometry_degree;

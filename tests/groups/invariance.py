@@ -159,3 +159,7 @@ def cases():
     yield from table(ranks, ("patch-3d-distorted", "hertz-2d", "layer", "patch-inclined"), 4, "full", METHODS[:1])
     yield from table(ranks, ("shrink-fit", "hertz-axisymmetric", "tilted-punch", "patch-3d-distorted"), 4, "full", METHODS[1:])
     yield from table(ranks, ("patch-3d-distorted",), 4, "full", METHODS[1:], ["Bodies/upper/Degree=2"])
+    # A body whose cells are merged for p4est, and not for METIS.
+    yield Case("invariance/ranks", "merged-cells", labels={"full"}, ranks=4,
+               body=ranks(SCENES / "patch-3d.prm", ["Bodies/lower/Subdivisions=12,12,12", "Bodies/upper/Subdivisions=8,8,8",
+                                                    "Contact pairs/interface/Initial gap=0.02*(x/10)^2", *method(METHODS[1])]))

@@ -113,6 +113,22 @@ namespace Signorini
     virtual CoarseMesh<dim>
     generate() const = 0;
 
+    /// How often cells can be merged, 2^dim at a time, so that as many refinements make the mesh of
+    /// generate() again. Few coarse cells are worth much: each rank holds all of them, and the
+    /// multigrid method goes down to them.
+    virtual unsigned int
+    possible_merges() const
+    {
+      return 0;
+    }
+
+    /// What is to be refined as often. @param merges at most possible_merges()
+    virtual CoarseMesh<dim>
+    generate_merged(const unsigned int /*merges*/) const
+    {
+      return generate();
+    }
+
     /// Names of the sets of nodes.
     virtual std::vector<std::string>
     node_sets() const

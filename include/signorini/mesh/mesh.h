@@ -94,6 +94,14 @@ namespace Signorini
       return *tria;
     }
 
+    /// The level of the cells that the scene speaks of, by body: coarser ones are there for
+    /// multigrid.
+    unsigned int
+    least_level(const unsigned int body) const
+    {
+      return my_least_levels[body];
+    }
+
     /// The shape of the cells: no richer than the displacement of their body, so that rigid motions
     /// are free of strain.
     const dealii::Mapping<dim> &
@@ -215,8 +223,9 @@ namespace Signorini
     }
 
   private:
+    /// @param merges_cells as far as generators can, see MeshGenerator::possible_merges()
     CoarseMesh<dim>
-    merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies);
+    merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies, bool merges_cells);
     void
     create(dealii::Triangulation<dim> &triangulation, const CoarseMesh<dim> &coarse) const;
     void
@@ -251,7 +260,8 @@ namespace Signorini
     CoarseField<dim>                                       my_temperature;
     unsigned int                                           degree = 1, degree_of_surfaces = 1;
     std::vector<unsigned int>                              degree_of_body; ///< of its cells
-    std::vector<dealii::BoundingBox<dim>>                  extents;        ///< of the bodies
+    std::vector<unsigned int>                              my_least_levels;
+    std::vector<dealii::BoundingBox<dim>>                  extents; ///< of the bodies
     dealii::BoundingBox<dim>                               whole_extent;
 
     std::unique_ptr<dealii::parallel::DistributedTriangulationBase<dim>> tria;

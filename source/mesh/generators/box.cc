@@ -4,6 +4,7 @@
 
 #include <deal.II/grid/grid_generator.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -148,12 +149,34 @@ namespace Signorini
 
 
   template <int dim>
+  unsigned int
+  BoxMesh<dim>::possible_merges() const
+  {
+    constexpr double few = 1000;
+    double           n   = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      n *= subdivisions[d];
+    const bool is_uniform =
+      std::all_of(grading.begin(), grading.end(), [](const double g) { return g == 1; });
+    if (dim == 2 || n <= few || !is_uniform)
+      return 0;
+    unsigned int merges = 0;
+    while (std::all_of(subdivisions.begin(), subdivisions.end(), [&](const unsigned int cells) {
+      return cells % (2u << merges) == 0;
+    }))
+      ++merges;
+    return merges;
+  }
+
+
+
+  template <int dim>
   CoarseMesh<dim>
-  BoxMesh<dim>::generate() const
+  BoxMesh<dim>::generate_merged(const unsigned int merges) const
   {
     std::vector<std::vector<double>> step_sizes;
     for (unsigned int d = 0; d < dim; ++d)
-      step_sizes.push_back(steps(high[d] - low[d], subdivisions[d], grading[d]));
+      step_sizes.push_back(steps(high[d] - low[d], subdivisions[d] >> merges, grading[d]));
     Triangulation<dim> triangulation;
     GridGenerator::subdivided_hyper_rectangle(triangulation, step_sizes, low, high);
     return with_boundaries(triangulation, surfaces());

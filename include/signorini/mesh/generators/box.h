@@ -21,7 +21,17 @@ namespace Signorini
     boundaries() const override;
 
     CoarseMesh<dim>
-    generate() const override;
+    generate() const override
+    {
+      return generate_merged(0);
+    }
+
+    /// For boxes in space of more than a thousand equal cells.
+    unsigned int
+    possible_merges() const override;
+
+    CoarseMesh<dim>
+    generate_merged(unsigned int merges) const override;
 
     bool
     curved() const override
