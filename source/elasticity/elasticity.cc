@@ -3,6 +3,7 @@
 #include <signorini/elasticity/kernel.h>
 #include <signorini/elasticity/rigid_pose.h>
 #include <signorini/elasticity/stress.h>
+#include <signorini/linear_algebra/diagonal.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -100,11 +101,7 @@ namespace Signorini
   Elasticity<dim>::assemble()
   {
     assembly().assemble(matrix);
-    const LA::Vector diagonal = diagonal_terms();
-    for (const auto i : this->owned())
-      if (diagonal(i) > 0)
-        matrix.add(i, i, diagonal(i));
-    matrix.compress(VectorOperation::add);
+    LA::add_to_diagonal(matrix, diagonal_terms());
   }
 
 

@@ -2,6 +2,7 @@
 #include <signorini/levels/linear_space.h>
 #include <signorini/levels/make_levels.h>
 #include <signorini/levels/mesh_levels.h>
+#include <signorini/linear_algebra/diagonal.h>
 
 namespace Signorini
 {
@@ -27,10 +28,7 @@ namespace Signorini
                              space.relevant)
         .assemble(K);
       lost.add_to(K);
-      for (const auto i : space.owned)
-        if (terms(i) > 0)
-          K.add(i, i, terms(i));
-      K.compress(VectorOperation::add);
+      LA::add_to_diagonal(K, terms);
       return K;
     }
 

@@ -39,6 +39,17 @@ namespace Signorini
 
 
     void
+    add_to_diagonal(SparseMatrix &matrix, const Vector &terms)
+    {
+      for (const auto i : terms.locally_owned_elements())
+        if (terms(i) > 0)
+          matrix.add(i, i, terms(i));
+      matrix.compress(VectorOperation::add);
+    }
+
+
+
+    void
     invert(Vector &v)
     {
       v.trilinos_vector()(0)->Reciprocal(*v.trilinos_vector()(0));

@@ -1,4 +1,5 @@
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/linear_algebra/diagonal.h>
 #include <signorini/linear_algebra/sparsity_pattern.h>
 #include <signorini/matrix_free/cell_matrices.h>
 #include <signorini/matrix_free/cell_space.h>
@@ -184,9 +185,7 @@ namespace Signorini
                                                        dofs_of(cells, cell),
                                                        K);
       }
-    for (const auto i : space.owned)
-      if (space.diagonal_terms(i) > 0)
-        K.add(i, i, space.diagonal_terms(i));
     K.compress(VectorOperation::add);
+    LA::add_to_diagonal(K, space.diagonal_terms);
   }
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/linear_algebra/diagonal.h>
 #include <signorini/linear_algebra/values.h>
 #include <signorini/matrix_free/matrix_free_stiffness.h>
 
@@ -77,11 +78,7 @@ namespace Signorini
       read_indices<3>(cell, indices);
       return std::any_of(indices.begin(), indices.end(), reaches);
     });
-    const LA::Vector terms = elasticity.diagonal_terms();
-    for (const auto i : terms.locally_owned_elements())
-      if (terms(i) > 0)
-        some_rows->add(i, i, terms(i));
-    some_rows->compress(VectorOperation::add);
+    LA::add_to_diagonal(*some_rows, elasticity.diagonal_terms());
     return *some_rows;
   }
 

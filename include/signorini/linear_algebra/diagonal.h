@@ -10,6 +10,11 @@ namespace Signorini
     Vector
     diagonal(const SparseMatrix &matrix);
 
+    /// Add what is positive to the diagonal of a square matrix that has places for it, and
+    /// compress. Collective.
+    void
+    add_to_diagonal(SparseMatrix &matrix, const Vector &terms);
+
     /// Each element becomes its reciprocal; zero becomes the largest number, for the levels of a
     /// multigrid method may have empty rows.
     void
