@@ -36,6 +36,7 @@ namespace Signorini
     }
 
     /// @param growth of the number of cells that are wanted, at least, from one time to the next
+    /// @param wanted whether a cell, and how many times are left, with this one
     template <int dim, typename Wanted>
     void
     refine_where(Triangulation<dim> &triangulation,
@@ -43,18 +44,18 @@ namespace Signorini
                  const double        growth,
                  const Wanted       &wanted)
     {
-      for (unsigned int i = 0; i < times; ++i)
+      for (unsigned int left = times; left > 0; --left)
         {
           std::size_t n_refined = 0;
           for (const auto &cell : triangulation.active_cell_iterators())
-            if (!cell->is_artificial() && wanted(cell))
+            if (!cell->is_artificial() && wanted(cell, left))
               {
                 cell->set_refine_flag();
                 n_refined += cell->is_locally_owned();
               }
           if (Utilities::MPI::sum(n_refined, triangulation.get_communicator()) == 0)
             return;
-          check_memory(triangulation, n_refined * std::pow(growth, times - i - 1));
+          check_memory(triangulation, n_refined * std::pow(growth, left - 1));
           triangulation.execute_coarsening_and_refinement();
         }
     }
@@ -82,19 +83,24 @@ namespace Signorini
     const std::vector<std::pair<std::string, std::string>>   &contact_surfaces) const
   {
     constexpr double children = GeometryInfo<dim>::max_children_per_cell;
-    refine_where(triangulation, settings.refinements, children, [](const auto &) { return true; });
+    // All bodies together, those first that need it more often: each time costs as much as there
+    // are cells in all of them.
+    std::vector<unsigned int> times;
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      refine_where(triangulation,
-                   my_least_levels[b] + bodies[b].second.refinements,
-                   children,
-                   [b](const auto &cell) { return cell->material_id() == b; });
+      times.push_back(settings.refinements + my_least_levels[b] + bodies[b].second.refinements);
+    refine_where(triangulation,
+                 *std::max_element(times.begin(), times.end()),
+                 children,
+                 [&](const auto &cell, const unsigned int left) {
+                   return times[cell->material_id()] >= left;
+                 });
 
     BoundaryIds surfaces;
     for (const auto &[slave, master] : contact_surfaces)
       for (const std::string &surface : {slave, master})
         if (!surface.empty())
           surfaces.insert(boundary_ids(surface).begin(), boundary_ids(surface).end());
-    refine_where(triangulation, settings.contact_refinements, children / 2, [&](const auto &cell) {
+    refine_where(triangulation, settings.contact_refinements, children / 2, [&](const auto &cell, auto) {
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() && surfaces.count(cell->face(f)->boundary_id()) > 0)
           return true;
@@ -102,7 +108,7 @@ namespace Signorini
     });
 
     for (const RefinementZone<dim> &zone : settings.zones)
-      refine_where(triangulation, zone.times, 1, [&](const auto &cell) {
+      refine_where(triangulation, zone.times, 1, [&](const auto &cell, auto) {
         return touches<dim>(zone, cell) &&
                (zone.bodies.empty() ||
                 std::count(zone.bodies.begin(), zone.bodies.end(), names[cell->material_id()]));
