@@ -87,6 +87,14 @@ namespace Signorini
 
 
 
+  unsigned int
+  CellCurve::child_number(const Place &place)
+  {
+    return place.position.second >> shift(place.cell->level() - 1) & 7;
+  }
+
+
+
   const CellCurve::Place &
   CellCurve::leaf(const Position &position) const
   {

@@ -64,6 +64,8 @@ namespace Signorini
                                const AffineConstraints<double> &hanging,
                                const AffineConstraints<double> &constraints)
     : my_curve(distributed(dofs))
+    , my_names(dofs.locally_owned_dofs())
+    , has_line(my_names.size(), false)
     , names(dofs.get_triangulation().n_vertices(), numbers::invalid_dof_index)
   {
     for (const auto &cell : dofs.active_cell_iterators())
@@ -77,7 +79,11 @@ namespace Signorini
                           ExcInternalError("Components of a node are not one after the other."));
               for (unsigned int c = 0; c < dim; ++c)
                 if (const auto *entries = constraints.get_constraint_entries(name + c))
-                  lines[name + c] = {*entries, hanging.is_constrained(name + c)};
+                  {
+                    lines[name + c] = {*entries, hanging.is_constrained(name + c)};
+                    if (my_names.has(name))
+                      has_line[my_names.place(name + c)] = true;
+                  }
             }
     ask_others(distributed(dofs).get_communicator());
   }
@@ -133,7 +139,6 @@ namespace Signorini
         if (const Line *of_dof = line(list[i] + c))
           for (const auto &entry : of_dof->entries)
             list.push_back(entry.first - entry.first % dim);
-    sort_and_unique(list);
   }
 
 
@@ -157,14 +162,18 @@ namespace Signorini
         return std::upper_bound(ends.begin(), ends.end(), dof) - ends.begin();
       }
 
-      /// Those that are not of this rank.
+      /// Those that are not of this rank, each once.
       std::map<unsigned int, std::vector<Index>>
-      of_others(const std::vector<Index> &list, const IndexSet &owned) const
+      of_others(const std::vector<Index> &list, const OwnRange &own) const
       {
-        std::map<unsigned int, std::vector<Index>> result;
+        std::vector<Index> others;
         for (const Index dof : list)
-          if (!owned.is_element(dof))
-            result[(*this)(dof)].push_back(dof);
+          if (!own.has(dof))
+            others.push_back(dof);
+        sort_and_unique(others);
+        std::map<unsigned int, std::vector<Index>> result;
+        for (const Index dof : others)
+          result[(*this)(dof)].push_back(dof);
         return result;
       }
 
@@ -175,22 +184,26 @@ namespace Signorini
 
 
 
-  VertexNumbers::VertexNumbers(std::vector<Index> corners,
-                               std::vector<Index> known,
-                               const IndexSet    &owned,
-                               const unsigned int n_rigid,
-                               const MPI_Comm     comm)
+  VertexNumbers::VertexNumbers(const std::vector<Index> &corners,
+                               const std::vector<Index> &known,
+                               const IndexSet           &owned,
+                               const unsigned int        n_rigid,
+                               const MPI_Comm            comm)
+    : on_finest(owned)
+    , numbers(on_finest.size() / dim, dealii::numbers::invalid_dof_index)
   {
-    const Owners owners(owned, comm);
-    sort_and_unique(corners);
-    sort_and_unique(known);
+    const Owners      owners(owned, comm);
+    std::vector<bool> is_there(numbers.size(), false);
     for (const Index name : corners)
-      if (owned.is_element(name))
-        my_names.push_back(name);
+      if (on_finest.has(name))
+        is_there[on_finest.place(name) / dim] = true;
     for (const auto &[rank, list] :
-         Utilities::MPI::some_to_some(comm, owners.of_others(corners, owned)))
-      my_names.insert(my_names.end(), list.begin(), list.end());
-    sort_and_unique(my_names);
+         Utilities::MPI::some_to_some(comm, owners.of_others(corners, on_finest)))
+      for (const Index name : list)
+        is_there[on_finest.place(name) / dim] = true;
+    for (std::size_t i = 0; i < is_there.size(); ++i)
+      if (is_there[i])
+        my_names.push_back(on_finest.dof(dim * i));
 
     const auto  counts = Utilities::MPI::all_gather(comm, my_names.size());
     const auto  rank   = Utilities::MPI::this_mpi_process(comm);
@@ -201,16 +214,16 @@ namespace Signorini
     if (rank + 1 == counts.size())
       my_owned.add_range(3 * all, 3 * all + n_rigid);
     for (unsigned int i = 0; i < my_names.size(); ++i)
-      numbers[my_names[i]] = before + i;
+      numbers[on_finest.place(my_names[i]) / dim] = before + i;
 
-    const auto                                 questions = owners.of_others(known, owned);
+    const auto                                 questions = owners.of_others(known, on_finest);
     std::map<unsigned int, std::vector<Index>> answers;
     for (const auto &[other, list] : Utilities::MPI::some_to_some(comm, questions))
       for (const Index name : list)
-        answers[other].push_back(has(name) ? numbers.at(name) : dealii::numbers::invalid_dof_index);
+        answers[other].push_back(number(name));
     for (const auto &[other, list] : Utilities::MPI::some_to_some(comm, answers))
       for (unsigned int i = 0; i < list.size(); ++i)
         if (list[i] != dealii::numbers::invalid_dof_index)
-          numbers[questions.at(other)[i]] = list[i];
+          numbers_of_others[questions.at(other)[i]] = list[i];
   }
 } // namespace Signorini

@@ -1,6 +1,7 @@
 #include <signorini/compatibility.h>
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/levels/linear_space.h>
+#include <signorini/levels/vertex_means.h>
 #include <signorini/linear_algebra/sparsity_pattern.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -185,43 +186,103 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
-  make_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space, LA::SparseMatrix &P)
+  namespace
   {
-    const NodeRows<dim>                                  rows(space);
-    std::vector<std::pair<types::global_dof_index, Row>> found;
-    visit_nodes(fine,
-                space,
-                [&](const auto &cell, const auto i, const auto &indices, const auto &vertices) {
-                  if (fine.constraints().is_constrained(indices[i]))
-                    return;
-                  found.emplace_back(indices[i], Row());
-                  rows.add(cell->get_fe(), i, 1., vertices, found.back().second);
-                });
-    for (auto i = fine.dof_handler().n_dofs(); i < fine.owned().size(); ++i)
-      if (fine.owned().is_element(i) && !fine.constraints().is_constrained(i))
-        found.emplace_back(i, Row{{i - fine.dof_handler().n_dofs() + space.dofs.n_dofs(), 1.}});
+    /// The vertices of a cell of which a node is the mean.
+    template <int dim>
+    std::vector<unsigned int>
+    vertices_of_mean(const Point<dim> &node)
+    {
+      std::vector<unsigned int> result;
+      for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+        if (GeometryInfo<dim>::d_linear_shape_function(node, v) > 1e-10)
+          result.push_back(v);
+      return result;
+    }
 
-    LA::SparsityPattern pattern(fine.owned(), space.owned, fine.mesh().communicator());
-    for (const auto &[i, row] : found)
-      for (const auto &entry : row)
-        pattern.add(i, entry.first);
-    pattern.compress();
-    P.reinit(pattern);
-    for (const auto &[i, row] : found)
-      for (const auto &[j, value] : row)
-        P.set(i, j, value);
-    P.compress(VectorOperation::insert);
+    std::unique_ptr<const Prolongation>
+    means_of_vertices(const Elasticity<3> &fine, const LinearSpace<3> &space)
+    {
+      constexpr unsigned int                              dim = 3;
+      std::vector<std::vector<std::vector<unsigned int>>> vertices_of; // [element][node]
+      for (unsigned int e = 0; e < fine.finite_elements().size(); ++e)
+        {
+          vertices_of.emplace_back();
+          for (const Point<dim> &node :
+               fine.finite_elements()[e].base_element(0).get_unit_support_points())
+            vertices_of.back().push_back(vertices_of_mean(node));
+        }
+      VertexMeans::Nodes nodes;
+      visit_nodes(fine,
+                  space,
+                  [&](const auto &cell, const auto i, const auto &indices, const auto &vertices) {
+                    const auto [component, node] = cell->get_fe().system_to_component_index(i);
+                    if (component != 0)
+                      return;
+                    std::vector<types::global_dof_index> of;
+                    for (const unsigned int v : vertices_of[cell->active_fe_index()][node])
+                      of.push_back(vertices[space.elements[0].component_to_system_index(0, v)]);
+                    nodes.add(indices[i], of.data(), of.size());
+                  });
+      return std::make_unique<VertexMeans>(std::move(nodes),
+                                           VertexMeans::Side{fine.owned(), fine.constraints()},
+                                           VertexMeans::Side{space.owned, space.constraints},
+                                           space.owned.size() - space.dofs.n_dofs(),
+                                           fine.mesh().communicator());
+    }
+
+    template <int dim>
+    std::unique_ptr<const Prolongation>
+    assembled_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space)
+    {
+      const NodeRows<dim>                                  rows(space);
+      std::vector<std::pair<types::global_dof_index, Row>> found;
+      visit_nodes(fine,
+                  space,
+                  [&](const auto &cell, const auto i, const auto &indices, const auto &vertices) {
+                    if (fine.constraints().is_constrained(indices[i]))
+                      return;
+                    found.emplace_back(indices[i], Row());
+                    rows.add(cell->get_fe(), i, 1., vertices, found.back().second);
+                  });
+      for (auto i = fine.dof_handler().n_dofs(); i < fine.owned().size(); ++i)
+        if (fine.owned().is_element(i) && !fine.constraints().is_constrained(i))
+          found.emplace_back(i, Row{{i - fine.dof_handler().n_dofs() + space.dofs.n_dofs(), 1.}});
+
+      LA::SparsityPattern pattern(fine.owned(), space.owned, fine.mesh().communicator());
+      for (const auto &[i, row] : found)
+        for (const auto &entry : row)
+          pattern.add(i, entry.first);
+      pattern.compress();
+      LA::SparseMatrix P;
+      P.reinit(pattern);
+      for (const auto &[i, row] : found)
+        for (const auto &[j, value] : row)
+          P.set(i, j, value);
+      P.compress(VectorOperation::insert);
+      return std::make_unique<AssembledProlongation>(std::move(P));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<const Prolongation>
+  make_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space)
+  {
+    if constexpr (dim == 3)
+      if (fine.degree() <= 2) // more have nodes elsewhere
+        return means_of_vertices(fine, space);
+    return assembled_prolongation(fine, space);
   }
 
 
 
   LA::Vector
-  restrict_terms(const LA::Vector       &terms,
-                 const LA::SparseMatrix &P,
-                 const IndexSet         &owned,
-                 const unsigned int      n_rigid)
+  restrict_terms(const LA::Vector   &terms,
+                 const Prolongation &P,
+                 const IndexSet     &owned,
+                 const unsigned int  n_rigid)
   {
     LA::Vector result(owned, terms.get_mpi_communicator());
     P.Tvmult(result, terms);
@@ -281,14 +342,14 @@ namespace Signorini
 
 
   template class LinearSpace<2>;
-  template void
-  make_prolongation(const Elasticity<2> &, const LinearSpace<2> &, LA::SparseMatrix &);
+  template std::unique_ptr<const Prolongation>
+  make_prolongation(const Elasticity<2> &, const LinearSpace<2> &);
   template LostSupports::LostSupports(const Elasticity<2> &,
                                       const LinearSpace<2> &,
                                       const LA::Vector &);
   template class LinearSpace<3>;
-  template void
-  make_prolongation(const Elasticity<3> &, const LinearSpace<3> &, LA::SparseMatrix &);
+  template std::unique_ptr<const Prolongation>
+  make_prolongation(const Elasticity<3> &, const LinearSpace<3> &);
   template LostSupports::LostSupports(const Elasticity<3> &,
                                       const LinearSpace<3> &,
                                       const LA::Vector &);

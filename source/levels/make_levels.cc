@@ -55,13 +55,13 @@ namespace Signorini
       return {};
     }
 
-    /// Below degree one, itself a level below bodies that have more.
+    /// Below degree one, itself a level below bodies that have more. Takes P if there are any.
     template <int dim>
     Spaces
-    coarser_meshes(const Elasticity<dim>  &elasticity,
-                   const LinearSpace<dim> &space,
-                   LA::SparseMatrix      &&P,
-                   const LA::Vector       &terms)
+    coarser_meshes(const Elasticity<dim>               &elasticity,
+                   const LinearSpace<dim>              &space,
+                   std::unique_ptr<const Prolongation> &P,
+                   const LA::Vector                    &terms)
     {
       Spaces result;
       if constexpr (dim == 3)
@@ -94,16 +94,14 @@ namespace Signorini
       return to_coarser_meshes ? coarser_meshes(elasticity) : Spaces();
 
     const LinearSpace<dim> space(elasticity);
-    LA::SparseMatrix       P;
-    make_prolongation(elasticity, space, P);
-    const LostSupports lost(elasticity, space, stiffness.diagonal());
-    const LA::Vector   terms = restrict_terms(elasticity.diagonal_terms(),
-                                            P,
+    auto                   P = make_prolongation(elasticity, space);
+    const LostSupports     lost(elasticity, space, stiffness.diagonal());
+    const LA::Vector       terms = restrict_terms(elasticity.diagonal_terms(),
+                                            *P,
                                             space.owned,
                                             space.owned.size() - space.dofs.n_dofs());
     if (to_coarser_meshes && !lost.any())
-      if (Spaces result = coarser_meshes(elasticity, space, std::move(P), terms);
-          !result.levels.empty())
+      if (Spaces result = coarser_meshes(elasticity, space, P, terms); !result.levels.empty())
         return result;
 
     Spaces result;

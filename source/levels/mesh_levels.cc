@@ -1,13 +1,11 @@
 #include <signorini/levels/level_vertices.h>
 #include <signorini/levels/linear_space.h>
 #include <signorini/levels/mesh_levels.h>
-#include <signorini/linear_algebra/sparsity_pattern.h>
+#include <signorini/levels/vertex_means.h>
 #include <signorini/matrix_free/cell_operator.h>
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
-#include <unordered_set>
 
 namespace Signorini
 {
@@ -37,26 +35,20 @@ namespace Signorini
       cells.mu.push_back(material.mu());
     }
 
-    /// A mesh, as one of the levels.
-    struct LevelMesh
-    {
-      std::vector<Cell> cells; ///< of this rank
-      VertexNumbers     numbers;
-      CellSpace         space;
-    };
+    using Place = CellCurve::Place;
 
-    /// Cells that this rank owns if none is finer than a level.
-    std::vector<Cell>
-    cells_up_to(const int level, const CellCurve &curve, const unsigned int rank)
+    /// Calls act(place) for what this rank knows of the cells that there are if none is finer than
+    /// a level: its own leaves, and those that have such leaves in them.
+    template <typename Action>
+    void
+    for_each_cell(const int level, const CellCurve &curve, const Action &act)
     {
-      std::vector<Cell> result;
-      for (const auto &leaf : curve.leaves())
+      for (const Place &leaf : curve.leaves())
         if (leaf.cell->level() <= level)
-          result.push_back(leaf.cell);
-      for (const auto &place : curve.ancestors())
-        if (place.cell->level() == level && curve.owner(place.position) == rank)
-          result.push_back(place.cell);
-      return result;
+          act(leaf);
+      for (const Place &place : curve.ancestors())
+        if (place.cell->level() == level)
+          act(place);
     }
 
     class Levels
@@ -69,138 +61,164 @@ namespace Signorini
       can_coarsen() const;
 
       /// Go to the next coarser one. Returns the prolongation from there. Collective.
-      LA::SparseMatrix
+      std::unique_ptr<const Prolongation>
       coarsen();
 
+      /// Of the present one, if that is not the finest.
       const CellSpace &
       space() const
       {
-        return mesh.space;
+        return present;
       }
 
       std::vector<std::vector<double>>
       modes() const;
 
     private:
-      /// A row of the prolongation, by names of vertices.
-      using Weights = std::vector<std::pair<Index, double>>;
+      /// The vertices of which one is the mean on the next coarser level, by name.
+      struct Parents
+      {
+        std::array<Index, n_corners> names;
+        unsigned int                 n = 0;
+      };
 
-      LevelMesh
-      make_mesh(int level) const;
+      VertexNumbers
+      number_vertices(int level) const;
+      CellSpace
+      make_space(int level, const VertexNumbers &numbers) const;
       void
-      constrain(LevelMesh &coarse, const std::vector<Index> &known) const;
-      Weights
-      weights(const Cell &cell, unsigned int corner) const;
+      constrain(const std::vector<Index> &known, const VertexNumbers &, CellSpace &) const;
+      std::vector<Index>
+      known_names(int level) const;
+      Parents
+      parents(const Place &cell, unsigned int corner) const;
       bool
       loses_supports() const;
-      void
-      prolongate(const LevelMesh &coarse, LA::SparseMatrix &P) const;
+      VertexMeans::Nodes
+      nodes_on(const VertexNumbers &coarse) const;
 
       const LinearDisplacements &linear;
       const Elasticity<dim>     &elasticity;
+      const MPI_Comm             comm;
       const LevelVertices        vertices;
       const unsigned int         n_rigid;
       int                        level;
-      LevelMesh                  mesh; ///< the present one
+
+      // Of the present level.
+      VertexNumbers numbers;
+      CellSpace     present; ///< nothing on the finest
     };
 
     Levels::Levels(const LinearDisplacements &linear, const Elasticity<dim> &elasticity)
       : linear(linear)
       , elasticity(elasticity)
+      , comm(elasticity.mesh().communicator())
       , vertices(linear.dofs, linear.hanging, linear.constraints)
       , n_rigid(linear.owned.size() - linear.dofs.n_dofs())
       , level(elasticity.mesh().triangulation().n_global_levels() - 1)
+      , numbers(linear.owned)
+    {}
+
+    /// Of cells on this rank, and what they hang on.
+    std::vector<Index>
+    Levels::known_names(const int at) const
     {
-      mesh                      = make_mesh(level);
-      mesh.space.diagonal_terms = linear.terms;
+      std::vector<Index> known;
+      for_each_cell(at, vertices.curve(), [&](const Place &place) {
+        for (unsigned int v = 0; v < n_corners; ++v)
+          known.push_back(vertices.name(place.cell, v));
+      });
+      vertices.add_masters(known);
+      return known;
     }
 
-    LevelMesh
-    Levels::make_mesh(const int at) const
+    VertexNumbers
+    Levels::number_vertices(const int at) const
     {
-      LevelMesh          result;
-      const MPI_Comm     comm = elasticity.mesh().communicator();
-      std::vector<Index> corners, known;
-      result.cells = cells_up_to(at, vertices.curve(), Utilities::MPI::this_mpi_process(comm));
-      for (const Cell &cell : result.cells)
-        for (unsigned int v = 0; v < n_corners; ++v)
-          corners.push_back(vertices.name(cell, v));
-      known = corners;
-      // Those of the parents of the next finer level's cells, and what all of these hang on.
-      for (const auto &place : vertices.curve().ancestors())
-        if (place.cell->level() <= at)
+      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      std::vector<Index> corners;
+      for_each_cell(at, vertices.curve(), [&](const Place &place) {
+        if (vertices.curve().owner(place.position) == rank)
           for (unsigned int v = 0; v < n_corners; ++v)
-            known.push_back(vertices.name(place.cell, v));
-      vertices.add_masters(known);
-      result.numbers =
-        VertexNumbers(corners, known, linear.dofs.locally_owned_dofs(), n_rigid, comm);
+            corners.push_back(vertices.name(place.cell, v));
+      });
+      return VertexNumbers(
+        corners, known_names(at), linear.dofs.locally_owned_dofs(), n_rigid, comm);
+    }
 
-      CellSpace &space = result.space;
-      space.comm       = comm;
-      space.owned      = result.numbers.owned_dofs();
-      constrain(result, known);
+    CellSpace
+    Levels::make_space(const int at, const VertexNumbers &of_level) const
+    {
+      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      CellSpace          space;
+      space.comm  = comm;
+      space.owned = of_level.owned_dofs();
+      constrain(known_names(at), of_level, space);
       space.cells.emplace_back();
-      for (const Cell &cell : result.cells)
-        {
-          std::array<Index, n_corners> first;
-          for (unsigned int v = 0; v < n_corners; ++v)
-            first[v] = result.numbers.dof(vertices.name(cell, v), 0);
-          add_cell(cell, first, elasticity.material(cell->material_id()), space.cells.front());
-        }
-      return result;
+      for_each_cell(at, vertices.curve(), [&](const Place &place) {
+        if (vertices.curve().owner(place.position) != rank)
+          return;
+        std::array<Index, n_corners> first;
+        for (unsigned int v = 0; v < n_corners; ++v)
+          first[v] = of_level.dof(vertices.name(place.cell, v), 0);
+        add_cell(place.cell,
+                 first,
+                 elasticity.material(place.cell->material_id()),
+                 space.cells.front());
+      });
+      return space;
     }
 
     void
-    Levels::constrain(LevelMesh &coarse, const std::vector<Index> &known) const
+    Levels::constrain(const std::vector<Index> &known,
+                      const VertexNumbers      &of_level,
+                      CellSpace                &space) const
     {
-      const VertexNumbers &numbers = coarse.numbers;
-      IndexSet             relevant(coarse.space.owned.size());
-      std::vector<Index>   dofs;
+      IndexSet           relevant = space.owned;
+      std::vector<Index> others;
       for (const Index name : known)
-        if (numbers.has(name))
+        if (of_level.has(name) && !space.owned.is_element(of_level.dof(name, 0)))
           for (unsigned int c = 0; c < dim; ++c)
-            dofs.push_back(numbers.dof(name, c));
-      std::sort(dofs.begin(), dofs.end());
-      relevant.add_indices(dofs.begin(), std::unique(dofs.begin(), dofs.end()));
-      relevant.add_indices(coarse.space.owned);
+            others.push_back(of_level.dof(name, c));
+      std::sort(others.begin(), others.end());
+      relevant.add_indices(others.begin(), std::unique(others.begin(), others.end()));
       relevant.add_range(relevant.size() - n_rigid, relevant.size());
-      AffineConstraints<double> &constraints = coarse.space.constraints;
+      AffineConstraints<double> &constraints = space.constraints;
       constraints.reinit(relevant);
       for (const Index name : known)
-        if (numbers.has(name))
-          for (unsigned int c = 0; c < dim; ++c)
-            if (const auto *line = vertices.line(name + c);
-                line && !constraints.is_constrained(numbers.dof(name, c)))
-              {
-                constraints.add_line(numbers.dof(name, c));
-                for (const auto &[other, weight] : line->entries)
-                  constraints.add_entry(numbers.dof(name, c),
-                                        numbers.dof(other - other % dim, other % dim),
-                                        weight);
-              }
+        for (unsigned int c = 0; c < dim; ++c)
+          if (const auto *line = vertices.line(name + c);
+              line && of_level.has(name) && !constraints.is_constrained(of_level.dof(name, c)))
+            {
+              constraints.add_line(of_level.dof(name, c));
+              for (const auto &[other, weight] : line->entries)
+                constraints.add_entry(of_level.dof(name, c),
+                                      of_level.dof(other - other % dim, other % dim),
+                                      weight);
+            }
       for (Index i = 0; i < n_rigid; ++i)
         if (linear.constraints.is_constrained(linear.owned.size() - n_rigid + i))
           constraints.add_line(relevant.size() - n_rigid + i);
       constraints.close();
     }
 
-    /// Of the vertices of its parent where that is on the next coarser level, or itself.
-    Levels::Weights
-    Levels::weights(const Cell &cell, const unsigned int corner) const
+    /// Of its parent, if the cell is of the present level, or the corner itself.
+    Levels::Parents
+    Levels::parents(const Place &place, const unsigned int corner) const
     {
-      if (cell->level() < level)
-        return {{vertices.name(cell, corner), 1.}};
-      const Cell   parent = cell->parent();
-      unsigned int child  = 0;
-      while (parent->child(child) != cell)
-        ++child;
-      Point<dim> place; // in the parent
-      for (unsigned int d = 0; d < dim; ++d)
-        place[d] = ((child >> d & 1) + (corner >> d & 1)) / 2.;
-      Weights result;
-      for (unsigned int v = 0; v < n_corners; ++v)
-        if (const double weight = GeometryInfo<dim>::d_linear_shape_function(place, v); weight > 0)
-          result.emplace_back(vertices.name(parent, v), weight);
+      Parents result;
+      if (place.cell->level() < level)
+        result.names[result.n++] = vertices.name(place.cell, corner);
+      else
+        {
+          // Along a direction in which child and corner are on the same side, it is the parent's
+          // corner; along the others, in the middle.
+          const Cell         parent = place.cell->parent();
+          const unsigned int child = CellCurve::child_number(place), middle = child ^ corner;
+          for (unsigned int v = 0; v < n_corners; ++v)
+            if (((v ^ corner) & ~middle) == 0)
+              result.names[result.n++] = vertices.name(parent, v);
+        }
       return result;
     }
 
@@ -208,102 +226,74 @@ namespace Signorini
     bool
     Levels::loses_supports() const
     {
-      const auto is_lost = [&](const Cell &cell, const unsigned int corner) {
-        const Index   name = vertices.name(cell, corner);
-        const Weights row  = weights(cell, corner);
+      const unsigned int rank    = Utilities::MPI::this_mpi_process(comm);
+      const auto         is_lost = [&](const Place &place, const unsigned int corner) {
+        const Index name = vertices.name(place.cell, corner);
         for (unsigned int c = 0; c < dim; ++c)
-          if (const auto *line = vertices.line(name + c); row.size() > 1 && line && !line->hangs)
-            for (const auto &entry : row)
-              if (!vertices.line(entry.first + c))
-                return true;
+          if (const auto *line = vertices.line(name + c); line && !line->hangs)
+            {
+              const Parents of = parents(place, corner);
+              for (unsigned int k = 0; k < of.n && of.n > 1; ++k)
+                if (!vertices.line(of.names[k] + c))
+                  return true;
+            }
         return false;
       };
       bool any = false;
-      for (const Cell &cell : mesh.cells)
-        for (unsigned int v = 0; v < n_corners && !any; ++v)
-          any = cell->level() == level && is_lost(cell, v);
-      return Utilities::MPI::max(any ? 1 : 0, elasticity.mesh().communicator()) == 1;
+      for_each_cell(level, vertices.curve(), [&](const Place &place) {
+        if (!any && place.cell->level() == level && vertices.curve().owner(place.position) == rank)
+          for (unsigned int v = 0; v < n_corners && !any; ++v)
+            any = is_lost(place, v);
+      });
+      return Utilities::MPI::max(any ? 1 : 0, comm) == 1;
     }
 
-    void
-    Levels::prolongate(const LevelMesh &coarse, LA::SparseMatrix &P) const
+    /// Of the present level, that this rank owns; by the vertices of the next coarser one.
+    VertexMeans::Nodes
+    Levels::nodes_on(const VertexNumbers &coarse) const
     {
-      struct Entry
-      {
-        Index  row, column;
-        double value;
-      };
-      std::vector<Entry>        entries;
-      std::unordered_set<Index> done;
-      const auto                add = [&](const Index row, const Index column, const double value) {
-        if (!coarse.space.constraints.is_constrained(column))
-          entries.push_back({row, column, value});
-        else
-          for (const auto &[other, weight] :
-               *coarse.space.constraints.get_constraint_entries(column))
-            entries.push_back({row, other, value * weight});
-      };
-      for (const Cell &cell : mesh.cells)
+      const OwnRange     own(linear.dofs.locally_owned_dofs());
+      VertexMeans::Nodes nodes;
+      std::vector<bool>  is_done(own.size() / dim, false);
+      for_each_cell(level, vertices.curve(), [&](const Place &place) {
         for (unsigned int v = 0; v < n_corners; ++v)
-          if (const Index name = vertices.name(cell, v); done.insert(name).second)
+          if (const Index name = vertices.name(place.cell, v);
+              own.has(name) && !is_done[own.place(name) / dim])
             {
-              const Weights row = weights(cell, v);
-              for (unsigned int c = 0; c < dim; ++c)
-                if (const Index dof = mesh.numbers.dof(name, c);
-                    !mesh.space.constraints.is_constrained(dof))
-                  for (const auto &[vertex, weight] : row)
-                    add(dof, coarse.numbers.dof(vertex, c), weight);
+              is_done[own.place(name) / dim] = true;
+              Parents of                     = parents(place, v);
+              for (unsigned int k = 0; k < of.n; ++k)
+                of.names[k] = coarse.dof(of.names[k], 0);
+              nodes.add(numbers.dof(name, 0), of.names.data(), of.n);
             }
-      const IndexSet &fine = mesh.space.owned;
-      for (Index i = 0; i < n_rigid; ++i)
-        if (const Index dof = fine.size() - n_rigid + i;
-            fine.is_element(dof) && !mesh.space.constraints.is_constrained(dof))
-          entries.push_back({dof, coarse.space.owned.size() - n_rigid + i, 1.});
-
-      // More than one weight may come to a place where vertices hang.
-      std::sort(entries.begin(), entries.end(), [](const Entry &a, const Entry &b) {
-        return std::tie(a.row, a.column) < std::tie(b.row, b.column);
       });
-      IndexSet writable = fine;
-      for (const Entry &entry : entries)
-        writable.add_index(entry.row);
-      LA::SparsityPattern pattern(
-        fine, coarse.space.owned, writable, elasticity.mesh().communicator(), 0u);
-      for (const Entry &entry : entries)
-        pattern.add(entry.row, entry.column);
-      pattern.compress();
-      P.reinit(pattern);
-      for (auto entry = entries.begin(); entry != entries.end();)
-        {
-          double     sum  = 0;
-          const auto same = [&](const auto &other) {
-            return other.row == entry->row && other.column == entry->column;
-          };
-          auto next = entry;
-          for (; next != entries.end() && same(*next); ++next)
-            sum += next->value;
-          P.set(entry->row, entry->column, sum);
-          entry = next;
-        }
-      P.compress(VectorOperation::insert);
+      return nodes;
     }
 
     bool
     Levels::can_coarsen() const
     {
       constexpr unsigned int few = 1000; // unknowns, which are factorised
-      return level > 0 && mesh.space.owned.size() > few && !loses_supports();
+      return level > 0 && numbers.owned_dofs().size() > few && !loses_supports();
     }
 
-    LA::SparseMatrix
+    std::unique_ptr<const Prolongation>
     Levels::coarsen()
     {
-      LevelMesh        coarse = make_mesh(level - 1);
-      LA::SparseMatrix P;
-      prolongate(coarse, P);
-      coarse.space.diagonal_terms =
-        restrict_terms(mesh.space.diagonal_terms, P, coarse.space.owned, n_rigid);
-      mesh = std::move(coarse);
+      const bool        is_finest = present.owned.size() == 0;
+      VertexNumbers     below     = number_vertices(level - 1);
+      CellSpace         coarse    = make_space(level - 1, below);
+      const LA::Vector &terms     = is_finest ? linear.terms : present.diagonal_terms;
+      auto              P         = std::make_unique<VertexMeans>(nodes_on(below),
+                                             VertexMeans::Side{numbers.owned_dofs(),
+                                                               is_finest ? linear.constraints :
+                                                                                                present.constraints},
+                                             VertexMeans::Side{coarse.owned, coarse.constraints},
+                                             n_rigid,
+                                             comm);
+      coarse.diagonal_terms       = restrict_terms(terms, *P, coarse.owned, n_rigid);
+      present                     = std::move(coarse);
+      numbers                     = std::move(below);
       --level;
       return P;
     }
@@ -314,10 +304,10 @@ namespace Signorini
       std::vector<std::vector<double>> result(linear.modes.size());
       for (unsigned int m = 0; m < result.size(); ++m)
         {
-          for (const Index name : mesh.numbers.owned_names())
+          for (const Index name : numbers.owned_names())
             for (unsigned int c = 0; c < dim; ++c)
               result[m].push_back(linear.modes[m][linear.owned.index_within_set(name + c)]);
-          if (mesh.space.owned.n_elements() > result[m].size())
+          if (present.owned.n_elements() > result[m].size())
             result[m].insert(result[m].end(),
                              linear.modes[m].end() - n_rigid,
                              linear.modes[m].end());
@@ -362,10 +352,11 @@ namespace Signorini
     bool   is_last = !levels.can_coarsen();
     while (!is_last)
       {
-        LA::SparseMatrix P = levels.coarsen(), K;
-        is_last            = !levels.can_coarsen();
+        std::unique_ptr<const Prolongation> P = levels.coarsen();
+        is_last                               = !levels.can_coarsen();
         if (is_last)
           {
+            LA::SparseMatrix K;
             assemble(levels.space(), K);
             result.levels.emplace_back(std::move(P), std::move(K));
           }

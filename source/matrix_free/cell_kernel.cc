@@ -6,6 +6,9 @@
 #include <signorini/matrix_free/batches.h>
 #include <signorini/matrix_free/kernel_tables.h>
 
+#include <type_traits>
+#include <utility>
+
 // Those between have vectors of the same width and nothing else that is needed here; those without
 // a width at compile time cannot be elements of arrays.
 #define HWY_DISABLED_TARGETS                                                                       \
@@ -51,19 +54,66 @@ namespace Signorini
       return hn::Set(Tag<Number>(), x);
     }
 
+#if HWY_TARGET != HWY_SCALAR
+    /// Four numbers from each of as many places as a vector has, the first place of each four in
+    /// one vector, the second in the next.
+    template <typename D, int n_blocks = hn::MaxLanes(D()) / 4>
+    HWY_INLINE hn::Vec<D>
+               load_blocks(const D d, const std::uint32_t *place, const float *from)
+    {
+      if constexpr (n_blocks == 1)
+        return hn::LoadU(d, from + place[0]);
+      else
+        {
+          const hn::Half<D> half;
+          return hn::Combine(d,
+                             load_blocks(half, place + 2 * n_blocks, from),
+                             load_blocks(half, place, from));
+        }
+    }
+
+    /// The components x, y, z of nodes whose first numbers stand at places. Reads one number more.
+    HWY_INLINE void
+    gather_nodes(const std::uint32_t *place, const float *from, float *x, float *y, float *z)
+    {
+      const Tag<float>   d;
+      const Lanes<float> v0 = load_blocks(d, place, from), v1 = load_blocks(d, place + 1, from),
+                         v2 = load_blocks(d, place + 2, from), v3 = load_blocks(d, place + 3, from);
+      const Lanes<float> xy02 = hn::InterleaveLower(d, v0, v2),
+                         xy13 = hn::InterleaveLower(d, v1, v3),
+                         zw02 = hn::InterleaveUpper(d, v0, v2),
+                         zw13 = hn::InterleaveUpper(d, v1, v3);
+      store(hn::InterleaveLower(d, xy02, xy13), x);
+      store(hn::InterleaveUpper(d, xy02, xy13), y);
+      store(hn::InterleaveLower(d, zw02, zw13), z);
+    }
+#endif
+
+    /// Of an n x n x n lattice: from one point of a line along a direction to the next.
+    template <int direction, int n, typename Number>
+    constexpr int line_stride = width<Number> *(direction == 0 ? 1 :
+                                                direction == 1 ? n :
+                                                                 n * n);
+
+    template <int direction, int n, typename Number>
+    HWY_INLINE int
+    first_of_line(const int line)
+    {
+      return width<Number> * (direction == 0 ? line * n :
+                              direction == 1 ? line % n + line / n * n * n :
+                                               line);
+    }
+
     /// out(q) = sum of M(q, i) in(i) along all lines of a direction of an n x n x n lattice, or
     /// M(i, q) in(i) if transposed. `in` may be `out`.
     template <int direction, bool transposed, bool add, int n, typename Number>
     HWY_INLINE void
     contract(const Number (&M)[n][n], const Number *in, Number *out)
     {
-      constexpr int W      = width<Number>;
-      constexpr int stride = (direction == 0 ? 1 : direction == 1 ? n : n * n) * W;
+      constexpr int stride = line_stride<direction, n, Number>;
       for (int line = 0; line < n * n; ++line)
         {
-          const int     first = W * (direction == 0 ? line * n :
-                                     direction == 1 ? line % n + line / n * n * n :
-                                                      line);
+          const int     first = first_of_line<direction, n, Number>(line);
           Lanes<Number> x[n];
           for (int i = 0; i < n; ++i)
             x[i] = load(in + first + i * stride);
@@ -74,6 +124,53 @@ namespace Signorini
                 sum = hn::MulAdd(x[i], all(transposed ? M[i][q] : M[q][i]), sum);
               store(sum, out + first + q * stride);
             }
+        }
+    }
+
+    /// From values at nodes -1, (0,) 1 along all lines of a direction to coefficients of Legendre's
+    /// polynomials: 2, 2 times those of degree 1; 6, 2, 3 times those of degree 2. `in` may be
+    /// `out`.
+    template <int direction, int n, typename Number>
+    HWY_INLINE void
+    to_modes(const Number *in, Number *out)
+    {
+      constexpr int stride = line_stride<direction, n, Number>;
+      for (int line = 0; line < n * n; ++line)
+        {
+          const int           at  = first_of_line<direction, n, Number>(line);
+          const Lanes<Number> low = load(in + at), high = load(in + at + (n - 1) * stride),
+                              sum = hn::Add(low, high);
+          if constexpr (n == 2)
+            store(sum, out + at);
+          else
+            {
+              const Lanes<Number> middle = load(in + at + stride);
+              store(hn::MulAdd(all(Number(4)), middle, sum), out + at);
+              store(hn::NegMulAdd(all(Number(2)), middle, sum), out + at + 2 * stride);
+            }
+          store(hn::Sub(high, low), out + at + stride);
+        }
+    }
+
+    /// The transposed of that.
+    template <int direction, int n, typename Number>
+    HWY_INLINE void
+    from_modes(const Number *in, Number *out)
+    {
+      constexpr int stride = line_stride<direction, n, Number>;
+      for (int line = 0; line < n * n; ++line)
+        {
+          const int           at     = first_of_line<direction, n, Number>(line);
+          const Lanes<Number> zeroth = load(in + at), first = load(in + at + stride);
+          Lanes<Number>       even = zeroth;
+          if constexpr (n == 3)
+            {
+              const Lanes<Number> second = load(in + at + 2 * stride);
+              even                       = hn::Add(zeroth, second);
+              store(hn::MulSub(all(Number(4)), zeroth, hn::Add(second, second)), out + at + stride);
+            }
+          store(hn::Sub(even, first), out + at);
+          store(hn::Add(even, first), out + at + (n - 1) * stride);
         }
     }
 
@@ -184,6 +281,14 @@ namespace Signorini
       gather(const std::size_t b, const Number *HWY_RESTRICT src, Values &u) const
       {
         const std::uint32_t *place = batches.nodes(b);
+#if HWY_TARGET != HWY_SCALAR
+        if constexpr (std::is_same<Number, float>::value)
+          {
+            for (int i = 0; i < n_nodes; ++i)
+              gather_nodes(place + i * W, src, u.of[0][i], u.of[1][i], u.of[2][i]);
+            return;
+          }
+#endif
         for (int i = 0; i < n_nodes; ++i)
           for (int w = 0; w < W; ++w)
             {
@@ -270,18 +375,16 @@ namespace Signorini
         return {load(batches.material(b)), load(batches.material(b) + W)};
       }
 
-      /// Gradients by unit coordinates become stresses, pulled back likewise, times weights.
-      template <bool affine>
+      /// Gradients by unit coordinates become stresses, pulled back likewise, times weights. Not
+      /// for affine batches.
       HWY_INLINE void
       stresses(const std::size_t b, Gradients &g) const
       {
         const IsotropicLaw<Number> stress = law(b);
-        Geometry                   at     = geometry(b, 0);
         for (int q = 0; q < n_nodes; ++q)
           {
-            if (!affine && q > 0)
-              at = geometry(b, q);
-            V G[3][3], S[3][3];
+            const Geometry at = geometry(b, q);
+            V              G[3][3], S[3][3];
             for (int c = 0; c < 3; ++c)
               for (int k = 0; k < 3; ++k)
                 {
@@ -289,7 +392,7 @@ namespace Signorini
                   G[c][k] = hn::MulAdd(load(g.of[c][1][q]), at.inverse[1][k], G[c][k]);
                   G[c][k] = hn::MulAdd(load(g.of[c][2][q]), at.inverse[2][k], G[c][k]);
                 }
-            stress(affine ? hn::Mul(at.weight, all(unit_weight(q))) : at.weight, G, S);
+            stress(at.weight, G, S);
             for (int c = 0; c < 3; ++c)
               for (int d = 0; d < 3; ++d)
                 {
@@ -305,13 +408,94 @@ namespace Signorini
       HWY_INLINE void
       apply(const std::size_t b, Values &u) const
       {
+        if (batches.is_affine(b))
+          return apply_to_modes(b, u);
         Gradients g;
         evaluate_gradients(u, g);
-        if (batches.is_affine(b))
-          stresses<true>(b, g);
-        else
-          stresses<false>(b, g);
+        stresses(b, g);
         integrate_gradients(g, u);
+      }
+
+      /// The same for affine cells with a linear law that does not change in them, by Legendre's
+      /// polynomials, L_T = L_i(2 xi - 1) L_j(2 eta - 1) L_k(2 zeta - 1): derivatives are other
+      /// coefficients, and integrals have no mixed terms. Half of the operations, the same result.
+      HWY_INLINE void
+      apply_to_modes(const std::size_t b, Values &u) const
+      {
+        const Geometry at = geometry(b, 0);
+        Modes          modes{u, {}, {}, at.weight, law(b)};
+        for (int i = 0; i < degree; ++i)
+          for (int d = 0; d < 3; ++d)
+            for (int k = 0; k < 3; ++k)
+              modes.inverse[i][d][k] = hn::Mul(at.inverse[d][k], all(legendre.derivatives[i]));
+        for (int c = 0; c < 3; ++c)
+          {
+            Number *of_c = &u.of[c][0][0];
+            to_modes<0, n>(of_c, of_c);
+            to_modes<1, n>(of_c, of_c);
+            to_modes<2, n>(of_c, of_c);
+            for (int i = 0; i < n_nodes; ++i)
+              store(hn::Zero(Tag<Number>()), modes.f.of[c][i]);
+          }
+        add_modes(modes, std::make_integer_sequence<int, n_nodes - 1>());
+        for (int c = 0; c < 3; ++c)
+          {
+            Number *of_c = &modes.f.of[c][0][0];
+            from_modes<2, n>(of_c, of_c);
+            from_modes<1, n>(of_c, of_c);
+            from_modes<0, n>(of_c, &u.of[c][0][0]);
+          }
+      }
+
+      /// Coefficients of the displacement, of the forces, and what is the same for all.
+      struct Modes
+      {
+        const Values              &u;
+        Values                     f;
+        V                          inverse[degree][3][3];
+        V                          volume;
+        const IsotropicLaw<Number> law;
+      };
+
+      template <int... T>
+      HWY_INLINE void
+      add_modes(Modes &modes, std::integer_sequence<int, T...>) const
+      {
+        (add_mode<T>(modes), ...);
+      }
+
+      /// What the gradient's part with L_T adds to the forces. Its derivative in direction d comes
+      /// from the next higher degree there.
+      template <int T>
+      HWY_INLINE void
+      add_mode(Modes &modes) const
+      {
+        constexpr int i[3] = {T % n, T / n % n, T / (n * n)}, stride[3] = {1, n, n * n};
+        V             G[3][3], S[3][3];
+        for (int c = 0; c < 3; ++c)
+          for (int k = 0; k < 3; ++k)
+            G[c][k] = hn::Zero(Tag<Number>());
+        for (int d = 0; d < 3; ++d)
+          if (i[d] < degree)
+            for (int c = 0; c < 3; ++c)
+              {
+                const V u = load(modes.u.of[c][T + stride[d]]);
+                for (int k = 0; k < 3; ++k)
+                  G[c][k] = hn::MulAdd(u, modes.inverse[i[d]][d][k], G[c][k]);
+              }
+        const Number weight =
+          legendre.weights[i[0]] * legendre.weights[i[1]] * legendre.weights[i[2]];
+        modes.law(hn::Mul(modes.volume, all(weight)), G, S);
+        for (int d = 0; d < 3; ++d)
+          if (i[d] < degree)
+            for (int c = 0; c < 3; ++c)
+              {
+                Number *f   = modes.f.of[c][T + stride[d]];
+                V       sum = load(f);
+                for (int k = 0; k < 3; ++k)
+                  sum = hn::MulAdd(S[c][k], modes.inverse[i[d]][d][k], sum);
+                store(sum, f);
+              }
       }
 
       void
@@ -428,8 +612,9 @@ namespace Signorini
         return quotient;
       }
 
-      const KernelTables<Number, degree> tables;
-      Batches<Number>                    batches;
+      const KernelTables<Number, degree>        tables;
+      static constexpr Legendre<Number, degree> legendre{};
+      Batches<Number>                           batches;
     };
 
     template <typename Number>

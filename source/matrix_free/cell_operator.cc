@@ -9,20 +9,13 @@ namespace Signorini
 
   namespace
   {
-    std::vector<types::global_dof_index>
-    touched_by_cells(const CellSpace &space)
+    std::vector<const std::vector<std::uint32_t> *>
+    nodes_of(const CellSpace &space)
     {
-      std::vector<types::global_dof_index> result;
+      std::vector<const std::vector<std::uint32_t> *> result;
       for (const KernelCells &cells : space.cells)
-        for (const auto node : cells.nodes)
-          result.push_back(node);
-      std::sort(result.begin(), result.end());
-      result.erase(std::unique(result.begin(), result.end()), result.end());
-      std::vector<types::global_dof_index> all;
-      for (const auto node : result)
-        for (unsigned int c = 0; c < 3; ++c)
-          all.push_back(node + c);
-      return all;
+        result.push_back(&cells.nodes);
+      return result;
     }
 
     template <typename Number>
@@ -40,7 +33,7 @@ namespace Signorini
   template <typename Number>
   CellOperator<Number>::CellOperator(const CellSpace &space)
     : my_owned(space.owned)
-    , vectors(space.owned, touched_by_cells(space), space.constraints, space.comm)
+    , vectors(space.owned, nodes_of(space), space.constraints, space.comm)
     , my_diagonal(space.owned, space.comm)
     , terms(space.diagonal_terms)
   {

@@ -9,6 +9,30 @@ namespace Signorini
 
   namespace
   {
+    /// The degrees of freedom of nodes, each once.
+    std::vector<types::global_dof_index>
+    dofs_of(const std::vector<const std::vector<std::uint32_t> *> &lists, const IndexSet &owned)
+    {
+      const types::global_dof_index        start = owned.is_empty() ? 0 : owned.nth_index_in_set(0);
+      std::vector<bool>                    is_there(owned.n_elements(), false);
+      std::vector<types::global_dof_index> nodes, result;
+      for (const auto *list : lists)
+        for (const types::global_dof_index node : *list)
+          if (node < start || node - start >= is_there.size())
+            nodes.push_back(node); // of others
+          else
+            is_there[node - start] = true;
+      for (std::size_t i = 0; i < is_there.size(); ++i)
+        if (is_there[i])
+          nodes.push_back(start + i);
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+      for (const auto node : nodes)
+        for (unsigned int c = 0; c < 3; ++c)
+          result.push_back(node + c);
+      return result;
+    }
+
     /// Of other ranks: those of the cells, and those that these hang on.
     IndexSet
     ghosts_of(const IndexSet                             &owned,
@@ -38,24 +62,26 @@ namespace Signorini
 
 
   template <typename Number>
-  LocalVectors<Number>::LocalVectors(const IndexSet                             &owned,
-                                     const std::vector<types::global_dof_index> &touched,
-                                     const AffineConstraints<double>            &constraints,
-                                     const MPI_Comm                              comm)
-    : partition(std::make_shared<Utilities::MPI::Partitioner>(
-        owned, ghosts_of(owned, touched, constraints), comm))
+  LocalVectors<Number>::LocalVectors(const IndexSet                                        &owned,
+                                     const std::vector<const std::vector<std::uint32_t> *> &nodes,
+                                     const AffineConstraints<double> &constraints,
+                                     const MPI_Comm                   comm)
   {
-    std::vector<types::global_dof_index> lines;
+    const std::vector<types::global_dof_index> touched = dofs_of(nodes, owned);
+    partition =
+      std::make_shared<Utilities::MPI::Partitioner>(owned,
+                                                    ghosts_of(owned, touched, constraints),
+                                                    comm);
+    std::vector<std::pair<std::uint32_t, types::global_dof_index>> lines;
     for (const auto dof : touched)
       if (constraints.is_constrained(dof))
-        lines.push_back(dof);
+        lines.emplace_back(place(dof), dof);
     std::sort(lines.begin(), lines.end());
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-    for (const auto dof : lines)
+    for (const auto &[at, dof] : lines)
       {
-        constrained.push_back(place(dof));
+        constrained.push_back(at);
         if (owned.is_element(dof))
-          my_owned_constrained.push_back(constrained.back());
+          my_owned_constrained.push_back(at);
         first.push_back(elements.size());
         for (const auto &entry : *constraints.get_constraint_entries(dof))
           {

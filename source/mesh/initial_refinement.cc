@@ -100,12 +100,13 @@ namespace Signorini
       for (const std::string &surface : {slave, master})
         if (!surface.empty())
           surfaces.insert(boundary_ids(surface).begin(), boundary_ids(surface).end());
-    refine_where(triangulation, settings.contact_refinements, children / 2, [&](const auto &cell, auto) {
-      for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() && surfaces.count(cell->face(f)->boundary_id()) > 0)
-          return true;
-      return false;
-    });
+    refine_where(
+      triangulation, settings.contact_refinements, children / 2, [&](const auto &cell, auto) {
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && surfaces.count(cell->face(f)->boundary_id()) > 0)
+            return true;
+        return false;
+      });
 
     for (const RefinementZone<dim> &zone : settings.zones)
       refine_where(triangulation, zone.times, 1, [&](const auto &cell, auto) {

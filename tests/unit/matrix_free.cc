@@ -198,9 +198,9 @@ namespace
   double
   galerkin_defect(const StiffnessOperator &fine, const Level &coarse)
   {
-    const LA::SparseMatrix &P = *coarse.prolongation;
-    LA::Vector              u(coarse.stiffness->owned(), MPI_COMM_WORLD), product = u, galerkin = u;
-    LA::Vector              on_fine(fine.owned(), MPI_COMM_WORLD), f = on_fine;
+    const Prolongation &P = *coarse.prolongation;
+    LA::Vector          u(coarse.stiffness->owned(), MPI_COMM_WORLD), product = u, galerkin = u;
+    LA::Vector          on_fine(fine.owned(), MPI_COMM_WORLD), f = on_fine;
     // Constrained degrees of freedom stand for nothing: nothing is prolongated from there.
     f = 1.;
     P.Tvmult(u, f);
@@ -281,7 +281,9 @@ TEST_CASE("prolongation from coarser meshes keeps rigid-body motions")
       std::copy(spaces.modes[m].begin(), spaces.modes[m].end(), LA::values_of(u));
       for (auto level = spaces.levels.rbegin(); level != spaces.levels.rend(); ++level)
         {
-          LA::Vector above(level->prolongation->locally_owned_range_indices(), MPI_COMM_WORLD);
+          const bool is_first = level + 1 == spaces.levels.rend();
+          LA::Vector above(is_first ? stiffness.owned() : (level + 1)->stiffness->owned(),
+                           MPI_COMM_WORLD);
           level->prolongation->vmult(above, u);
           u = above;
         }
@@ -290,7 +292,7 @@ TEST_CASE("prolongation from coarser meshes keeps rigid-body motions")
         if (const auto dof = u.locally_owned_elements().nth_index_in_set(i);
             !scene.elasticity->constraints().is_constrained(dof))
           worst = std::max(worst, std::abs(LA::values_of(u)[i] - exact[m][i]));
-      CHECK(Utilities::MPI::max(worst, MPI_COMM_WORLD) < 1e-12);
+      CHECK(Utilities::MPI::max(worst, MPI_COMM_WORLD) < 1e-6); // single precision
     }
 }
 
@@ -348,8 +350,7 @@ namespace
     const MatrixFreeStiffness cells(*scene.elasticity);
     for (const Stiffness *stiffness : std::vector<const Stiffness *>{&matrix, &cells})
       {
-        Spaces          spaces   = make_spaces(*scene.elasticity, *stiffness, true);
-        const bool      is_exact = stiffness == &matrix && spaces.levels.size() == 1;
+        Spaces          spaces = make_spaces(*scene.elasticity, *stiffness, true);
         const Hierarchy hierarchy(*stiffness, std::move(spaces.levels), spaces.modes, 3);
         AMG             amg(hierarchy, &scene.gap_operator());
         LA::Vector      springs = scene.gap_operator().weight;
@@ -360,7 +361,7 @@ namespace
         amg.vmult(Vx, x);
         amg.vmult(Vy, y);
         const double size = std::sqrt((x * Vx) * (y * Vy));
-        CHECK(std::abs(x * Vy - y * Vx) < (is_exact ? 1e-11 : 1e-5) * size);
+        CHECK(std::abs(x * Vy - y * Vx) < 1e-5 * size);
         CHECK(x * Vx > 0);
       }
   }

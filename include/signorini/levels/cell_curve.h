@@ -49,6 +49,10 @@ namespace Signorini
     static Position
     at_corner(const Place &place, unsigned int corner);
 
+    /// Which child of its parent a cell is. @param place of a cell that has a parent
+    static unsigned int
+    child_number(const Place &place);
+
     /// The leaf of this rank at a position.
     const Place &
     leaf(const Position &position) const;

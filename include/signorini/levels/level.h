@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/stiffness.h>
+#include <signorini/levels/prolongation.h>
 
 #include <memory>
 #include <vector>
@@ -11,19 +12,20 @@ namespace Signorini
   struct Level
   {
     /// With an assembled stiffness.
-    Level(LA::SparseMatrix &&prolongation, LA::SparseMatrix &&assembled)
-      : prolongation(std::make_unique<LA::SparseMatrix>(std::move(prolongation)))
+    Level(std::unique_ptr<const Prolongation> prolongation, LA::SparseMatrix &&assembled)
+      : prolongation(std::move(prolongation))
       , matrix(std::make_unique<LA::SparseMatrix>(std::move(assembled)))
       , stiffness(std::make_unique<AssembledStiffness>(*matrix))
     {}
 
     /// With products only.
-    Level(LA::SparseMatrix &&prolongation, std::unique_ptr<const StiffnessOperator> stiffness)
-      : prolongation(std::make_unique<LA::SparseMatrix>(std::move(prolongation)))
+    Level(std::unique_ptr<const Prolongation>      prolongation,
+          std::unique_ptr<const StiffnessOperator> stiffness)
+      : prolongation(std::move(prolongation))
       , stiffness(std::move(stiffness))
     {}
 
-    std::unique_ptr<const LA::SparseMatrix>  prolongation; ///< from this level to the one above
+    std::unique_ptr<const Prolongation>      prolongation; ///< from this level to the one above
     std::unique_ptr<const LA::SparseMatrix>  matrix;       ///< null: there is none
     std::unique_ptr<const StiffnessOperator> stiffness;    ///< looks at the matrix
   };

@@ -12,6 +12,48 @@
 
 namespace Signorini
 {
+  /// The degrees of freedom of the finest mesh that a rank owns: one after the other.
+  class OwnRange
+  {
+  public:
+    using Index = dealii::types::global_dof_index;
+
+    OwnRange() = default;
+
+    explicit OwnRange(const dealii::IndexSet &owned)
+      : first(owned.is_empty() ? 0 : owned.nth_index_in_set(0))
+      , n(owned.n_elements())
+    {}
+
+    std::size_t
+    size() const
+    {
+      return n;
+    }
+
+    bool
+    has(const Index dof) const
+    {
+      return dof >= first && dof - first < n;
+    }
+
+    std::size_t
+    place(const Index dof) const
+    {
+      return dof - first;
+    }
+
+    Index
+    dof(const std::size_t place) const
+    {
+      return first + place;
+    }
+
+  private:
+    Index       first = 0;
+    std::size_t n     = 0;
+  };
+
   /// The vertices of a mesh of hexahedra and of the cells that it came from by refinement: those of
   /// all leaves of this rank and of all cells with such leaves in them. A vertex has the name of
   /// its first degree of freedom of degree one on the finest mesh; those of the other components
@@ -57,6 +99,8 @@ namespace Signorini
     const Line *
     line(const Index dof) const
     {
+      if (my_names.has(dof) && !has_line[my_names.place(dof)])
+        return nullptr;
       const auto known = lines.find(dof);
       return known == lines.end() ? nullptr : &known->second;
     }
@@ -70,12 +114,14 @@ namespace Signorini
     ask_others(MPI_Comm comm);
 
     const CellCurve                 my_curve;
-    std::vector<Index>              names; ///< by the number of the vertex on this rank
+    const OwnRange                  my_names; ///< degrees of freedom of this rank
+    std::vector<bool>               has_line; ///< those of this rank, so that most need no search
+    std::vector<Index>              names;    ///< by the number of the vertex on this rank
     std::unordered_map<Index, Line> lines;
   };
 
-  /// The degrees of freedom of the vertices of one level, numbered anew: three a vertex, which the
-  /// rank owns that owns those on the finest mesh; those of rigid bodies last.
+  /// The degrees of freedom of the vertices of one level: three a vertex, which the rank owns that
+  /// owns those on the finest mesh; those of rigid bodies last.
   class VertexNumbers
   {
   public:
@@ -83,36 +129,44 @@ namespace Signorini
 
     VertexNumbers() = default;
 
-    /// Collective.
+    /// Of the finest mesh itself: as they are there. @param owned with those of rigid bodies
+    explicit VertexNumbers(const dealii::IndexSet &owned)
+      : is_finest(true)
+      , my_owned(owned)
+    {}
+
+    /// Numbered anew. Collective.
     /// @param corners names of the vertices of this rank's cells on the level
     /// @param known names that this rank wants to know the numbers of, some of which may not be
     /// there
     /// @param owned degrees of freedom of the finest mesh
-    VertexNumbers(std::vector<Index>      corners,
-                  std::vector<Index>      known,
-                  const dealii::IndexSet &owned,
-                  unsigned int            n_rigid,
-                  MPI_Comm                comm);
+    VertexNumbers(const std::vector<Index> &corners,
+                  const std::vector<Index> &known,
+                  const dealii::IndexSet   &owned,
+                  unsigned int              n_rigid,
+                  MPI_Comm                  comm);
 
     bool
     has(const Index name) const
     {
-      return numbers.count(name) > 0;
+      return is_finest || number(name) != dealii::numbers::invalid_dof_index;
     }
 
+    /// Of a vertex that is there.
     Index
     dof(const Index name, const unsigned int component) const
     {
-      return 3 * numbers.at(name) + component;
+      return is_finest ? name + component : 3 * number(name) + component;
     }
 
+    /// With those of rigid bodies.
     const dealii::IndexSet &
     owned_dofs() const
     {
       return my_owned;
     }
 
-    /// Of this rank's vertices, in the order of their numbers.
+    /// Of this rank's vertices, in the order of their numbers; numbered anew only.
     const std::vector<Index> &
     owned_names() const
     {
@@ -120,7 +174,19 @@ namespace Signorini
     }
 
   private:
-    std::unordered_map<Index, Index> numbers; ///< of names
+    Index
+    number(const Index name) const
+    {
+      if (on_finest.has(name))
+        return numbers[on_finest.place(name) / 3];
+      const auto known = numbers_of_others.find(name);
+      return known == numbers_of_others.end() ? dealii::numbers::invalid_dof_index : known->second;
+    }
+
+    bool                             is_finest = false;
+    OwnRange                         on_finest; ///< this rank's degrees of freedom there
+    std::vector<Index>               numbers;   ///< of its vertices there
+    std::unordered_map<Index, Index> numbers_of_others;
     std::vector<Index>               my_names;
     dealii::IndexSet                 my_owned;
   };

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <signorini/elasticity/elasticity.h>
+#include <signorini/levels/prolongation.h>
+
+#include <memory>
 
 namespace Signorini
 {
@@ -28,10 +31,8 @@ namespace Signorini
 
   /// From the space of degree one to that of the bodies. Collective.
   template <int dim>
-  void
-  make_prolongation(const Elasticity<dim>  &fine,
-                    const LinearSpace<dim> &space,
-                    LA::SparseMatrix       &P);
+  std::unique_ptr<const Prolongation>
+  make_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space);
 
   /// What K has on its diagonal beyond the stiffness of cells on a level below another one: the
   /// springs against free motions, each at the nodes that it moves, and what is prescribed to rigid
@@ -40,7 +41,7 @@ namespace Signorini
   /// @param n_rigid degrees of freedom of rigid bodies, the last ones of both levels
   LA::Vector
   restrict_terms(const LA::Vector       &terms,
-                 const LA::SparseMatrix &P,
+                 const Prolongation     &P,
                  const dealii::IndexSet &owned,
                  unsigned int            n_rigid);
 

@@ -1,5 +1,4 @@
 #include <signorini/linear_algebra/diagonal.h>
-#include <signorini/linear_algebra/products.h>
 #include <signorini/linear_algebra/values.h>
 #include <signorini/solve/preconditioners/amg.h>
 
@@ -223,7 +222,7 @@ namespace Signorini
     multiply(level, level.rest, x);
     level.rest.sadd(-1, 1, right);
     const Level &next = *levels[l + 1];
-    LA::multiply_transposed(*level.P, next.right, level.rest);
+    level.P->Tvmult(next.right, level.rest);
     cycle(l + 1, next.x, next.right);
     if (next.P && next.n_visits == 2) // what is left, once more
       {
@@ -233,7 +232,7 @@ namespace Signorini
         cycle(l + 1, next.x, next.right);
         next.x += next.first;
       }
-    LA::multiply(*level.P, level.rest, next.x);
+    level.P->vmult(level.rest, next.x);
     x += level.rest;
     smooth(level, x, right, false);
   }

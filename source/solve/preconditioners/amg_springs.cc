@@ -130,7 +130,7 @@ namespace Signorini
       {
         const StiffnessOperator &K = hierarchy.stiffness(l);
         levels.push_back({l == 0 ? mean_rows(contact.B_free, groups, contact.weight, weight) :
-                                   LA::product(levels[l - 1].B, hierarchy.prolongation(l - 1)),
+                                   hierarchy.prolongation(l - 1).times(levels[l - 1].B),
                           D,
                           LA::Vector(K.owned(), K.communicator())});
       }

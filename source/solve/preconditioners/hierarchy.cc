@@ -13,7 +13,8 @@ namespace Signorini
     , coarsest(coarse.empty() ? &stiffness.matrix() : coarse.back().matrix.get())
   {
     for (LA::CoarseLevel &level : LA::smoothed_aggregation(*coarsest, modes, n_components))
-      coarse.emplace_back(std::move(level.prolongation), std::move(level.matrix));
+      coarse.emplace_back(std::make_unique<AssembledProlongation>(std::move(level.prolongation)),
+                          std::move(level.matrix));
     coarsest = coarse.empty() ? &stiffness.matrix() : coarse.back().matrix.get();
   }
 } // namespace Signorini

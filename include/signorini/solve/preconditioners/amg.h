@@ -37,7 +37,7 @@ namespace Signorini
     {
       unsigned int             number; ///< 0: the finest
       const StiffnessOperator *K;
-      const LA::SparseMatrix  *P = nullptr;      ///< from the next level to this
+      const Prolongation      *P = nullptr;      ///< from the next level to this
       unsigned int             smoothing_degree; ///< of Chebyshev's polynomial
       unsigned int             n_visits;         ///< in a cycle of the level above
       LA::Vector               diagonal_K;

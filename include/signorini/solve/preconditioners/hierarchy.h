@@ -48,7 +48,7 @@ namespace Signorini
     }
 
     /// From level + 1 to level.
-    const LA::SparseMatrix &
+    const Prolongation &
     prolongation(const unsigned int level) const
     {
       return *coarse[level].prolongation;

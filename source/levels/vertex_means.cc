@@ -1,0 +1,167 @@
+#include <signorini/levels/vertex_means.h>
+#include <signorini/linear_algebra/columns.h>
+#include <signorini/linear_algebra/sparsity_pattern.h>
+#include <signorini/linear_algebra/values.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int dim = 3;
+    constexpr std::uint8_t all = 7; // components are free
+  }                                 // namespace
+
+
+
+  void
+  VertexMeans::Nodes::add(const Index        node,
+                          const Index *const vertices,
+                          const unsigned int n_vertices)
+  {
+    List &list = of[n_vertices == 1 ? 0 : n_vertices == 2 ? 1 : n_vertices == 4 ? 2 : 3];
+    list.nodes.push_back(node);
+    list.vertices.insert(list.vertices.end(), vertices, vertices + n_vertices);
+  }
+
+
+
+  VertexMeans::VertexMeans(Nodes              of_nodes,
+                           const Side        &above,
+                           const Side        &below,
+                           const unsigned int n_rigid,
+                           const MPI_Comm     comm)
+    : nodes(std::move(of_nodes))
+    , fine(above.owned)
+    , coarse(below.owned)
+    , vertices(below.owned,
+               {&nodes.of[0].vertices,
+                &nodes.of[1].vertices,
+                &nodes.of[2].vertices,
+                &nodes.of[3].vertices},
+               below.constraints,
+               comm)
+  {
+    for (unsigned int i = 0; i < nodes.of.size(); ++i)
+      {
+        for (std::uint32_t &vertex : nodes.of[i].vertices)
+          vertex = vertices.place(vertex);
+        for (std::uint32_t &node : nodes.of[i].nodes)
+          {
+            std::uint8_t bits = 0;
+            for (unsigned int c = 0; c < dim; ++c)
+              if (!above.constraints.is_constrained(node + c))
+                bits |= 1 << c;
+            free[i].push_back(bits);
+            node = fine.index_within_set(node);
+          }
+      }
+    for (Index i = 0; i < n_rigid; ++i)
+      if (const Index dof = fine.size() - n_rigid + i;
+          fine.is_element(dof) && !above.constraints.is_constrained(dof))
+        rigid.emplace_back(fine.index_within_set(dof), vertices.place(coarse.size() - n_rigid + i));
+  }
+
+
+
+  template <typename Action>
+  void
+  VertexMeans::for_each_node(const Action &act) const
+  {
+    for (unsigned int i = 0; i < nodes.of.size(); ++i)
+      {
+        const unsigned int n = 1 << i;
+        for (std::size_t k = 0; k < nodes.of[i].nodes.size(); ++k)
+          act(nodes.of[i].nodes[k], free[i][k], &nodes.of[i].vertices[n * k], n);
+      }
+  }
+
+
+
+  void
+  VertexMeans::vmult(LA::Vector &of_fine, const LA::Vector &of_coarse) const
+  {
+    const float *const u = vertices.resolve(of_coarse);
+    double *const      x = LA::values_of(of_fine);
+    std::fill_n(x, of_fine.locally_owned_size(), 0.);
+    for_each_node(
+      [=](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
+        float sum[dim] = {};
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            sum[c] += u[of[j] + c];
+        for (unsigned int c = 0; c < dim; ++c)
+          x[node + c] = is_free >> c & 1 ? sum[c] / n : 0.f;
+      });
+    for (const auto &[i, place] : rigid)
+      x[i] = u[place];
+  }
+
+
+
+  void
+  VertexMeans::Tvmult(LA::Vector &of_coarse, const LA::Vector &of_fine) const
+  {
+    float *const        f = vertices.zero();
+    const double *const x = LA::values_of(of_fine);
+    for_each_node(
+      [=](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
+        float share[dim];
+        for (unsigned int c = 0; c < dim; ++c)
+          share[c] = is_free >> c & 1 ? float(x[node + c]) / n : 0.f;
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            f[of[j] + c] += share[c];
+      });
+    for (const auto &[i, place] : rigid)
+      f[place] += x[i];
+    vertices.condense(of_coarse);
+  }
+
+
+
+  LA::SparseMatrix
+  VertexMeans::times(const LA::SparseMatrix &B) const
+  {
+    // Rows of P that meet a column of B on any rank.
+    const MPI_Comm           comm = B.get_mpi_communicator();
+    LA::Vector               asked(fine, comm);
+    const LA::ColumnExchange columns(B);
+    columns.add(std::vector<double>(columns.size(), 1.).data(), asked);
+    const double *const is_asked = LA::values_of(asked);
+
+    LA::SparsityPattern pattern(fine, coarse, comm);
+    const auto          visit = [&](const auto &act) {
+      for_each_node(
+        [&](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
+          for (unsigned int c = 0; c < dim; ++c)
+            if (is_free >> c & 1 && is_asked[node + c] > 0)
+              for (unsigned int j = 0; j < n; ++j)
+                vertices.for_each_element(of[j] + c, [&](const Index dof, const double weight) {
+                  act(fine.nth_index_in_set(node + c), dof, weight / n);
+                });
+        });
+      for (const auto &[i, place] : rigid)
+        act(fine.nth_index_in_set(i), vertices.dof(place), 1.);
+    };
+    visit([&](const Index i, const Index j, double) { pattern.add(i, j); });
+    pattern.compress();
+    LA::SparseMatrix P;
+    P.reinit(pattern);
+    visit([&](const Index i, const Index j, const double value) { P.add(i, j, value); });
+    P.compress(VectorOperation::add);
+    return LA::product(B, P);
+  }
+
+
+
+  std::size_t
+  VertexMeans::memory() const
+  {
+    std::size_t bytes = vertices.memory();
+    for (unsigned int i = 0; i < nodes.of.size(); ++i)
+      bytes += free[i].size() + 4 * (nodes.of[i].nodes.size() + nodes.of[i].vertices.size());
+    return bytes;
+  }
+} // namespace Signorini
