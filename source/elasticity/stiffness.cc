@@ -17,6 +17,41 @@ namespace Signorini
 
 
 
+  AssembledOperator::AssembledOperator(const LA::SparseMatrix &K)
+    : K(K)
+    , K_rounded(K)
+    , result(K.locally_owned_range_indices().n_elements())
+  {}
+
+
+
+  std::vector<float>
+  AssembledOperator::diagonal() const
+  {
+    const LA::Vector    exact = LA::diagonal(K);
+    const double *const first = LA::values_of(exact);
+    return std::vector<float>(first, first + exact.locally_owned_size());
+  }
+
+
+
+  std::vector<float>
+  AssembledOperator::row_sizes() const
+  {
+    std::vector<float> sums;
+    for (unsigned int i = 0; i < result.size(); ++i)
+      {
+        const LA::RowView row(K, i);
+        double            sum = 0;
+        for (int k = 0; k < row.size; ++k)
+          sum += std::abs(row.values[k]);
+        sums.push_back(sum);
+      }
+    return sums;
+  }
+
+
+
   LA::Vector
   AssembledStiffness::diagonal() const
   {
@@ -25,17 +60,11 @@ namespace Signorini
 
 
 
-  LA::Vector
-  AssembledStiffness::row_sizes() const
+  const StiffnessOperator<float> &
+  AssembledStiffness::rounded() const
   {
-    LA::Vector    sums(K.locally_owned_range_indices(), K.get_mpi_communicator());
-    double *const sum = LA::values_of(sums);
-    for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
-      {
-        const LA::RowView row(K, i);
-        for (int k = 0; k < row.size; ++k)
-          sum[i] += std::abs(row.values[k]);
-      }
-    return sums;
+    if (!my_rounded)
+      my_rounded = std::make_unique<const AssembledOperator>(K);
+    return *my_rounded;
   }
 } // namespace Signorini

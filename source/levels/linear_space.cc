@@ -3,6 +3,7 @@
 #include <signorini/levels/linear_space.h>
 #include <signorini/levels/vertex_means.h>
 #include <signorini/linear_algebra/sparsity_pattern.h>
+#include <signorini/linear_algebra/values.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -284,8 +285,12 @@ namespace Signorini
                  const IndexSet     &owned,
                  const unsigned int  n_rigid)
   {
-    LA::Vector result(owned, terms.get_mpi_communicator());
-    P.Tvmult(result, terms);
+    LA::Vector               result(owned, terms.get_mpi_communicator());
+    const double *const      above = LA::values_of(terms);
+    const std::vector<float> rounded(above, above + terms.locally_owned_size());
+    std::vector<float>       below(owned.n_elements());
+    P.Tvmult(below.data(), rounded.data());
+    std::copy(below.begin(), below.end(), LA::values_of(result));
     for (auto i = owned.size() - n_rigid; i < owned.size(); ++i)
       if (owned.is_element(i))
         result(i) = terms(terms.size() - owned.size() + i);

@@ -318,7 +318,7 @@ namespace Signorini
 
 
 
-  std::unique_ptr<const StiffnessOperator>
+  std::unique_ptr<const StiffnessOperator<float>>
   finest_operator(const LinearDisplacements &linear, const Elasticity<3> &elasticity)
   {
     CellSpace space;

@@ -3,6 +3,8 @@
 #include <signorini/linear_algebra/sparsity_pattern.h>
 #include <signorini/linear_algebra/values.h>
 
+#include <algorithm>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -10,8 +12,7 @@ namespace Signorini
   namespace
   {
     constexpr unsigned int dim = 3;
-    constexpr std::uint8_t all = 7; // components are free
-  }                                 // namespace
+  } // namespace
 
 
 
@@ -80,11 +81,9 @@ namespace Signorini
 
 
   void
-  VertexMeans::vmult(LA::Vector &of_fine, const LA::Vector &of_coarse) const
+  VertexMeans::vmult_add(float *of_fine, const float *of_coarse) const
   {
     const float *const u = vertices.resolve(of_coarse);
-    double *const      x = LA::values_of(of_fine);
-    std::fill_n(x, of_fine.locally_owned_size(), 0.);
     for_each_node(
       [=](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
         float sum[dim] = {};
@@ -92,31 +91,31 @@ namespace Signorini
           for (unsigned int c = 0; c < dim; ++c)
             sum[c] += u[of[j] + c];
         for (unsigned int c = 0; c < dim; ++c)
-          x[node + c] = is_free >> c & 1 ? sum[c] / n : 0.f;
+          if (is_free >> c & 1)
+            of_fine[node + c] += sum[c] / n;
       });
     for (const auto &[i, place] : rigid)
-      x[i] = u[place];
+      of_fine[i] += u[place];
   }
 
 
 
   void
-  VertexMeans::Tvmult(LA::Vector &of_coarse, const LA::Vector &of_fine) const
+  VertexMeans::Tvmult(float *of_coarse, const float *of_fine) const
   {
-    float *const        f = vertices.zero();
-    const double *const x = LA::values_of(of_fine);
+    float *const f = vertices.zero();
     for_each_node(
       [=](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
         float share[dim];
         for (unsigned int c = 0; c < dim; ++c)
-          share[c] = is_free >> c & 1 ? float(x[node + c]) / n : 0.f;
+          share[c] = is_free >> c & 1 ? of_fine[node + c] / n : 0.f;
         for (unsigned int j = 0; j < n; ++j)
           for (unsigned int c = 0; c < dim; ++c)
             f[of[j] + c] += share[c];
       });
     for (const auto &[i, place] : rigid)
-      f[place] += x[i];
-    vertices.condense(of_coarse);
+      f[place] += of_fine[i];
+    std::copy_n(vertices.condense(), coarse.n_elements(), of_coarse);
   }
 
 

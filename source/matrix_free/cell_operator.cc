@@ -33,9 +33,8 @@ namespace Signorini
   template <typename Number>
   CellOperator<Number>::CellOperator(const CellSpace &space)
     : my_owned(space.owned)
+    , comm(space.comm)
     , vectors(space.owned, nodes_of(space), space.constraints, space.comm)
-    , my_diagonal(space.owned, space.comm)
-    , terms(space.diagonal_terms)
   {
     for (const KernelCells &cells : space.cells)
       kernels.push_back(make_kernel(cells, vectors));
@@ -54,45 +53,51 @@ namespace Signorini
     add_tied_diagonal(space, [&](const types::global_dof_index dof, const double value) {
       d[vectors.place(dof)] += value;
     });
-    vectors.sum(my_diagonal);
-    my_diagonal += terms;
-    double *const t = LA::values_of(terms);
+    const Number *const sums = vectors.sum();
+    my_diagonal.assign(sums, sums + my_owned.n_elements());
+    const double *const beyond = LA::values_of(space.diagonal_terms);
+    for (std::size_t i = 0; i < my_diagonal.size(); ++i)
+      my_diagonal[i] += beyond[i];
+    // What is constrained has no cells in the product, but its whole diagonal.
+    std::vector<bool> is_constrained(my_diagonal.size(), false);
     for (const auto i : vectors.owned_constrained())
-      t[i] = LA::values_of(my_diagonal)[i];
+      is_constrained[i] = true;
+    for (std::size_t i = 0; i < my_diagonal.size(); ++i)
+      if (is_constrained[i])
+        terms.emplace_back(i, my_diagonal[i]);
+      else if (beyond[i] != 0)
+        terms.emplace_back(i, beyond[i]);
   }
 
 
 
   template <typename Number>
-  void
-  CellOperator<Number>::vmult(LA::Vector &dst, const LA::Vector &src) const
+  Number *
+  CellOperator<Number>::product(const Number *x) const
   {
-    const Number *const u = vectors.resolve(src);
+    const Number *const u = vectors.resolve(x);
     Number *const       f = vectors.zero();
     for (const auto &kernel : kernels)
       kernel->add_product(f, u);
-    vectors.condense(dst);
-    double *const       y = LA::values_of(dst);
-    const double *const x = LA::values_of(src), *const t = LA::values_of(terms);
-    for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
-      y[i] += t[i] * x[i];
+    Number *const y = vectors.condense();
+    for (const auto &[i, term] : terms)
+      y[i] += term * x[i];
+    return y;
   }
 
 
 
   template <typename Number>
-  LA::Vector
+  std::vector<Number>
   CellOperator<Number>::row_sizes() const
   {
     Number *const largest = vectors.zero();
     for (const auto &kernel : kernels)
       kernel->enlarge_by_eigenvalues(largest);
-    LA::Vector result;
-    result.reinit(my_diagonal, true);
-    vectors.largest(result);
-    double *const r = LA::values_of(result);
-    for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
-      r[i] = std::max(r[i], 1.) * LA::values_of(my_diagonal)[i]; // rigid bodies have no cells
+    const Number *const ratios = vectors.largest();
+    std::vector<Number> result = my_diagonal;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] *= std::max(ratios[i], Number(1)); // rigid bodies have no cells
     return result;
   }
 
@@ -102,7 +107,8 @@ namespace Signorini
   std::size_t
   CellOperator<Number>::memory() const
   {
-    std::size_t bytes = vectors.memory() + 2 * sizeof(double) * my_diagonal.locally_owned_size();
+    std::size_t bytes =
+      vectors.memory() + sizeof(Number) * my_diagonal.size() + sizeof(terms[0]) * terms.size();
     for (const auto &kernel : kernels)
       bytes += kernel->memory();
     return bytes;

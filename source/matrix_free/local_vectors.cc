@@ -1,4 +1,3 @@
-#include <signorini/linear_algebra/values.h>
 #include <signorini/matrix_free/local_vectors.h>
 
 #include <algorithm>
@@ -68,10 +67,9 @@ namespace Signorini
                                      const MPI_Comm                   comm)
   {
     const std::vector<types::global_dof_index> touched = dofs_of(nodes, owned);
-    partition =
-      std::make_shared<Utilities::MPI::Partitioner>(owned,
-                                                    ghosts_of(owned, touched, constraints),
-                                                    comm);
+    exchange = std::make_unique<LA::GhostExchange<Number>>(owned,
+                                                           ghosts_of(owned, touched, constraints),
+                                                           comm);
     std::vector<std::pair<std::uint32_t, types::global_dof_index>> lines;
     for (const auto dof : touched)
       if (constraints.is_constrained(dof))
@@ -90,19 +88,19 @@ namespace Signorini
           }
       }
     first.push_back(elements.size());
-    of_u.reinit(partition);
-    of_f.reinit(partition);
+    of_u.resize(exchange->n_owned() + exchange->n_ghosts() + 1);
+    of_f.resize(of_u.size());
   }
 
 
 
   template <typename Number>
   const Number *
-  LocalVectors<Number>::resolve(const LA::Vector &u) const
+  LocalVectors<Number>::resolve(const Number *u) const
   {
-    std::copy_n(LA::values_of(u), u.locally_owned_size(), of_u.begin());
-    of_u.update_ghost_values();
-    Number *const x = of_u.begin();
+    Number *const x = of_u.data();
+    std::copy_n(u, exchange->n_owned(), x);
+    exchange->fetch(x, x + exchange->n_owned());
     for (std::size_t k = 0; k < constrained.size(); ++k)
       {
         Number value = 0;
@@ -119,53 +117,44 @@ namespace Signorini
   Number *
   LocalVectors<Number>::zero() const
   {
-    std::fill_n(of_f.begin(), partition->locally_owned_size() + partition->n_ghost_indices(), 0);
-    return of_f.begin();
+    std::fill(of_f.begin(), of_f.end(), Number(0));
+    return of_f.data();
   }
 
 
 
   template <typename Number>
-  void
-  LocalVectors<Number>::condense(LA::Vector &v) const
+  Number *
+  LocalVectors<Number>::condense() const
   {
-    Number *const f = of_f.begin();
+    Number *const f = of_f.data();
     for (std::size_t k = 0; k < constrained.size(); ++k)
       {
         for (std::uint32_t e = first[k]; e < first[k + 1]; ++e)
           f[elements[e]] += weights[e] * f[constrained[k]];
         f[constrained[k]] = 0;
       }
-    sum(v);
+    return sum();
   }
 
 
 
   template <typename Number>
-  void
-  LocalVectors<Number>::sum(LA::Vector &v) const
+  Number *
+  LocalVectors<Number>::sum() const
   {
-    of_f.compress(VectorOperation::add);
-    copy_owned(v);
+    exchange->add(of_f.data() + exchange->n_owned(), of_f.data());
+    return of_f.data();
   }
 
 
 
   template <typename Number>
-  void
-  LocalVectors<Number>::largest(LA::Vector &v) const
+  Number *
+  LocalVectors<Number>::largest() const
   {
-    of_f.compress(VectorOperation::max);
-    copy_owned(v);
-  }
-
-
-
-  template <typename Number>
-  void
-  LocalVectors<Number>::copy_owned(LA::Vector &v) const
-  {
-    std::copy_n(of_f.begin(), v.locally_owned_size(), LA::values_of(v));
+    exchange->enlarge(of_f.data() + exchange->n_owned(), of_f.data());
+    return of_f.data();
   }
 
 
@@ -175,7 +164,7 @@ namespace Signorini
   LocalVectors<Number>::memory() const
   {
     return 4 * (constrained.size() + first.size() + elements.size()) +
-           sizeof(Number) * (weights.size() + 2 * of_u.locally_owned_size());
+           sizeof(Number) * (weights.size() + 2 * of_u.size());
   }
 
 

@@ -19,16 +19,36 @@ namespace Signorini
     : elasticity(elasticity)
     , cells(space)
     , in_single_precision(space)
-    , workspace(elasticity.zero_vector())
   {}
+
+
+
+  void
+  MatrixFreeStiffness::vmult(LA::Vector &dst, const LA::Vector &src) const
+  {
+    std::copy_n(cells.product(LA::values_of(src)), dst.locally_owned_size(), LA::values_of(dst));
+  }
 
 
 
   void
   MatrixFreeStiffness::vmult_add(LA::Vector &dst, const LA::Vector &src) const
   {
-    cells.vmult(workspace, src);
-    dst += workspace;
+    const double *const product = cells.product(LA::values_of(src));
+    double *const       sum     = LA::values_of(dst);
+    for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
+      sum[i] += product[i];
+  }
+
+
+
+  LA::Vector
+  MatrixFreeStiffness::diagonal() const
+  {
+    LA::Vector                result(owned(), communicator());
+    const std::vector<double> values = cells.diagonal();
+    std::copy(values.begin(), values.end(), LA::values_of(result));
+    return result;
   }
 
 

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <signorini/linear_algebra/level_matrix.h>
 #include <signorini/linear_algebra/products.h>
 #include <signorini/parameters/choices.h>
+
+#include <memory>
+#include <vector>
 
 namespace Signorini
 {
@@ -17,22 +21,25 @@ namespace Signorini
   const Choices<StiffnessForm> &
   stiffness_forms();
 
-  /// What the smoother of a level of multigrid asks of a stiffness K.
+  /// What the smoother of a level of multigrid asks of a stiffness K. Vectors are arrays of the
+  /// degrees of freedom of this rank; those of levels are in single precision, which is good enough
+  /// for a preconditioner.
+  template <typename Number>
   class StiffnessOperator
   {
   public:
     virtual ~StiffnessOperator() = default;
 
-    /// dst = K src. Collective.
-    virtual void
-    vmult(LA::Vector &dst, const LA::Vector &src) const = 0;
+    /// K x, in an array that may be changed, and is valid until the next call. Collective.
+    virtual Number *
+    product(const Number *x) const = 0;
 
-    virtual LA::Vector
+    virtual std::vector<Number>
     diagonal() const = 0;
 
     /// How large each row is as a whole: the sum of its absolute values, or about as much. Beside
     /// the diagonal it is large where cells are of bad shape.
-    virtual LA::Vector
+    virtual std::vector<Number>
     row_sizes() const = 0;
 
     /// The degrees of freedom of this rank.
@@ -43,20 +50,63 @@ namespace Signorini
     communicator() const = 0;
   };
 
-  /// K, how the forces of the bodies change with their displacement, with what else solvers ask of
-  /// it, such as the rows near contact. Only what cannot do without asks for the whole matrix.
-  class Stiffness : public StiffnessOperator
+  /// By a matrix. Refers to it.
+  class AssembledOperator : public StiffnessOperator<float>
   {
   public:
+    explicit AssembledOperator(const LA::SparseMatrix &K);
+
+    float *
+    product(const float *x) const override
+    {
+      K_rounded.vmult(result.data(), x);
+      return result.data();
+    }
+
+    std::vector<float>
+    diagonal() const override;
+
+    std::vector<float>
+    row_sizes() const override;
+
+    dealii::IndexSet
+    owned() const override
+    {
+      return K.locally_owned_range_indices();
+    }
+
+    MPI_Comm
+    communicator() const override
+    {
+      return K.get_mpi_communicator();
+    }
+
+  private:
+    const LA::SparseMatrix    &K;
+    const LA::LevelMatrix      K_rounded;
+    mutable std::vector<float> result;
+  };
+
+  /// K, how the forces of the bodies change with their displacement: what solvers ask of it. Only
+  /// what cannot do without asks for the whole matrix.
+  class Stiffness
+  {
+  public:
+    virtual ~Stiffness() = default;
+
+    /// dst = K src. Collective.
+    virtual void
+    vmult(LA::Vector &dst, const LA::Vector &src) const = 0;
+
     virtual void
     vmult_add(LA::Vector &dst, const LA::Vector &src) const = 0;
 
-    /// The same in single precision, if that is quicker: good enough for a preconditioner.
-    virtual const StiffnessOperator &
-    rounded() const
-    {
-      return *this;
-    }
+    virtual LA::Vector
+    diagonal() const = 0;
+
+    /// The same for the finest level of multigrid. Collective.
+    virtual const StiffnessOperator<float> &
+    rounded() const = 0;
 
     /// A matrix in which at least the rows of some degrees of freedom of this rank are complete.
     /// Collective. @param marker nonzero there
@@ -70,6 +120,13 @@ namespace Signorini
     /// Another one after each change of values. What was returned before may be void then.
     virtual unsigned int
     version() const = 0;
+
+    /// The degrees of freedom of this rank.
+    virtual dealii::IndexSet
+    owned() const = 0;
+
+    virtual MPI_Comm
+    communicator() const = 0;
 
     dealii::types::global_dof_index
     size() const
@@ -91,6 +148,7 @@ namespace Signorini
     has_changed()
     {
       ++my_version;
+      my_rounded.reset();
     }
 
     void
@@ -108,8 +166,8 @@ namespace Signorini
     LA::Vector
     diagonal() const override;
 
-    LA::Vector
-    row_sizes() const override;
+    const StiffnessOperator<float> &
+    rounded() const override;
 
     const LA::SparseMatrix &
     rows(const LA::Vector & /*marker*/) const override
@@ -142,7 +200,8 @@ namespace Signorini
     }
 
   private:
-    const LA::SparseMatrix &K;
-    unsigned int            my_version = 1;
+    const LA::SparseMatrix                          &K;
+    unsigned int                                     my_version = 1;
+    mutable std::unique_ptr<const AssembledOperator> my_rounded; ///< null: nobody asked
   };
 } // namespace Signorini

@@ -15,19 +15,19 @@ namespace Signorini
     Level(std::unique_ptr<const Prolongation> prolongation, LA::SparseMatrix &&assembled)
       : prolongation(std::move(prolongation))
       , matrix(std::make_unique<LA::SparseMatrix>(std::move(assembled)))
-      , stiffness(std::make_unique<AssembledStiffness>(*matrix))
+      , stiffness(std::make_unique<AssembledOperator>(*matrix))
     {}
 
     /// With products only.
-    Level(std::unique_ptr<const Prolongation>      prolongation,
-          std::unique_ptr<const StiffnessOperator> stiffness)
+    Level(std::unique_ptr<const Prolongation>             prolongation,
+          std::unique_ptr<const StiffnessOperator<float>> stiffness)
       : prolongation(std::move(prolongation))
       , stiffness(std::move(stiffness))
     {}
 
-    std::unique_ptr<const Prolongation>      prolongation; ///< from this level to the one above
-    std::unique_ptr<const LA::SparseMatrix>  matrix;       ///< null: there is none
-    std::unique_ptr<const StiffnessOperator> stiffness;    ///< looks at the matrix
+    std::unique_ptr<const Prolongation>     prolongation;      ///< from this level to the one above
+    std::unique_ptr<const LA::SparseMatrix> matrix;            ///< null: there is none
+    std::unique_ptr<const StiffnessOperator<float>> stiffness; ///< looks at the matrix
   };
 
   /// Levels of multigrid below the stiffness of bodies that are spaces of displacements.

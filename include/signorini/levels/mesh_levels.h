@@ -18,7 +18,7 @@ namespace Signorini
   };
 
   /// Their stiffness, by the cells.
-  std::unique_ptr<const StiffnessOperator>
+  std::unique_ptr<const StiffnessOperator<float>>
   finest_operator(const LinearDisplacements &linear, const Elasticity<3> &elasticity);
 
   /// The same on the meshes that remain when the cells of the finest level are taken back to their

@@ -1,45 +1,51 @@
 #pragma once
 
+#include <signorini/linear_algebra/level_matrix.h>
 #include <signorini/linear_algebra/products.h>
+
+#include <memory>
 
 namespace Signorini
 {
-  /// From a level of multigrid to the one above it.
+  /// From a level of multigrid to the one above it. Vectors are arrays of this rank's degrees of
+  /// freedom.
   class Prolongation
   {
   public:
     virtual ~Prolongation() = default;
 
-    /// fine = P coarse
+    /// fine += P coarse. Collective.
     virtual void
-    vmult(LA::Vector &fine, const LA::Vector &coarse) const = 0;
+    vmult_add(float *fine, const float *coarse) const = 0;
 
-    /// coarse = P^T fine
+    /// coarse = P^T fine. Collective.
     virtual void
-    Tvmult(LA::Vector &coarse, const LA::Vector &fine) const = 0;
+    Tvmult(float *coarse, const float *fine) const = 0;
 
-    /// B P for a matrix B with few columns, on the level above.
+    /// B P for a matrix B with few columns, on the level above. Collective.
     virtual LA::SparseMatrix
     times(const LA::SparseMatrix &B) const = 0;
   };
 
+  /// By a matrix.
   class AssembledProlongation : public Prolongation
   {
   public:
-    explicit AssembledProlongation(LA::SparseMatrix &&P)
-      : P(std::move(P))
+    explicit AssembledProlongation(LA::SparseMatrix &&matrix)
+      : P(std::move(matrix))
+      , rounded(P)
     {}
 
     void
-    vmult(LA::Vector &fine, const LA::Vector &coarse) const override
+    vmult_add(float *fine, const float *coarse) const override
     {
-      LA::multiply(P, fine, coarse);
+      rounded.vmult_add(fine, coarse);
     }
 
     void
-    Tvmult(LA::Vector &coarse, const LA::Vector &fine) const override
+    Tvmult(float *coarse, const float *fine) const override
     {
-      LA::multiply_transposed(P, coarse, fine);
+      rounded.Tvmult(coarse, fine);
     }
 
     LA::SparseMatrix
@@ -50,5 +56,6 @@ namespace Signorini
 
   private:
     const LA::SparseMatrix P;
+    const LA::LevelMatrix  rounded;
   };
 } // namespace Signorini

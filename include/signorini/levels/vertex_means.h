@@ -50,10 +50,10 @@ namespace Signorini
     VertexMeans(Nodes nodes, const Side &fine, const Side &coarse, unsigned int n_rigid, MPI_Comm);
 
     void
-    vmult(LA::Vector &fine, const LA::Vector &coarse) const override;
+    vmult_add(float *fine, const float *coarse) const override;
 
     void
-    Tvmult(LA::Vector &coarse, const LA::Vector &fine) const override;
+    Tvmult(float *coarse, const float *fine) const override;
 
     LA::SparseMatrix
     times(const LA::SparseMatrix &B) const override;

@@ -13,23 +13,23 @@ namespace Signorini
   /// displacements eliminated; on its diagonal also the space's terms, and the plain stiffness
   /// where a degree of freedom is constrained.
   template <typename Number>
-  class CellOperator : public StiffnessOperator
+  class CellOperator : public StiffnessOperator<Number>
   {
   public:
     /// The space is not needed any more afterwards.
     explicit CellOperator(const CellSpace &space);
 
-    void
-    vmult(LA::Vector &dst, const LA::Vector &src) const override;
+    Number *
+    product(const Number *x) const override;
 
-    LA::Vector
+    std::vector<Number>
     diagonal() const override
     {
       return my_diagonal;
     }
 
     /// From the eigenvalues of cells.
-    LA::Vector
+    std::vector<Number>
     row_sizes() const override;
 
     dealii::IndexSet
@@ -41,7 +41,7 @@ namespace Signorini
     MPI_Comm
     communicator() const override
     {
-      return my_diagonal.get_mpi_communicator();
+      return comm;
     }
 
     std::size_t
@@ -52,8 +52,12 @@ namespace Signorini
     make_diagonal(const CellSpace &space);
 
     const dealii::IndexSet                           my_owned;
+    const MPI_Comm                                   comm;
     LocalVectors<Number>                             vectors;
     std::vector<std::unique_ptr<CellKernel<Number>>> kernels; ///< one a degree
-    LA::Vector                                       my_diagonal, terms;
+    std::vector<Number>                              my_diagonal;
+
+    /// What is on the diagonal beyond the cells: local number, value.
+    std::vector<std::pair<std::uint32_t, Number>> terms;
   };
 } // namespace Signorini

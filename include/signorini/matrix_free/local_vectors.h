@@ -1,9 +1,8 @@
 #pragma once
 
-#include <signorini/linear_algebra/types.h>
+#include <signorini/linear_algebra/ghost_exchange.h>
 
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -32,14 +31,14 @@ namespace Signorini
     std::uint32_t
     place(const dealii::types::global_dof_index dof) const
     {
-      return partition->global_to_local(dof);
+      return exchange->place(dof);
     }
 
     /// The inverse of place().
     dealii::types::global_dof_index
     dof(const std::uint32_t place) const
     {
-      return partition->local_to_global(place);
+      return exchange->dof(place);
     }
 
     /// Calls act(degree of freedom, weight) for what the element of C u at a place is the sum of.
@@ -47,26 +46,27 @@ namespace Signorini
     void
     for_each_element(std::uint32_t place, const Action &act) const;
 
-    /// The array of C u; constrained elements of u do not count. Collective. Valid, as the other
-    /// one, until the next call.
+    /// The array of C u with the elements of u that this rank owns; constrained ones do not count.
+    /// Collective. Valid, as the other one, until the next call. One more element may be read.
     const Number *
-    resolve(const LA::Vector &u) const;
+    resolve(const Number *u) const;
 
     /// An array of zeros for the result.
     Number *
     zero() const;
 
-    /// v = C^T f with the array f that zero() returned, zero at constrained elements. Collective.
-    void
-    condense(LA::Vector &v) const;
+    /// C^T f of the degrees of freedom of this rank, with the array f that zero() returned, in its
+    /// place; zero at constrained elements. Collective.
+    Number *
+    condense() const;
 
-    /// v = f without regard to constraints. Collective.
-    void
-    sum(LA::Vector &v) const;
+    /// f without regard to constraints, likewise.
+    Number *
+    sum() const;
 
     /// The same with the largest instead of the sum.
-    void
-    largest(LA::Vector &v) const;
+    Number *
+    largest() const;
 
     /// Places of constrained elements of this rank.
     const std::vector<std::uint32_t> &
@@ -79,18 +79,13 @@ namespace Signorini
     memory() const;
 
   private:
-    using Vector = dealii::LinearAlgebra::distributed::Vector<Number>;
-
-    void
-    copy_owned(LA::Vector &v) const;
-
-    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partition;
+    std::unique_ptr<const LA::GhostExchange<Number>> exchange;
 
     // Constrained element k of the arrays is the sum of weights times elements from first[k] on.
     // They are sorted.
-    std::vector<std::uint32_t> constrained, first, elements, my_owned_constrained;
-    std::vector<Number>        weights;
-    mutable Vector             of_u, of_f;
+    std::vector<std::uint32_t>  constrained, first, elements, my_owned_constrained;
+    std::vector<Number>         weights;
+    mutable std::vector<Number> of_u, of_f;
   };
 
 

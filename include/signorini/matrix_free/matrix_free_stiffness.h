@@ -16,27 +16,15 @@ namespace Signorini
     explicit MatrixFreeStiffness(const Elasticity<3> &elasticity);
 
     void
-    vmult(LA::Vector &dst, const LA::Vector &src) const override
-    {
-      cells.vmult(dst, src);
-    }
+    vmult(LA::Vector &dst, const LA::Vector &src) const override;
 
     void
     vmult_add(LA::Vector &dst, const LA::Vector &src) const override;
 
     LA::Vector
-    diagonal() const override
-    {
-      return cells.diagonal();
-    }
+    diagonal() const override;
 
-    LA::Vector
-    row_sizes() const override
-    {
-      return cells.row_sizes();
-    }
-
-    const StiffnessOperator &
+    const StiffnessOperator<float> &
     rounded() const override
     {
       return in_single_precision;
@@ -75,6 +63,5 @@ namespace Signorini
     const CellOperator<float>                 in_single_precision;
     mutable LA::Vector                        marked; ///< the rows that there are, empty: none
     mutable std::unique_ptr<LA::SparseMatrix> some_rows;
-    mutable LA::Vector                        workspace;
   };
 } // namespace Signorini

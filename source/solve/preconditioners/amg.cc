@@ -1,10 +1,10 @@
-#include <signorini/linear_algebra/diagonal.h>
 #include <signorini/linear_algebra/values.h>
 #include <signorini/solve/preconditioners/amg.h>
+#include <signorini/solve/preconditioners/largest_eigenvalue.h>
 
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
+#include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -17,19 +17,26 @@ namespace Signorini
     /// heavy beside their diagonal. There are the few badly shaped cells to which the largest
     /// eigenvalue of the scaled matrix belongs; from a start that is the same everywhere, one among
     /// millions is not found in time.
-    LA::Vector
-    stiff_oscillation(const LA::Vector &row_sizes, const LA::Vector &inverse_diagonal)
+    std::vector<float>
+    stiff_oscillation(std::vector<float>        row_sizes,
+                      const std::vector<float> &inverse_diagonal,
+                      const MPI_Comm            comm)
     {
-      constexpr double power = 16, everywhere = 0.01;
-      LA::Vector       result = row_sizes;
-      result.scale(inverse_diagonal);
-      const double  largest = result.linfty_norm();
-      const double *inverse = LA::values_of(inverse_diagonal);
-      double       *r       = LA::values_of(result);
-      for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
-        r[i] = std::sin(1. + 1.7 * i * i) * (everywhere + std::pow(r[i] / largest, power)) /
-               std::sqrt(inverse[i]);
-      return result;
+      constexpr double    power = 16, everywhere = 0.01;
+      std::vector<float> &r       = row_sizes;
+      double              largest = 0;
+      for (std::size_t i = 0; i < r.size(); ++i)
+        {
+          r[i] *= inverse_diagonal[i];
+          largest = std::max(largest, double(r[i]));
+        }
+      largest = Utilities::MPI::max(largest, comm);
+      for (std::size_t i = 0; i < r.size(); ++i)
+        r[i] = inverse_diagonal[i] == 0 ?
+                 0 :
+                 std::sin(1. + 1.7 * i * i) * (everywhere + std::pow(r[i] / largest, power)) /
+                   std::sqrt(inverse_diagonal[i]);
+      return row_sizes;
     }
   } // namespace
 
@@ -38,6 +45,8 @@ namespace Signorini
   AMG::AMG(const Hierarchy &hierarchy, const GapOperator *contact)
     : coarsest_K(hierarchy.coarsest_matrix())
     , direct(LA::DirectLibrary::KLU)
+    , coarsest_x(coarsest_K.locally_owned_range_indices(), coarsest_K.get_mpi_communicator())
+    , coarsest_right(coarsest_x)
   {
     if (contact && !contact->empty())
       springs.emplace(hierarchy, *contact);
@@ -52,8 +61,10 @@ namespace Signorini
         level.n_visits         = hierarchy.n_visits(l);
         if (l + 1 < hierarchy.n_levels())
           level.P = &hierarchy.prolongation(l);
-        for (LA::Vector *v : {&level.x, &level.right, &level.rest, &level.step, &level.first})
-          v->reinit(level.diagonal_K);
+        for (std::vector<float> *v : {&level.x, &level.right, &level.step})
+          v->resize(level.diagonal_K.size());
+        if (level.n_visits == 2)
+          level.first.resize(level.diagonal_K.size());
       }
     // With springs everywhere eigenvalues are largest: these bounds hold for any active set.
     if (springs)
@@ -96,8 +107,9 @@ namespace Signorini
   {
     level.inverse_diagonal = level.diagonal_K;
     if (springs)
-      springs->add_diagonal(level.number, level.inverse_diagonal);
-    LA::invert(level.inverse_diagonal);
+      springs->add_diagonal(level.number, level.inverse_diagonal.data());
+    for (float &d : level.inverse_diagonal)
+      d = d == 0 ? 0 : 1 / d; // aggregates may leave empty rows
   }
 
 
@@ -105,42 +117,15 @@ namespace Signorini
   void
   AMG::estimate_eigenvalue(Level &level)
   {
-    // By the numbers that conjugate gradients leave behind. (A power iteration of twice as many
-    // products underestimates so much that the smoothers may diverge.)
-    LA::Vector row_sizes = level.K->row_sizes();
+    std::vector<float> row_sizes = level.K->row_sizes();
     if (springs)
-      springs->add_row_sums(level.number, row_sizes);
-    const LA::Vector right = stiff_oscillation(row_sizes, level.inverse_diagonal);
-    LA::Vector       x;
-    x.reinit(right);
-    struct Operator
-    {
-      const AMG   &amg;
-      const Level &level;
-
-      void
-      vmult(LA::Vector &dst, const LA::Vector &src) const
-      {
-        amg.multiply(level, dst, src);
-      }
-    };
-    struct Diagonal
-    {
-      const LA::Vector &inverse;
-
-      void
-      vmult(LA::Vector &dst, const LA::Vector &src) const
-      {
-        dst = src;
-        dst.scale(inverse);
-      }
-    };
-    IterationNumberControl control(10, 1e-10 * right.l2_norm());
-    SolverCG<LA::Vector>   cg(control);
-    cg.connect_eigenvalues_slot([&level](const std::vector<double> &eigenvalues) {
-      level.largest_eigenvalue = eigenvalues.back();
-    });
-    cg.solve(Operator{*this, level}, x, right, Diagonal{level.inverse_diagonal});
+      springs->add_row_sums(level.number, row_sizes.data());
+    const MPI_Comm comm = level.K->communicator();
+    level.largest_eigenvalue =
+      largest_eigenvalue([&](const float *x) { return multiply(level, x); },
+                         level.inverse_diagonal,
+                         stiff_oscillation(row_sizes, level.inverse_diagonal, comm),
+                         comm);
   }
 
 
@@ -159,21 +144,32 @@ namespace Signorini
 
 
 
-  void
-  AMG::multiply(const Level &level, LA::Vector &dst, const LA::Vector &src) const
+  float *
+  AMG::multiply(const Level &level, const float *x) const
   {
-    level.K->vmult(dst, src);
+    float *const product = level.K->product(x);
     if (springs)
-      springs->add_product(level.number, dst, src);
+      springs->add_product(level.number, product, x);
+    return product;
+  }
+
+
+
+  /// right - K x. Valid until the next product.
+  float *
+  AMG::residual(const Level &level) const
+  {
+    float *const       rest  = multiply(level, level.x.data());
+    const float *const right = level.right.data();
+    for (std::size_t i = 0; i < level.right.size(); ++i)
+      rest[i] = right[i] - rest[i];
+    return rest;
   }
 
 
 
   void
-  AMG::smooth(const Level      &level,
-              LA::Vector       &x,
-              const LA::Vector &right,
-              const bool        from_zero) const
+  AMG::smooth(const Level &level, const bool from_zero) const
   {
     // Chebyshev polynomial on the upper part of the spectrum (Saad, Iterative Methods for Sparse
     // Linear Systems, algorithm 12.1).
@@ -182,27 +178,22 @@ namespace Signorini
     const double sigma = theta / delta;
     double       rho   = 1 / sigma;
 
-    level.rest = right;
+    const auto advance = [&](const float of_step, const float of_rest, const float *rest) {
+      float *const x = level.x.data(), *const step = level.step.data();
+      const float *const inverse = level.inverse_diagonal.data();
+      for (std::size_t i = 0; i < level.x.size(); ++i)
+        {
+          step[i] = of_step * step[i] + of_rest * inverse[i] * rest[i];
+          x[i] += step[i];
+        }
+    };
     if (from_zero)
-      x = 0;
-    else
-      {
-        multiply(level, level.rest, x);
-        level.rest.sadd(-1, 1, right);
-      }
-    level.step = level.rest;
-    level.step.scale(level.inverse_diagonal);
-    level.step /= theta;
-    x += level.step;
+      std::fill(level.x.begin(), level.x.end(), 0.f);
+    advance(0, 1 / theta, from_zero ? level.right.data() : residual(level));
     for (unsigned int k = 1; k < level.smoothing_degree; ++k)
       {
-        multiply(level, level.rest, x);
-        level.rest.sadd(-1, 1, right);
-        level.rest.scale(level.inverse_diagonal);
         const double next = 1 / (2 * sigma - rho);
-        level.step *= next * rho;
-        level.step.add(2 * next / delta, level.rest);
-        x += level.step;
+        advance(next * rho, 2 * next / delta, residual(level));
         rho = next;
       }
   }
@@ -210,31 +201,39 @@ namespace Signorini
 
 
   void
-  AMG::cycle(const unsigned int l, LA::Vector &x, const LA::Vector &right) const
+  AMG::solve_coarsest(const Level &level) const
+  {
+    std::copy(level.right.begin(), level.right.end(), LA::values_of(coarsest_right));
+    direct.solve(coarsest_x, coarsest_right);
+    std::copy_n(LA::values_of(coarsest_x), level.x.size(), level.x.begin());
+  }
+
+
+
+  void
+  AMG::cycle(const unsigned int l) const
   {
     const Level &level = *levels[l];
     if (!level.P)
       {
-        direct.solve(x, right);
+        solve_coarsest(level);
         return;
       }
-    smooth(level, x, right, true);
-    multiply(level, level.rest, x);
-    level.rest.sadd(-1, 1, right);
+    smooth(level, true);
     const Level &next = *levels[l + 1];
-    level.P->Tvmult(next.right, level.rest);
-    cycle(l + 1, next.x, next.right);
+    level.P->Tvmult(next.right.data(), residual(level));
+    cycle(l + 1);
     if (next.P && next.n_visits == 2) // what is left, once more
       {
-        next.first = next.x;
-        multiply(next, next.rest, next.first);
-        next.right -= next.rest;
-        cycle(l + 1, next.x, next.right);
-        next.x += next.first;
+        next.first              = next.x;
+        const float *const rest = residual(next);
+        std::copy_n(rest, next.right.size(), next.right.begin());
+        cycle(l + 1);
+        for (std::size_t i = 0; i < next.x.size(); ++i)
+          next.x[i] += next.first[i];
       }
-    level.P->vmult(level.rest, next.x);
-    x += level.rest;
-    smooth(level, x, right, false);
+    level.P->vmult_add(level.x.data(), next.x.data());
+    smooth(level, false);
   }
 
 
@@ -243,6 +242,20 @@ namespace Signorini
   AMG::vmult(LA::Vector &dst, const LA::Vector &src) const
   {
     ++n_cycles;
-    cycle(0, dst, src);
+    // Of size one, so that single precision has room, whatever the units.
+    const double size = src.linfty_norm();
+    if (size == 0)
+      {
+        dst = 0;
+        return;
+      }
+    const Level        &finest = *levels.front();
+    const double *const from   = LA::values_of(src);
+    for (std::size_t i = 0; i < finest.right.size(); ++i)
+      finest.right[i] = from[i] / size;
+    cycle(0);
+    double *const to = LA::values_of(dst);
+    for (std::size_t i = 0; i < finest.x.size(); ++i)
+      to[i] = finest.x[i] * size;
   }
 } // namespace Signorini

@@ -1,6 +1,5 @@
 #include <signorini/linear_algebra/columns.h>
 #include <signorini/linear_algebra/entries.h>
-#include <signorini/linear_algebra/products.h>
 #include <signorini/linear_algebra/row_view.h>
 #include <signorini/linear_algebra/values.h>
 #include <signorini/solve/preconditioners/amg_springs.h>
@@ -73,40 +72,6 @@ namespace Signorini
         }
       return springs;
     }
-
-    enum class Entries
-    {
-      diagonal,
-      all
-    };
-
-    /// Adds the diagonal of b^T D b, or the sums of its rows' entries.
-    void
-    add_springs(const LA::SparseMatrix &b,
-                const LA::Vector       &D,
-                const Entries           entries,
-                LA::Vector             &result)
-    {
-      const LA::ColumnExchange columns(b);
-      std::vector<double>      of_columns(columns.size(), 0.);
-      for (unsigned int i = 0; i < D.locally_owned_size(); ++i)
-        {
-          const LA::RowView row(b, i);
-          double            sum = 0;
-          for (int k = 0; k < row.size; ++k)
-            sum += std::abs(row.values[k]);
-          for (int k = 0; k < row.size; ++k)
-            {
-              const double size = std::abs(row.values[k]);
-              of_columns[row.columns[k]] +=
-                LA::values_of(D)[i] * size * (entries == Entries::all ? sum : size);
-            }
-        }
-      LA::Vector sums;
-      sums.reinit(result);
-      columns.add(of_columns.data(), sums);
-      result += sums;
-    }
   } // namespace
 
 
@@ -127,13 +92,10 @@ namespace Signorini
         LA::values_of(limit)[groups[i]] += 6. * k[i] * W[i];
       }
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
-      {
-        const StiffnessOperator &K = hierarchy.stiffness(l);
-        levels.push_back({l == 0 ? mean_rows(contact.B_free, groups, contact.weight, weight) :
-                                   hierarchy.prolongation(l - 1).times(levels[l - 1].B),
-                          D,
-                          LA::Vector(K.owned(), K.communicator())});
-      }
+      levels.push_back(
+        std::make_unique<Level>(l == 0 ? mean_rows(contact.B_free, groups, contact.weight, weight) :
+                                         hierarchy.prolongation(l - 1).times(levels[l - 1]->B)));
+    gap.resize(n);
   }
 
 
@@ -146,6 +108,7 @@ namespace Signorini
     for (unsigned int i = 0; i < groups.size(); ++i)
       d[groups[i]] =
         std::min(d[groups[i]] + LA::values_of(springs)[i], LA::values_of(limit)[groups[i]]);
+    has_changed();
   }
 
 
@@ -154,6 +117,7 @@ namespace Signorini
   AMGSprings::stiffen()
   {
     D = limit;
+    has_changed();
   }
 
 
@@ -162,42 +126,69 @@ namespace Signorini
   AMGSprings::remove()
   {
     D = 0.;
-  }
-
-
-
-  bool
-  AMGSprings::any() const
-  {
-    return D.linfty_norm() > 0;
+    has_changed();
   }
 
 
 
   void
-  AMGSprings::add_diagonal(const unsigned int level, LA::Vector &result) const
+  AMGSprings::has_changed()
   {
-    add_springs(levels[level].B, D, Entries::diagonal, result);
+    is_any = D.linfty_norm() > 0;
   }
 
 
 
   void
-  AMGSprings::add_row_sums(const unsigned int level, LA::Vector &result) const
+  AMGSprings::add_springs(const Level &level, const Entries entries, float *result) const
   {
-    add_springs(levels[level].B, D, Entries::all, result);
+    if (!is_any)
+      return;
+    std::vector<float> of_columns(level.rounded.n_columns(), 0.f);
+    for (unsigned int i = 0; i < D.locally_owned_size(); ++i)
+      {
+        const LA::RowView row(level.B, i);
+        double            sum = 0;
+        for (int k = 0; k < row.size; ++k)
+          sum += std::abs(row.values[k]);
+        for (int k = 0; k < row.size; ++k)
+          {
+            const double size = std::abs(row.values[k]);
+            of_columns[row.columns[k]] +=
+              LA::values_of(D)[i] * size * (entries == Entries::all ? sum : size);
+          }
+      }
+    level.rounded.add_columns(of_columns.data(), result);
   }
 
 
 
   void
-  AMGSprings::add_product(const unsigned int level, LA::Vector &dst, const LA::Vector &src) const
+  AMGSprings::add_diagonal(const unsigned int level, float *result) const
   {
-    Level &at = levels[level];
-    LA::multiply(at.B, at.gap, src);
-    at.gap.scale(D);
-    LA::multiply_transposed(at.B, at.force, at.gap);
-    dst += at.force;
+    add_springs(*levels[level], Entries::diagonal, result);
+  }
+
+
+
+  void
+  AMGSprings::add_row_sums(const unsigned int level, float *result) const
+  {
+    add_springs(*levels[level], Entries::all, result);
+  }
+
+
+
+  void
+  AMGSprings::add_product(const unsigned int level, float *dst, const float *src) const
+  {
+    if (!is_any)
+      return;
+    const LA::LevelMatrix &B = levels[level]->rounded;
+    B.vmult(gap.data(), src);
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      gap[i] *= LA::values_of(D)[i];
+    B.Tvmult_add(dst, gap.data());
   }
 
 
@@ -205,7 +196,8 @@ namespace Signorini
   LA::SparseMatrix
   AMGSprings::added_to(const LA::SparseMatrix &K, const unsigned int level) const
   {
-    const std::vector<types::global_dof_index> columns = LA::global_columns(levels[level].B);
-    return LA::sum(K, local_springs(levels[level].B, D, columns.size()), columns);
+    const LA::SparseMatrix                    &B       = levels[level]->B;
+    const std::vector<types::global_dof_index> columns = LA::global_columns(B);
+    return LA::sum(K, local_springs(B, D, columns.size()), columns);
   }
 } // namespace Signorini

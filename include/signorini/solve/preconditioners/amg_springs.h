@@ -3,6 +3,7 @@
 #include <signorini/contact/discretisation/gap_operator.h>
 #include <signorini/solve/preconditioners/hierarchy.h>
 
+#include <memory>
 #include <vector>
 
 namespace Signorini
@@ -11,7 +12,8 @@ namespace Signorini
   /// B P_1 P_2 ... to the left and right of D. Without them, the corrections of bodies that touch
   /// would know nothing of each other. Points between the same two faces share a spring.
   ///
-  /// Levels count from 0, the finest. Vectors are on the degrees of freedom of a level.
+  /// Levels count from 0, the finest. Vectors are arrays of this
+  /// rank's degrees of freedom of a level.
   class AMGSprings
   {
   public:
@@ -32,21 +34,24 @@ namespace Signorini
     void
     remove();
 
-    /// Is there a spring on any rank? Collective.
+    /// Is there a spring on any rank?
     bool
-    any() const;
+    any() const
+    {
+      return is_any;
+    }
 
     /// result += diag(B^T D B)
     void
-    add_diagonal(unsigned int level, LA::Vector &result) const;
+    add_diagonal(unsigned int level, float *result) const;
 
     /// Adds the sums of the entries of each row (no less than their absolute values).
     void
-    add_row_sums(unsigned int level, LA::Vector &result) const;
+    add_row_sums(unsigned int level, float *result) const;
 
     /// dst += B^T D B src
     void
-    add_product(unsigned int level, LA::Vector &dst, const LA::Vector &src) const;
+    add_product(unsigned int level, float *dst, const float *src) const;
 
     /// K + B^T D B, for the coarsest level, which has few columns.
     LA::SparseMatrix
@@ -55,12 +60,30 @@ namespace Signorini
   private:
     struct Level
     {
-      LA::SparseMatrix B;
-      LA::Vector       gap, force;
+      explicit Level(LA::SparseMatrix &&matrix)
+        : B(std::move(matrix))
+        , rounded(B)
+      {}
+
+      const LA::SparseMatrix B;
+      const LA::LevelMatrix  rounded;
     };
 
-    std::vector<unsigned int>  groups; ///< spring of each local contact point
-    LA::Vector                 D, limit;
-    mutable std::vector<Level> levels; ///< vectors are workspace
+    enum class Entries
+    {
+      diagonal,
+      all
+    };
+
+    void
+    add_springs(const Level &level, Entries entries, float *result) const;
+    void
+    has_changed();
+
+    std::vector<unsigned int>           groups; ///< spring of each local contact point
+    LA::Vector                          D, limit;
+    bool                                is_any = false; ///< on any rank
+    std::vector<std::unique_ptr<Level>> levels;
+    mutable std::vector<float>          gap; ///< workspace
   };
 } // namespace Signorini

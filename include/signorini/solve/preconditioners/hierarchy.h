@@ -35,7 +35,7 @@ namespace Signorini
     }
 
     /// Level 0 is the finest, the stiffness itself, as a preconditioner needs it.
-    const StiffnessOperator &
+    const StiffnessOperator<float> &
     stiffness(const unsigned int level) const
     {
       return level == 0 ? finest : *coarse[level - 1].stiffness;
@@ -72,9 +72,9 @@ namespace Signorini
     }
 
   private:
-    const StiffnessOperator &finest;
-    std::vector<Level>       coarse;
-    const unsigned int       n_spaces;
-    const LA::SparseMatrix  *coarsest;
+    const StiffnessOperator<float> &finest;
+    std::vector<Level>              coarse;
+    const unsigned int              n_spaces;
+    const LA::SparseMatrix         *coarsest;
   };
 } // namespace Signorini
