@@ -77,6 +77,7 @@ namespace Signorini
     locally_relevant.add_range(n_mesh, n);
     if (rank == n_ranks - 1)
       locally_owned.add_range(n_mesh, n);
+    zero_with_ghosts.clear();
   }
 
 
@@ -154,9 +155,12 @@ namespace Signorini
   LA::Vector
   Displacements<dim>::with_ghosts(const LA::Vector &u) const
   {
-    LA::Vector ghosted(dofs.locally_owned_dofs(),
-                       locally_relevant.get_view(0, dofs.n_dofs()),
-                       my_mesh.communicator());
+    // Copies share the partition, which takes longer to make than all else here.
+    if (zero_with_ghosts.size() == 0)
+      zero_with_ghosts.reinit(dofs.locally_owned_dofs(),
+                              locally_relevant.get_view(0, dofs.n_dofs()),
+                              my_mesh.communicator());
+    LA::Vector ghosted = zero_with_ghosts;
     if (u.size() == dofs.n_dofs())
       ghosted = u;
     else

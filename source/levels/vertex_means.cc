@@ -1,9 +1,12 @@
 #include <signorini/levels/vertex_means.h>
 #include <signorini/linear_algebra/columns.h>
-#include <signorini/linear_algebra/sparsity_pattern.h>
-#include <signorini/linear_algebra/values.h>
+#include <signorini/linear_algebra/entries.h>
+#include <signorini/linear_algebra/row_view.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Signorini
 {
@@ -120,37 +123,72 @@ namespace Signorini
 
 
 
+  /// Those of this rank.
+  std::unordered_map<VertexMeans::Index, VertexMeans::Row>
+  VertexMeans::rows(const std::vector<Index> &dofs) const
+  {
+    std::vector<bool> is_asked(fine.n_elements(), false);
+    for (const Index dof : dofs)
+      is_asked[fine.index_within_set(dof)] = true;
+    std::unordered_map<Index, Row> result;
+    for_each_node(
+      [&](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
+        for (unsigned int c = 0; c < dim; ++c)
+          if (is_asked[node + c] && is_free >> c & 1)
+            for (unsigned int j = 0; j < n; ++j)
+              vertices.for_each_element(of[j] + c, [&](const Index dof, const double weight) {
+                result[fine.nth_index_in_set(node + c)].emplace_back(dof, weight / n);
+              });
+      });
+    for (const auto &[i, place] : rigid)
+      if (is_asked[i])
+        result[fine.nth_index_in_set(i)].emplace_back(vertices.dof(place), 1.);
+    return result;
+  }
+
+
+
   LA::SparseMatrix
   VertexMeans::times(const LA::SparseMatrix &B) const
   {
-    // Rows of P that meet a column of B on any rank.
-    const MPI_Comm           comm = B.get_mpi_communicator();
-    LA::Vector               asked(fine, comm);
-    const LA::ColumnExchange columns(B);
-    columns.add(std::vector<double>(columns.size(), 1.).data(), asked);
-    const double *const is_asked = LA::values_of(asked);
+    // Rows of P that meet a column of B: those of this rank, and those of others, whom it asks.
+    const MPI_Comm           comm    = B.get_mpi_communicator();
+    const std::vector<Index> columns = LA::global_columns(B);
+    std::vector<Index>       own, others;
+    for (const Index column : columns)
+      (fine.is_element(column) ? own : others).push_back(column);
+    std::sort(others.begin(), others.end());
+    IndexSet of_others(fine.size());
+    of_others.add_indices(others.begin(), others.end());
+    const std::vector<unsigned int> owners =
+      Utilities::MPI::compute_index_owner(fine, of_others, comm);
+    std::map<unsigned int, std::vector<Index>> questions;
+    for (unsigned int i = 0; i < others.size(); ++i)
+      questions[owners[i]].push_back(others[i]);
+    const auto asked = Utilities::MPI::some_to_some(comm, questions);
+    for (const auto &[rank, dofs] : asked)
+      own.insert(own.end(), dofs.begin(), dofs.end());
+    std::unordered_map<Index, Row>           P = rows(own);
+    std::map<unsigned int, std::vector<Row>> answers;
+    for (const auto &[rank, dofs] : asked)
+      for (const Index dof : dofs)
+        answers[rank].push_back(P[dof]);
+    for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, answers))
+      for (unsigned int i = 0; i < list.size(); ++i)
+        P[questions[rank][i]] = list[i];
 
-    LA::SparsityPattern pattern(fine, coarse, comm);
-    const auto          visit = [&](const auto &act) {
-      for_each_node(
-        [&](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
-          for (unsigned int c = 0; c < dim; ++c)
-            if (is_free >> c & 1 && is_asked[node + c] > 0)
-              for (unsigned int j = 0; j < n; ++j)
-                vertices.for_each_element(of[j] + c, [&](const Index dof, const double weight) {
-                  act(fine.nth_index_in_set(node + c), dof, weight / n);
-                });
-        });
-      for (const auto &[i, place] : rigid)
-        act(fine.nth_index_in_set(i), vertices.dof(place), 1.);
-    };
-    visit([&](const Index i, const Index j, double) { pattern.add(i, j); });
-    pattern.compress();
-    LA::SparseMatrix P;
-    P.reinit(pattern);
-    visit([&](const Index i, const Index j, const double value) { P.add(i, j, value); });
-    P.compress(VectorOperation::add);
-    return LA::product(B, P);
+    std::vector<Row> result(B.local_size());
+    for (unsigned int i = 0; i < result.size(); ++i)
+      {
+        const LA::RowView       row(B, i);
+        std::map<Index, double> sums;
+        for (int k = 0; k < row.size; ++k)
+          if (const auto below = P.find(columns[row.columns[k]]); below != P.end())
+            for (const auto &[dof, weight] : below->second)
+              sums[dof] += row.values[k] * weight;
+        result[i].assign(sums.begin(), sums.end());
+      }
+    return LA::matrix_of(result, B.locally_owned_range_indices(), coarse, comm);
   }
 
 

@@ -61,6 +61,31 @@ namespace Signorini
 
 
 
+    SparseMatrix
+    matrix_of(const std::vector<std::vector<std::pair<types::global_dof_index, double>>> &rows,
+              const IndexSet &owned_rows,
+              const IndexSet &owned_columns,
+              const MPI_Comm  comm)
+    {
+      const Epetra_Map map    = owned_rows.make_trilinos_map(comm),
+                       domain = owned_columns.make_trilinos_map(comm);
+      Epetra_CrsMatrix matrix(Copy, map, 0);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (const auto &[j, value] : rows[i])
+          {
+            const int column = j;
+            const int error  = matrix.InsertGlobalValues(matrix.GRID(i), 1, &value, &column);
+            AssertThrow(error >= 0, ExcTrilinosError(error)); // positive: it has taken more memory
+          }
+      const int error = matrix.FillComplete(domain, map);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+      SparseMatrix result;
+      result.reinit(matrix);
+      return result;
+    }
+
+
+
     RowBuilder::RowBuilder(const IndexSet &rows, const SparseMatrix &from)
       : from(from)
       , matrix(std::make_unique<Epetra_CrsMatrix>(

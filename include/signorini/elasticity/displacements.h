@@ -232,5 +232,6 @@ namespace Signorini
     HeldNodes<dim>                    held;
     double                            my_time = 0, my_lever = 1;
     bool                              inclined = false;
+    mutable LA::Vector                zero_with_ghosts; ///< of the mesh; empty: nobody asked yet
   };
 } // namespace Signorini

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace Signorini
@@ -67,6 +69,11 @@ namespace Signorini
     template <typename Action>
     void
     for_each_node(const Action &act) const;
+
+    using Row = std::vector<std::pair<Index, double>>;
+
+    std::unordered_map<Index, Row>
+    rows(const std::vector<Index> &dofs) const;
 
     Nodes                                    nodes; ///< by local numbers, of both sides
     std::array<std::vector<std::uint8_t>, 4> free;  ///< a bit for each component of a node

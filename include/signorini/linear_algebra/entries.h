@@ -32,6 +32,14 @@ namespace Signorini
         const dealii::FullMatrix<double>                   &block,
         const std::vector<dealii::types::global_dof_index> &indices);
 
+    /// A matrix of given rows, those of this rank, with any columns. Collective.
+    SparseMatrix
+    matrix_of(
+      const std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> &rows,
+      const dealii::IndexSet &owned_rows,
+      const dealii::IndexSet &owned_columns,
+      MPI_Comm                comm);
+
     /// A matrix made row by row from those of another one.
     class RowBuilder
     {
