@@ -242,6 +242,11 @@ namespace Signorini
   AMG::vmult(LA::Vector &dst, const LA::Vector &src) const
   {
     ++n_cycles;
+    if (levels.size() == 1)
+      {
+        direct.solve(dst, src); // small, and exact then
+        return;
+      }
     // Of size one, so that single precision has room, whatever the units.
     const double size = src.linfty_norm();
     if (size == 0)
