@@ -50,10 +50,7 @@ namespace Signorini
     Number *const d = vectors.zero();
     for (const auto &kernel : kernels)
       kernel->add_diagonal(d);
-    add_tied_diagonal(space, [&](const types::global_dof_index dof, const double value) {
-      d[vectors.place(dof)] += value;
-    });
-    const Number *const sums = vectors.sum();
+    const Number *const sums = vectors.condense_diagonal();
     my_diagonal.assign(sums, sums + my_owned.n_elements());
     const double *const beyond = LA::values_of(space.diagonal_terms);
     for (std::size_t i = 0; i < my_diagonal.size(); ++i)

@@ -10,7 +10,6 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 namespace Signorini
@@ -97,55 +96,6 @@ namespace Signorini
       return dofs;
     }
   } // namespace
-
-
-
-  void
-  add_tied_diagonal(const CellSpace                                            &space,
-                    const std::function<void(types::global_dof_index, double)> &add)
-  {
-    const auto is_tied = [&](const types::global_dof_index dof) {
-      const auto *line = space.constraints.get_constraint_entries(dof);
-      return line && !line->empty();
-    };
-    for (const KernelCells &cells : space.cells)
-      {
-        std::vector<unsigned int> tied;
-        for (unsigned int cell = 0; cell < cells.size(); ++cell)
-          {
-            const auto dofs = dofs_of(cells, cell);
-            if (std::any_of(dofs.begin(), dofs.end(), is_tied))
-              tied.push_back(cell);
-          }
-        const CellMatrices matrices(cells, tied);
-        for (unsigned int k = 0; k < tied.size(); ++k)
-          {
-            const auto               dofs = dofs_of(cells, tied[k]);
-            const FullMatrix<double> K    = matrices.matrix(k);
-            // Of each degree of freedom that others hang on: those of the cell, and their weights.
-            std::map<types::global_dof_index, std::vector<std::pair<unsigned int, double>>> columns;
-            for (unsigned int r = 0; r < dofs.size(); ++r)
-              if (is_tied(dofs[r]))
-                for (const auto &[dof, weight] : *space.constraints.get_constraint_entries(dofs[r]))
-                  columns[dof].emplace_back(r, weight);
-            for (auto &[dof, entries] : columns)
-              {
-                const auto own = std::find(dofs.begin(), dofs.end(), dof);
-                double     sum = 0;
-                if (own != dofs.end())
-                  {
-                    const unsigned int j = own - dofs.begin();
-                    entries.emplace_back(j, 1.);
-                    sum -= K(j, j); // is there already
-                  }
-                for (const auto &[r, weight] : entries)
-                  for (const auto &[s, other] : entries)
-                    sum += weight * other * K(r, s);
-                add(dof, sum);
-              }
-          }
-      }
-  }
 
 
 

@@ -141,6 +141,18 @@ namespace Signorini
 
   template <typename Number>
   Number *
+  LocalVectors<Number>::condense_diagonal() const
+  {
+    for (std::size_t k = 0; k < constrained.size(); ++k)
+      for (std::uint32_t e = first[k]; e < first[k + 1]; ++e)
+        of_f[elements[e]] += weights[e] * weights[e] * of_f[constrained[k]];
+    return sum();
+  }
+
+
+
+  template <typename Number>
+  Number *
   LocalVectors<Number>::sum() const
   {
     exchange->add(of_f.data() + exchange->n_owned(), of_f.data());

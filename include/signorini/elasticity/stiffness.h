@@ -34,6 +34,7 @@ namespace Signorini
     virtual Number *
     product(const Number *x) const = 0;
 
+    /// Where others hang on a degree of freedom, about that.
     virtual std::vector<Number>
     diagonal() const = 0;
 
@@ -101,6 +102,7 @@ namespace Signorini
     virtual void
     vmult_add(LA::Vector &dst, const LA::Vector &src) const = 0;
 
+    /// Where others hang on a degree of freedom, about that.
     virtual LA::Vector
     diagonal() const = 0;
 

@@ -60,11 +60,12 @@ namespace Signorini
     Number *
     condense() const;
 
-    /// f without regard to constraints, likewise.
+    /// The same for the diagonal f of a matrix, without the products of different elements, and
+    /// with constrained elements left as they are.
     Number *
-    sum() const;
+    condense_diagonal() const;
 
-    /// The same with the largest instead of the sum.
+    /// The largest of f on all ranks, without regard to constraints.
     Number *
     largest() const;
 
@@ -79,6 +80,9 @@ namespace Signorini
     memory() const;
 
   private:
+    Number *
+    sum() const;
+
     std::unique_ptr<const LA::GhostExchange<Number>> exchange;
 
     // Constrained element k of the arrays is the sum of weights times elements from first[k] on.
