@@ -8,11 +8,13 @@ namespace Signorini
   StiffnessForm
   choose_form(const std::optional<StiffnessForm> &wanted,
               const bool                          needs_matrix,
-              const Elasticity<dim>              &elasticity)
+              const Elasticity<dim>              &elasticity,
+              const bool                          is_to_be_refined)
   {
     const auto &triangulation = elasticity.mesh().triangulation();
     const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree,
-               has_levels     = elasticity.degree() > 1 || triangulation.n_global_levels() > 1;
+               has_levels =
+                 elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
     if (wanted == StiffnessForm::matrix_free && !is_possible)
       throw SceneError(
         "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two; "
@@ -37,9 +39,9 @@ namespace Signorini
 
 
   template StiffnessForm
-  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<2> &);
+  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<2> &, bool);
   template StiffnessForm
-  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<3> &);
+  choose_form(const std::optional<StiffnessForm> &, bool, const Elasticity<3> &, bool);
   template std::unique_ptr<const Stiffness>
   make_stiffness(StiffnessForm, Elasticity<2> &);
   template std::unique_ptr<const Stiffness>

@@ -1,4 +1,5 @@
 #include <signorini/elasticity/kernel.h>
+#include <signorini/matrix_free/make_stiffness.h>
 #include <signorini/output/prediction.h>
 
 #include <deal.II/base/utilities.h>
@@ -14,21 +15,33 @@ namespace Signorini
 
   namespace
   {
-    /// Of one dimension and degree, by scripts/calibrate.
+    /// Of one dimension, degree and form of the stiffness, by scripts/calibrate.
     struct Calibration
     {
       double set_up;          ///< seconds of what a cold start does once, in those of assembly
       double iteration;       ///< of one iteration of the linear solver, likewise
       double iterations;      ///< of all Newton steps of a cold start together
-      double bytes_per_entry; ///< of the stiffness matrix
+      double bytes_per_entry; ///< of the stiffness matrix, or of the one that there would be
     };
 
     Calibration
-    calibration(const unsigned int dim, const unsigned int degree)
+    calibration(const unsigned int dim, const unsigned int degree, const StiffnessForm form)
     {
       if (dim == 2)
         return degree == 1 ? Calibration{40, 0.75, 70, 88} : Calibration{14, 0.42, 130, 46};
+      if (form == StiffnessForm::matrix_free)
+        return degree == 1 ? Calibration{9, 0.3, 20, 11} : Calibration{4, 0.1, 24, 4};
       return degree == 1 ? Calibration{14, 0.22, 28, 52} : Calibration{6, 0.14, 40, 31};
+    }
+
+    /// After the refinements to come, too.
+    template <int dim>
+    StiffnessForm
+    form_of(const Scene<dim> &scene, const Elasticity<dim> &elasticity, const unsigned int cycle)
+    {
+      const bool needs_matrix = scene.solver.needs_matrix();
+      const auto wanted       = scene.solver.stiffness_form;
+      return choose_form(wanted, needs_matrix, elasticity, cycle > 0);
     }
 
     constexpr double base_memory_mb = 166; // of the libraries
@@ -124,7 +137,8 @@ namespace Signorini
         result.seconds += result.seconds_before * std::pow(size, (dim - 1.) / dim);
         for (unsigned int i = 0; i < elements.size(); ++i)
           {
-            const auto   costs = calibration(dim, elements[i].degree);
+            const auto costs =
+              calibration(dim, elements[i].degree, form_of(scene, elasticity, cycle));
             const double n     = size * counted[i].n,
                          solve = costs.iteration * costs.iterations / n_ranks;
             result.seconds += counted[i].seconds * n *
@@ -139,8 +153,10 @@ namespace Signorini
         const unsigned int degree        = elements[i].degree;
         const double       dofs_per_cell = dofs_per_node * std::pow(degree, dim),
                      entries_per_dof     = dim * std::pow(degree == 1 ? 3 : 4, dim);
-        result.memory_mb += size * counted[i].n * dofs_per_cell / n_ranks * entries_per_dof *
-                            calibration(dim, degree).bytes_per_entry / 1e6;
+        result.memory_mb +=
+          size * counted[i].n * dofs_per_cell / n_ranks * entries_per_dof *
+          calibration(dim, degree, form_of(scene, elasticity, refinement.cycles)).bytes_per_entry /
+          1e6;
         result.seconds_per_cell += counted[i].seconds * counted[i].n / all_cells;
       }
     // What a factorisation takes depends on the ordering that it finds, and on how often the active
