@@ -28,10 +28,27 @@ namespace Signorini
     calibration(const unsigned int dim, const unsigned int degree, const StiffnessForm form)
     {
       if (dim == 2)
-        return degree == 1 ? Calibration{40, 0.75, 70, 88} : Calibration{14, 0.42, 130, 46};
+        return degree == 1 ? Calibration{56, 2.1, 70, 88} : Calibration{50, 3.8, 75, 38};
       if (form == StiffnessForm::matrix_free)
-        return degree == 1 ? Calibration{9, 0.3, 20, 11} : Calibration{4, 0.1, 24, 4};
-      return degree == 1 ? Calibration{14, 0.22, 28, 52} : Calibration{6, 0.14, 40, 31};
+        return degree == 1 ? Calibration{18, 0.4, 26, 11} : Calibration{6, 0.1, 32, 4};
+      return degree == 1 ? Calibration{32, 1.4, 32, 33} : Calibration{16, 0.85, 34, 31};
+    }
+
+    /// Of a contact point, by the same.
+    struct PointCosts
+    {
+      double
+        assemblies; ///< seconds of all searches and what follows, in those of assembling a cell
+      double bytes;
+    };
+
+    PointCosts
+    point_costs(const unsigned int dim, const unsigned int degree, const bool follows)
+    {
+      if (dim == 2)
+        return {30, 4000};
+      const PointCosts costs = degree == 1 ? PointCosts{40, 5000} : PointCosts{2.5, 9000};
+      return follows ? costs : PointCosts{costs.assemblies / 4, costs.bytes / 2};
     }
 
     /// After the refinements to come, too.
@@ -107,9 +124,15 @@ namespace Signorini
 
   template <int dim>
   Prediction
-  predict(const Scene<dim> &scene, const Elasticity<dim> &elasticity, const double seconds)
+  predict(const Scene<dim>      &scene,
+          const Elasticity<dim> &elasticity,
+          const unsigned int     n_points,
+          const double           seconds)
   {
-    const double n_ranks = Utilities::MPI::n_mpi_processes(elasticity.mesh().communicator());
+    const MPI_Comm comm    = elasticity.mesh().communicator();
+    const double   n_ranks = Utilities::MPI::n_mpi_processes(comm);
+    const double   points  = Utilities::MPI::max(n_points, comm); // of one rank, whom others await
+    const bool     follows = scene.contact.geometry != ContactGeometry::reference;
     // Refinement of the given share of the cells, as often as it is to come.
     const auto  &refinement = scene.refinement;
     const double growth     = refinement.strategy == RefinementSettings::Strategy::global ?
@@ -132,9 +155,17 @@ namespace Signorini
     double       size  = 1; // of this mesh, in that of the first
     for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
       {
-        const double starts = cycle == 0 ? 1 : warm_share, // in cold ones
-          steps             = cycle < refinement.cycles ? 0 : scene.load_steps.ends().size() - 1.;
-        result.seconds += result.seconds_before * std::pow(size, (dim - 1.) / dim);
+        const double starts  = cycle == 0 ? 1 : warm_share, // in cold ones
+          steps              = cycle < refinement.cycles ? 0 : scene.load_steps.ends().size() - 1.;
+        const double surface = std::pow(size, (dim - 1.) / dim);
+        const auto   of_points = point_costs(dim, elasticity.degree(), follows);
+        const double dearest =
+          std::max_element(counted.begin(), counted.end(), [](const Cells &a, const Cells &b) {
+            return a.seconds < b.seconds;
+          })->seconds;
+        result.seconds +=
+          surface * (result.seconds_before +
+                     (starts + warm_share * steps) * points * of_points.assemblies * dearest);
         for (unsigned int i = 0; i < elements.size(); ++i)
           {
             const auto costs =
@@ -159,6 +190,8 @@ namespace Signorini
           1e6;
         result.seconds_per_cell += counted[i].seconds * counted[i].n / all_cells;
       }
+    result.memory_mb += std::pow(size, (dim - 1.) / dim) * points *
+                        point_costs(dim, elasticity.degree(), follows).bytes / 1e6;
     // What a factorisation takes depends on the ordering that it finds, and on how often the active
     // set changes.
     if (scene.solver.preconditioner == "direct")
@@ -169,7 +202,7 @@ namespace Signorini
 
 
   template Prediction
-  predict(const Scene<2> &, const Elasticity<2> &, double);
+  predict(const Scene<2> &, const Elasticity<2> &, unsigned int, double);
   template Prediction
-  predict(const Scene<3> &, const Elasticity<3> &, double);
+  predict(const Scene<3> &, const Elasticity<3> &, unsigned int, double);
 } // namespace Signorini

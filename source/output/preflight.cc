@@ -413,7 +413,10 @@ namespace Signorini
             const GapOperator                      &contact,
             const double                            seconds)
   {
-    const Prediction prediction = predict(scene, elasticity, seconds);
+    unsigned int n_points = 0;
+    for (const ContactSurface<dim> &surface : surfaces)
+      n_points += surface.points.size();
+    const Prediction prediction = predict(scene, elasticity, n_points, seconds);
     Json             warnings   = Json::array();
     warn_of_bodies(scene, warnings);
     const Json of_bodies = bodies(scene, elasticity);

@@ -5,8 +5,8 @@
 namespace Signorini
 {
   /// What a run will take, by a small model: what it has taken up to now, so many times the seconds
-  /// of assembly, which are measured on a few cells, and so many bytes an entry of the stiffness
-  /// matrix. Within a factor
+  /// of assembly, which are measured on a few cells, for each cell and contact point, and so many
+  /// bytes an entry of the stiffness matrix (that there is, or would be) and point. Within a factor
   /// of two for the seconds and 30 % for the memory of usual scenes; scripts/calibrate compares.
   struct Prediction
   {
@@ -17,8 +17,12 @@ namespace Signorini
   };
 
   /// Collective. Of the mesh as it is and the refinements to come.
+  /// @param n_points contact points of this rank
   /// @param seconds since the start; what they did is done again on each mesh, surface by surface
   template <int dim>
   Prediction
-  predict(const Scene<dim> &scene, const Elasticity<dim> &elasticity, double seconds);
+  predict(const Scene<dim>      &scene,
+          const Elasticity<dim> &elasticity,
+          unsigned int           n_points,
+          double                 seconds);
 } // namespace Signorini

@@ -43,8 +43,21 @@ namespace Signorini
           for (unsigned int j = 0; j < m; ++j)
             C(i, j) = force * point.bend_factors[i * m + j];
         }
-      result.values.reinit(indices.size(), indices.size());
-      result.values.triple_product(C, T, T, true, false);
+      // By rows, most of whose entries are zero.
+      const unsigned int  n = indices.size();
+      std::vector<double> CT(n);
+      result.values.reinit(n, n);
+      for (unsigned int a = 0; a < m; ++a)
+        {
+          std::fill(CT.begin(), CT.end(), 0.);
+          for (unsigned int b = 0; b < m; ++b)
+            for (unsigned int j = 0; j < n; ++j)
+              CT[j] += C(a, b) * T(b, j);
+          for (unsigned int i = 0; i < n; ++i)
+            if (const double factor = T(a, i); factor != 0)
+              for (unsigned int j = 0; j < n; ++j)
+                result.values(i, j) += factor * CT[j];
+        }
       return result;
     }
   } // namespace

@@ -136,10 +136,14 @@ namespace Signorini
   {
     const unsigned int axis = (face / 2 + 1 + a) % dim; // see mesh/face_parameter.h
     SparseRow          row;
+    row.reserve(dim * nodes().size());
     for (const unsigned int i : nodes())
-      for (unsigned int d = 0; d < dim; ++d)
-        row.emplace_back(indices[fe->component_to_system_index(d, i)],
-                         n[d] * fe->base_element(0).shape_grad(i, unit_point)[axis]);
+      {
+        const double slope = fe->base_element(0).shape_grad(i, unit_point)[axis];
+        for (unsigned int d = 0; d < dim; ++d)
+          if (n[d] != 0 || all_components)
+            row.emplace_back(indices[fe->component_to_system_index(d, i)], n[d] * slope);
+      }
     resolve(hanging, row);
     return row;
   }
