@@ -190,15 +190,4 @@ namespace Signorini
       }
     return LA::matrix_of(result, B.locally_owned_range_indices(), coarse, comm);
   }
-
-
-
-  std::size_t
-  VertexMeans::memory() const
-  {
-    std::size_t bytes = vertices.memory();
-    for (unsigned int i = 0; i < nodes.of.size(); ++i)
-      bytes += free[i].size() + 4 * (nodes.of[i].nodes.size() + nodes.of[i].vertices.size());
-    return bytes;
-  }
 } // namespace Signorini

@@ -9,31 +9,12 @@ namespace Signorini
 
   namespace LA
   {
-    namespace
-    {
-      void
-      apply(const SparseMatrix &A, const bool transpose, Vector &dst, const Vector &src)
-      {
-        const int error =
-          A.trilinos_matrix().Multiply(transpose, src.trilinos_vector(), dst.trilinos_vector());
-        AssertThrow(error == 0, ExcTrilinosError(error));
-      }
-    } // namespace
-
-
-
     void
     multiply(const SparseMatrix &A, Vector &dst, const Vector &src)
     {
-      apply(A, false, dst, src);
-    }
-
-
-
-    void
-    multiply_transposed(const SparseMatrix &A, Vector &dst, const Vector &src)
-    {
-      apply(A, true, dst, src);
+      const int error =
+        A.trilinos_matrix().Multiply(false, src.trilinos_vector(), dst.trilinos_vector());
+      AssertThrow(error == 0, ExcTrilinosError(error));
     }
 
 

@@ -311,11 +311,22 @@ namespace Signorini
         const IsotropicLaw<Number> law;
       };
 
+      /// In a function of its own: 26 of them in one take compilers minutes, and are slower.
+      template <int T>
+      HWY_NOINLINE void
+      add_mode_apart(Modes &modes) const
+      {
+        add_mode<T>(modes);
+      }
+
       template <int... T>
       HWY_INLINE void
       add_modes(Modes &modes, std::integer_sequence<int, T...>) const
       {
-        (add_mode<T>(modes), ...);
+        if constexpr (degree == 1)
+          (add_mode<T>(modes), ...);
+        else
+          (add_mode_apart<T>(modes), ...);
       }
 
       /// What the gradient's part with L_T adds to the forces. Its derivative in direction d comes

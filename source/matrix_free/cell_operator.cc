@@ -100,19 +100,6 @@ namespace Signorini
 
 
 
-  template <typename Number>
-  std::size_t
-  CellOperator<Number>::memory() const
-  {
-    std::size_t bytes =
-      vectors.memory() + sizeof(Number) * my_diagonal.size() + sizeof(terms[0]) * terms.size();
-    for (const auto &kernel : kernels)
-      bytes += kernel->memory();
-    return bytes;
-  }
-
-
-
   template class CellOperator<float>;
   template class CellOperator<double>;
 } // namespace Signorini

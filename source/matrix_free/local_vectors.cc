@@ -171,16 +171,6 @@ namespace Signorini
 
 
 
-  template <typename Number>
-  std::size_t
-  LocalVectors<Number>::memory() const
-  {
-    return 4 * (constrained.size() + first.size() + elements.size()) +
-           sizeof(Number) * (weights.size() + 2 * of_u.size());
-  }
-
-
-
   template class LocalVectors<float>;
   template class LocalVectors<double>;
 } // namespace Signorini

@@ -60,9 +60,6 @@ namespace Signorini
     LA::SparseMatrix
     times(const LA::SparseMatrix &B) const override;
 
-    std::size_t
-    memory() const;
-
   private:
     /// Calls act(first local degree of freedom of a node, which of its components are free, places
     /// of its vertices, their number).

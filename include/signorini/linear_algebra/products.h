@@ -11,10 +11,6 @@ namespace Signorini
     void
     multiply(const SparseMatrix &A, Vector &dst, const Vector &src);
 
-    /// dst = A^T src, likewise.
-    void
-    multiply_transposed(const SparseMatrix &A, Vector &dst, const Vector &src);
-
     /// A B
     SparseMatrix
     product(const SparseMatrix &A, const SparseMatrix &B);

@@ -44,9 +44,6 @@ namespace Signorini
       return comm;
     }
 
-    std::size_t
-    memory() const;
-
   private:
     void
     make_diagonal(const CellSpace &space);

@@ -76,9 +76,6 @@ namespace Signorini
       return my_owned_constrained;
     }
 
-    std::size_t
-    memory() const;
-
   private:
     Number *
     sum() const;
