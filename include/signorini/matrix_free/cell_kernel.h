@@ -53,7 +53,7 @@ namespace Signorini
 
     virtual ~CellKernel() = default;
 
-    /// dst += K src
+    /// dst += K src. One element behind the last one of src may be read.
     virtual void
     add_product(Number *dst, const Number *src) const = 0;
 
