@@ -147,6 +147,12 @@ namespace Signorini
       nodes += counted[i].n * std::pow(elements[i].degree, dim);
     const double dofs_per_node = elasticity.dof_handler().n_dofs() / nodes;
 
+    // Points cost what the dearest cells cost.
+    const PointCosts of_points     = point_costs(dim, elasticity.degree(), follows);
+    double           point_seconds = 0;
+    for (const Cells &cells : counted)
+      point_seconds = std::max(point_seconds, of_points.assemblies * cells.seconds);
+
     Prediction result;
     result.seconds_before = Utilities::MPI::max(seconds, elasticity.mesh().communicator());
     result.memory_mb      = base_memory_mb;
@@ -158,14 +164,8 @@ namespace Signorini
         const double starts  = cycle == 0 ? 1 : warm_share, // in cold ones
           steps              = cycle < refinement.cycles ? 0 : scene.load_steps.ends().size() - 1.;
         const double surface = std::pow(size, (dim - 1.) / dim);
-        const auto   of_points = point_costs(dim, elasticity.degree(), follows);
-        const double dearest =
-          std::max_element(counted.begin(), counted.end(), [](const Cells &a, const Cells &b) {
-            return a.seconds < b.seconds;
-          })->seconds;
-        result.seconds +=
-          surface * (result.seconds_before +
-                     (starts + warm_share * steps) * points * of_points.assemblies * dearest);
+        result.seconds += surface * (result.seconds_before +
+                                     (starts + warm_share * steps) * points * point_seconds);
         for (unsigned int i = 0; i < elements.size(); ++i)
           {
             const auto costs =
@@ -190,8 +190,7 @@ namespace Signorini
           1e6;
         result.seconds_per_cell += counted[i].seconds * counted[i].n / all_cells;
       }
-    result.memory_mb += std::pow(size, (dim - 1.) / dim) * points *
-                        point_costs(dim, elasticity.degree(), follows).bytes / 1e6;
+    result.memory_mb += std::pow(size, (dim - 1.) / dim) * points * of_points.bytes / 1e6;
     // What a factorisation takes depends on the ordering that it finds, and on how often the active
     // set changes.
     if (scene.solver.preconditioner == "direct")
