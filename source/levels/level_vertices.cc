@@ -164,7 +164,7 @@ namespace Signorini
 
       /// Those that are not of this rank, each once.
       std::map<unsigned int, std::vector<Index>>
-      of_others(const std::vector<Index> &list, const OwnRange &own) const
+      of_others(const std::vector<Index> &list, const LA::OwnRange &own) const
       {
         std::vector<Index> others;
         for (const Index dof : list)

@@ -83,9 +83,9 @@ namespace Signorini
       };
 
       VertexNumbers
-      number_vertices(int level) const;
+      number_vertices(int level, const std::vector<Index> &known) const;
       CellSpace
-      make_space(int level, const VertexNumbers &numbers) const;
+      make_space(int level, const std::vector<Index> &known, const VertexNumbers &numbers) const;
       void
       constrain(const std::vector<Index> &known, const VertexNumbers &, CellSpace &) const;
       std::vector<Index>
@@ -133,7 +133,7 @@ namespace Signorini
     }
 
     VertexNumbers
-    Levels::number_vertices(const int at) const
+    Levels::number_vertices(const int at, const std::vector<Index> &known) const
     {
       const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
       std::vector<Index> corners;
@@ -142,18 +142,19 @@ namespace Signorini
           for (unsigned int v = 0; v < n_corners; ++v)
             corners.push_back(vertices.name(place.cell, v));
       });
-      return VertexNumbers(
-        corners, known_names(at), linear.dofs.locally_owned_dofs(), n_rigid, comm);
+      return VertexNumbers(corners, known, linear.dofs.locally_owned_dofs(), n_rigid, comm);
     }
 
     CellSpace
-    Levels::make_space(const int at, const VertexNumbers &of_level) const
+    Levels::make_space(const int                 at,
+                       const std::vector<Index> &known,
+                       const VertexNumbers      &of_level) const
     {
       const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
       CellSpace          space;
       space.comm  = comm;
       space.owned = of_level.owned_dofs();
-      constrain(known_names(at), of_level, space);
+      constrain(known, of_level, space);
       space.cells.emplace_back();
       for_each_cell(at, vertices.curve(), [&](const Place &place) {
         if (vertices.curve().owner(place.position) != rank)
@@ -252,7 +253,7 @@ namespace Signorini
     VertexMeans::Nodes
     Levels::nodes_on(const VertexNumbers &coarse) const
     {
-      const OwnRange     own(linear.dofs.locally_owned_dofs());
+      const LA::OwnRange own(linear.dofs.locally_owned_dofs());
       VertexMeans::Nodes nodes;
       std::vector<bool>  is_done(own.size() / dim, false);
       for_each_cell(level, vertices.curve(), [&](const Place &place) {
@@ -280,20 +281,21 @@ namespace Signorini
     std::unique_ptr<const Prolongation>
     Levels::coarsen()
     {
-      const bool        is_finest = present.owned.size() == 0;
-      VertexNumbers     below     = number_vertices(level - 1);
-      CellSpace         coarse    = make_space(level - 1, below);
-      const LA::Vector &terms     = is_finest ? linear.terms : present.diagonal_terms;
-      auto              P         = std::make_unique<VertexMeans>(nodes_on(below),
+      const bool               is_finest = present.owned.size() == 0;
+      const std::vector<Index> known     = known_names(level - 1);
+      VertexNumbers            below     = number_vertices(level - 1, known);
+      CellSpace                coarse    = make_space(level - 1, known, below);
+      const LA::Vector        &terms     = is_finest ? linear.terms : present.diagonal_terms;
+      auto                     P         = std::make_unique<VertexMeans>(nodes_on(below),
                                              VertexMeans::Side{numbers.owned_dofs(),
                                                                is_finest ? linear.constraints :
-                                                                                                present.constraints},
+                                                                                                       present.constraints},
                                              VertexMeans::Side{coarse.owned, coarse.constraints},
                                              n_rigid,
                                              comm);
-      coarse.diagonal_terms       = restrict_terms(terms, *P, coarse.owned, n_rigid);
-      present                     = std::move(coarse);
-      numbers                     = std::move(below);
+      coarse.diagonal_terms              = restrict_terms(terms, *P, coarse.owned, n_rigid);
+      present                            = std::move(coarse);
+      numbers                            = std::move(below);
       --level;
       return P;
     }

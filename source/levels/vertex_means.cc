@@ -24,6 +24,8 @@ namespace Signorini
                           const Index *const vertices,
                           const unsigned int n_vertices)
   {
+    Assert(n_vertices == 1 || n_vertices == 2 || n_vertices == 4 || n_vertices == 8,
+           ExcInternalError());
     List &list = of[n_vertices == 1 ? 0 : n_vertices == 2 ? 1 : n_vertices == 4 ? 2 : 3];
     list.nodes.push_back(node);
     list.vertices.insert(list.vertices.end(), vertices, vertices + n_vertices);

@@ -1,3 +1,4 @@
+#include <signorini/linear_algebra/own_range.h>
 #include <signorini/matrix_free/local_vectors.h>
 
 #include <algorithm>
@@ -12,18 +13,18 @@ namespace Signorini
     std::vector<types::global_dof_index>
     dofs_of(const std::vector<const std::vector<std::uint32_t> *> &lists, const IndexSet &owned)
     {
-      const types::global_dof_index        start = owned.is_empty() ? 0 : owned.nth_index_in_set(0);
-      std::vector<bool>                    is_there(owned.n_elements(), false);
+      const LA::OwnRange                   own(owned);
+      std::vector<bool>                    is_there(own.size(), false);
       std::vector<types::global_dof_index> nodes, result;
       for (const auto *list : lists)
         for (const types::global_dof_index node : *list)
-          if (node < start || node - start >= is_there.size())
-            nodes.push_back(node); // of others
+          if (own.has(node))
+            is_there[own.place(node)] = true;
           else
-            is_there[node - start] = true;
+            nodes.push_back(node);
       for (std::size_t i = 0; i < is_there.size(); ++i)
         if (is_there[i])
-          nodes.push_back(start + i);
+          nodes.push_back(own.dof(i));
       std::sort(nodes.begin(), nodes.end());
       nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
       for (const auto node : nodes)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/levels/cell_curve.h>
+#include <signorini/linear_algebra/own_range.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -12,48 +13,6 @@
 
 namespace Signorini
 {
-  /// The degrees of freedom of the finest mesh that a rank owns: one after the other.
-  class OwnRange
-  {
-  public:
-    using Index = dealii::types::global_dof_index;
-
-    OwnRange() = default;
-
-    explicit OwnRange(const dealii::IndexSet &owned)
-      : first(owned.is_empty() ? 0 : owned.nth_index_in_set(0))
-      , n(owned.n_elements())
-    {}
-
-    std::size_t
-    size() const
-    {
-      return n;
-    }
-
-    bool
-    has(const Index dof) const
-    {
-      return dof >= first && dof - first < n;
-    }
-
-    std::size_t
-    place(const Index dof) const
-    {
-      return dof - first;
-    }
-
-    Index
-    dof(const std::size_t place) const
-    {
-      return first + place;
-    }
-
-  private:
-    Index       first = 0;
-    std::size_t n     = 0;
-  };
-
   /// The vertices of a mesh of hexahedra and of the cells that it came from by refinement: those of
   /// all leaves of this rank and of all cells with such leaves in them. A vertex has the name of
   /// its first degree of freedom of degree one on the finest mesh; those of the other components
@@ -114,7 +73,7 @@ namespace Signorini
     ask_others(MPI_Comm comm);
 
     const CellCurve                 my_curve;
-    const OwnRange                  my_names; ///< degrees of freedom of this rank
+    const LA::OwnRange              my_names; ///< degrees of freedom of this rank
     std::vector<bool>               has_line; ///< those of this rank, so that most need no search
     std::vector<Index>              names;    ///< by the number of the vertex on this rank
     std::unordered_map<Index, Line> lines;
@@ -184,7 +143,7 @@ namespace Signorini
     }
 
     bool                             is_finest = false;
-    OwnRange                         on_finest; ///< this rank's degrees of freedom there
+    LA::OwnRange                     on_finest; ///< this rank's degrees of freedom there
     std::vector<Index>               numbers;   ///< of its vertices there
     std::unordered_map<Index, Index> numbers_of_others;
     std::vector<Index>               my_names;

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <deal.II/base/index_set.h>
+
+namespace Signorini
+{
+  namespace LA
+  {
+    /// The degrees of freedom that a rank owns: one after the other.
+    class OwnRange
+    {
+    public:
+      using Index = dealii::types::global_dof_index;
+
+      OwnRange() = default;
+
+      explicit OwnRange(const dealii::IndexSet &owned)
+        : first(owned.is_empty() ? 0 : owned.nth_index_in_set(0))
+        , n(owned.n_elements())
+      {}
+
+      std::size_t
+      size() const
+      {
+        return n;
+      }
+
+      bool
+      has(const Index dof) const
+      {
+        return dof >= first && dof - first < n;
+      }
+
+      std::size_t
+      place(const Index dof) const
+      {
+        return dof - first;
+      }
+
+      Index
+      dof(const std::size_t place) const
+      {
+        return first + place;
+      }
+
+    private:
+      Index       first = 0;
+      std::size_t n     = 0;
+    };
+  } // namespace LA
+} // namespace Signorini
