@@ -180,8 +180,7 @@ namespace Signorini
       return;
     TimerOutput::Scope scope(timer, "contact");
     contact->moved.place = built_at;
-    contact->moved.G     = std::make_unique<LA::SparseMatrix>(
-      geometric_stiffness(elasticity, my_surfaces, *rows, pressure));
+    contact->moved.G     = geometric_stiffness(elasticity, my_surfaces, *rows, pressure);
   }
 
 

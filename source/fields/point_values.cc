@@ -1,3 +1,4 @@
+#include <signorini/contact/discretisation/openings.h>
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/point_values.h>
 
@@ -21,10 +22,10 @@ namespace Signorini
           }
         return values;
       }
-    std::vector<const SparseRow *> rows;
+    std::vector<const ContactPoint<dim> *> places;
     for (const ContactPoint<dim> &point : points)
-      rows.push_back(&point.row);
-    const std::vector<double> opened = row_values(rows, s.displacement);
+      places.push_back(&point);
+    const std::vector<double> opened = openings(places, s.displacement);
     auto                      change = opened.begin();
     const LA::Vector          p      = s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair));
     for (const ContactPoint<dim> &point : points)

@@ -66,6 +66,19 @@ namespace Signorini
         any = now[i] != 0 && !(old && old[i] != 0);
       return Utilities::MPI::max(any ? 1 : 0, marker.get_mpi_communicator()) == 1;
     }
+
+    /// All components of nodes of which one is marked: the same cells have them, and surfaces that
+    /// move on will ask for them.
+    void
+    mark_nodes(const LA::Vector &marker, LA::Vector &marked)
+    {
+      const double *const now = LA::values_of(marker);
+      double *const       all = LA::values_of(marked);
+      const unsigned int  n   = marker.locally_owned_size();
+      for (unsigned int i = 0; i < n; ++i)
+        if (now[i] != 0)
+          std::fill(all + i - i % 3, all + std::min(n, i - i % 3 + 3), 1.);
+    }
   } // namespace
 
 
@@ -76,11 +89,8 @@ namespace Signorini
     if (some_rows && !has_more(marker, marked))
       return *some_rows;
     if (marked.size() == 0)
-      marked = marker;
-    else
-      for (unsigned int i = 0; i < marker.locally_owned_size(); ++i)
-        if (LA::values_of(marker)[i] != 0)
-          LA::values_of(marked)[i] = 1;
+      marked.reinit(marker);
+    mark_nodes(marker, marked);
 
     LA::Vector seen(elasticity.owned(), elasticity.relevant(), communicator());
     seen                                             = marked;

@@ -150,7 +150,7 @@ namespace
         constexpr double a = 1e-4;
         const double     difference =
           (shape->closest(x + a * speed).gap - shape->closest(x - a * speed).gap) / (2 * a);
-        CHECK(std::abs(at(point.row, u) - difference) < 10 * a * a);
+        CHECK(std::abs(at(point.row(), u) - difference) < 10 * a * a);
       }
 
     // Forces and moments do the work of the motion that they drive.
@@ -206,7 +206,7 @@ namespace
             const Tensor<1, dim> opening =
               affine(point.position, slave_body, slope) - affine(partner, 1 - slave_body, slope);
             CHECK(std::abs(point.gap) < largest);
-            CHECK(std::abs(at(point.row, u) - opening * point.normal) < 1e-10);
+            CHECK(std::abs(at(point.row(), u) - opening * point.normal) < 1e-10);
             // E/h of both in series: larger than neither.
             CHECK(point.stiffness > 0);
           }

@@ -38,16 +38,43 @@ namespace
     return result;
   }
 
+  /// T_i.u, see GapBend.
+  template <int dim>
+  std::vector<double>
+  bend_rows(const ContactPoint<dim> &point, const Values &u)
+  {
+    const auto sum = [&](const FaceFunctions<dim> &functions, const auto &factor) {
+      Tensor<1, dim> result;
+      for (const NodeFunction<dim> &function : functions)
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] += factor(function) * u[function.node + d];
+      return result;
+    };
+    const auto           value = [](const auto &function) { return function.value; };
+    const Tensor<1, dim> jump  = sum(point.slave, value) - sum(point.master, value);
+    std::vector<double>  T;
+    for (const Tensor<1, dim> &direction : point.bend.directions)
+      T.push_back(direction * jump);
+    if (point.bend.rigid.empty())
+      for (unsigned int a = 0; a < dim - 1; ++a)
+        T.push_back(point.direction *
+                    sum(point.master, [a](const auto &function) { return function.slopes[a]; }));
+    T.resize(point.bend.n_rows());
+    for (unsigned int i = 0; i < point.bend.rigid.size(); ++i)
+      T[i] += at(point.bend.rigid[i], u);
+    return T;
+  }
+
   template <int dim>
   double
   bend_at(const ContactPoint<dim> &point, const Values &v, const Values &w)
   {
-    const unsigned int m   = point.bend_rows.size();
-    double             sum = 0;
+    const unsigned int        m    = point.bend.n_rows();
+    const std::vector<double> of_v = bend_rows(point, v), of_w = bend_rows(point, w);
+    double                    sum = 0;
     for (unsigned int i = 0; i < m; ++i)
       for (unsigned int j = 0; j < m; ++j)
-        sum +=
-          point.bend_factors[i * m + j] * at(point.bend_rows[i], v) * at(point.bend_rows[j], w);
+        sum += point.bend.factors[i * m + j] * of_v[i] * of_w[j];
     return sum;
   }
 
@@ -77,14 +104,14 @@ namespace
         if (back.count(name) == 0 || forth.count(name) == 0)
           continue;
         const ContactPoint<dim> &before = back.at(name), &after = forth.at(name);
-        if (point.bend_factors.empty() || before.bend_factors.empty() || after.bend_factors.empty())
+        if (point.bend.factors.empty() || before.bend.factors.empty() || after.bend.factors.empty())
           {
             ++counts[1];
             continue;
           }
         const double slope = (after.gap_now() - before.gap_now()) / (2 * step),
-                     bend  = (at(after.row, all_w) - at(before.row, all_w)) / (2 * step),
-                     half  = (at(after.row, all_w) - at(point.row, all_w)) / step;
+                     bend  = (at(after.row(), all_w) - at(before.row(), all_w)) / (2 * step),
+                     half  = (at(after.row(), all_w) - at(point.row(), all_w)) / step;
         // Displaced faces have kinks between them, over which partners change.
         if (std::abs(bend - half) > 0.1 * (std::abs(bend) + 1))
           {
@@ -94,7 +121,7 @@ namespace
         ++counts[0];
         // Third derivatives times step^2, and the rounding of gaps over step; rough displacements
         // have slopes of some 20.
-        CHECK(slope == doctest::Approx(at(point.row, all_v)).epsilon(1e-5).scale(1));
+        CHECK(slope == doctest::Approx(at(point.row(), all_v)).epsilon(1e-5).scale(1));
         CHECK(bend == doctest::Approx(bend_at(point, all_v, all_w)).epsilon(2e-5).scale(20));
       }
     Utilities::MPI::sum(counts, MPI_COMM_WORLD, counts);

@@ -252,7 +252,7 @@ namespace TestScene
   Values
   ReferenceContact<dim>::gap(const Values &u) const
   {
-    return mean([&](const ContactPoint<dim> &point) { return point.gap + at(point.row, u); });
+    return mean([&](const ContactPoint<dim> &point) { return point.gap + at(point.row(), u); });
   }
 
 
@@ -276,7 +276,7 @@ namespace TestScene
         for (const auto &[place, share] : shares[pair][q])
           {
             const ContactPoint<dim> &point = surfaces[pair].points[q];
-            sum -= share * (p[place] * at(point.row, w) +
+            sum -= share * (p[place] * at(point.row(), w) +
                             theta * (s[place] - p[place]) / epsilon[place] * at(point.stress, w));
           }
     return Utilities::MPI::sum(sum, MPI_COMM_WORLD);

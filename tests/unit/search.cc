@@ -32,7 +32,7 @@ namespace
       [patches](const unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner) {
         partner.stiffness = patches[i].diameter();
         for (unsigned int d = 0; d < dim; ++d)
-          partner.row.emplace_back(d + 7, patches[i].position(xi)[d]);
+          partner.rigid.emplace_back(d + 7, patches[i].position(xi)[d]);
       };
     return master;
   }
@@ -167,11 +167,11 @@ namespace
     CHECK(partner.distance == doctest::Approx(hit.projection.distance).epsilon(1e-12));
     CHECK((partner.normal - hit.face->normal(hit.projection.xi)).norm() < 1e-10);
     CHECK(partner.stiffness == doctest::Approx(hit.face->diameter()));
-    CHECK(partner.row.size() == dim); // not REQUIRE: the others would wait for this rank
-    for (unsigned int d = 0; d < partner.row.size(); ++d)
+    CHECK(partner.rigid.size() == dim); // not REQUIRE: the others would wait for this rank
+    for (unsigned int d = 0; d < partner.rigid.size(); ++d)
       {
-        CHECK(partner.row[d].first == d + 7);
-        CHECK(partner.row[d].second == doctest::Approx(partner.position[d]));
+        CHECK(partner.rigid[d].first == d + 7);
+        CHECK(partner.rigid[d].second == doctest::Approx(partner.position[d]));
       }
   }
 
@@ -280,7 +280,7 @@ TEST_CASE("faces on one rank, the point on another; signs of gap and interferenc
         CHECK((Point<2>(0.3, height) - partner->position) * partner->normal ==
               doctest::Approx(height));
         CHECK(partner->normal[1] == doctest::Approx(1));
-        CHECK(partner->row.size() == 2);
+        CHECK(partner->rigid.size() == 2);
       }
 }
 

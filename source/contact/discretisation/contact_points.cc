@@ -36,36 +36,12 @@ namespace Signorini
       const Expression<dim> formula;
     };
 
-    /// The rows of a bend, with those of the slave point.
-    template <int dim>
-    void
-    set_bend(const GapBend<dim>              &bend,
-             const Point<dim>                &unit_point,
-             const Trace<dim>                &trace,
-             const AffineConstraints<double> &constraints,
-             ContactPoint<dim>               &point)
-    {
-      point.bend_factors = bend.factors;
-      for (unsigned int i = 0; !bend.factors.empty() && i < bend.rows.size(); ++i)
-        {
-          SparseRow row;
-          if (bend.directions[i].norm_square() > 0)
-            row = trace.normal_displacement(unit_point, bend.directions[i]);
-          resolve(constraints, row);
-          row.insert(row.end(), bend.rows[i].begin(), bend.rows[i].end());
-          unite(row);
-          point.bend_rows.push_back(std::move(row));
-        }
-    }
-
     template <int dim>
     ContactPoint<dim>
     contact_point(const FacePatch<dim>   &patch,
                   const FacePatch<dim>   &rest,
                   const PairedPoint<dim> &paired,
-                  const Point<dim>       &unit_point,
                   const double            stiffness,
-                  const Elasticity<dim>  &elasticity,
                   const Trace<dim>       &trace)
     {
       const Partner<dim> &partner = paired.partner;
@@ -78,19 +54,13 @@ namespace Signorini
       point.facing          = -(patch.normal(paired.xi) * partner.normal);
       point.gap             = gap_of(x, partner);
       point.stiffness       = 1 / (1 / stiffness + 1 / partner.stiffness);
-      point.row             = trace.normal_displacement(unit_point, partner.normal);
-      for (const auto &[index, value] : partner.row)
-        point.row.emplace_back(index, -value);
-      unite(point.row);
-      const bool on_body = partner.modulus > 0;
-      if (!partner.bend.rows.empty())
-        set_bend(on_body ? bend_of_bodies(x, partner) : partner.bend,
-                 unit_point,
-                 trace,
-                 elasticity.constraints(),
-                 point);
-      point.face = paired.face;
-      point.xi   = paired.xi;
+      point.direction       = partner.normal;
+      point.slave           = trace.functions(paired.xi);
+      point.master          = partner.functions;
+      point.rigid           = partner.rigid;
+      point.bend            = partner.functions.empty() ? partner.bend : bend_of_bodies(x, partner);
+      point.face            = paired.face;
+      point.xi              = paired.xi;
       return point;
     }
 
@@ -198,17 +168,16 @@ namespace Signorini
     for (const PairedPoint<dim> &paired : paired_points)
       {
         const auto &[cell, face] = slave.faces[paired.face];
-        const auto      &rest    = slave.rest[paired.face];
-        const Point<dim> place   = unit_point<dim>(face, paired.xi);
-        const bool       is_new  = result.empty() || result.back().face != paired.face;
+        const auto &rest         = slave.rest[paired.face];
+        const bool  is_new       = result.empty() || result.back().face != paired.face;
         if (is_new)
           {
             trace.reinit(cell, face);
             face_stiffness = slave.stiffness(elasticity, paired.face);
             face_depth     = slave.depth(paired.face);
           }
-        result.push_back(contact_point(
-          slave.patches[paired.face], rest, paired, place, face_stiffness, elasticity, trace));
+        result.push_back(
+          contact_point(slave.patches[paired.face], rest, paired, face_stiffness, trace));
         ContactPoint<dim> &point = result.back();
         point.depth              = face_depth;
         point.weight *=
@@ -223,7 +192,8 @@ namespace Signorini
           continue;
         if (is_new)
           stress.reinit(cell);
-        const Tensor<1, dim> n = rest.normal(paired.xi);
+        const Point<dim>     place = unit_point<dim>(face, paired.xi);
+        const Tensor<1, dim> n     = rest.normal(paired.xi);
         set_stress(stress.row(place, paired.partner.normal, n),
                    stress.thermal_row(place, paired.partner.normal, n),
                    bound(stress, paired.face),

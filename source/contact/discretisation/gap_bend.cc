@@ -27,14 +27,6 @@ namespace Signorini
       std::vector<double> values;
     };
 
-    template <int dim>
-    void
-    negate(std::vector<std::pair<types::global_dof_index, double>> &row)
-    {
-      for (auto &entry : row)
-        entry.second *= -1;
-    }
-
     /// Orthonormal directions across n.
     template <int dim>
     std::array<Tensor<1, dim>, dim - 1>
@@ -86,25 +78,12 @@ namespace Signorini
 
   template <int dim>
   GapBend<dim>
-  bend_of_master(const FacePatch<dim> &patch,
-                 const Point<dim - 1> &xi,
-                 const Tensor<1, dim> &n,
-                 const Trace<dim>     &trace,
-                 const unsigned int    face)
+  bend_of_master(const FacePatch<dim> &patch, const Point<dim - 1> &xi, const Tensor<1, dim> &n)
   {
-    const auto       tangents   = patch.tangents(xi);
-    const auto       curvatures = patch.curvatures(xi);
-    const Point<dim> place      = unit_point<dim>(face, xi);
-    GapBend<dim>     bend;
+    const auto   tangents   = patch.tangents(xi);
+    const auto   curvatures = patch.curvatures(xi);
+    GapBend<dim> bend;
     bend.directions.assign(tangents.begin(), tangents.end());
-    bend.directions.resize(2 * (dim - 1));
-    for (const Tensor<1, dim> &tangent : tangents)
-      {
-        bend.rows.push_back(trace.normal_displacement(place, tangent));
-        negate<dim>(bend.rows.back());
-      }
-    for (unsigned int a = 0; a < dim - 1; ++a)
-      bend.rows.push_back(trace.normal_slope(place, n, a));
     for (const auto &row : tangents)
       for (const auto &column : tangents)
         bend.factors.push_back(row * column);
@@ -124,7 +103,9 @@ namespace Signorini
     const Tensor<1, dim>   arm    = x - partner.position;
     const double           gap    = arm * partner.normal;
     GapBend<dim>           result = partner.bend;
-    Tensor<2, m>           A, K;
+    if (result.factors.empty())
+      return result;
+    Tensor<2, m> A, K;
     for (unsigned int a = 0; a < m; ++a)
       {
         const Tensor<1, dim> &tangent = result.directions[a];
@@ -166,13 +147,12 @@ namespace Signorini
     GapBend<dim>          bend;
     Factors               C(m + spins);
     const auto            add_row = [&](const auto &values, const double sign) {
-      bend.rows.emplace_back();
+      bend.rigid.emplace_back();
       for (unsigned int i = 0; moves && i < values.size(); ++i)
         if (values[i] != 0)
-          bend.rows.back().emplace_back(first_dof + i, sign * values[i]);
+          bend.rigid.back().emplace_back(first_dof + i, sign * values[i]);
     };
     bend.directions.assign(tangents.begin(), tangents.end());
-    bend.directions.resize(m + spins);
     for (unsigned int a = 0; a < m; ++a)
       {
         add_row(pose.row(x, tangents[a]), -1);
@@ -196,9 +176,7 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                                           \
   template GapBend<dim> bend_of_master(const FacePatch<dim> &,                                     \
                                        const Point<dim - 1> &,                                     \
-                                       const Tensor<1, dim> &,                                     \
-                                       const Trace<dim> &,                                         \
-                                       unsigned int);                                              \
+                                       const Tensor<1, dim> &);                                    \
   template GapBend<dim> bend_of_bodies(const Point<dim> &, const Partner<dim> &);                  \
   template GapBend<dim> bend_of_obstacle(const ObstaclePlace<dim> &,                               \
                                          const RigidPose<dim> &,                                   \

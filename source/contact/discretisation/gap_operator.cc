@@ -44,31 +44,59 @@ namespace Signorini
       return std::lower_bound(indices.begin(), indices.end(), i) - indices.begin();
     }
 
+    /// That matter for gaps.
+    using Components = std::array<bool, 3>;
+
+    /// Those along which gaps of some points open; all, if supports may tie them to others.
     template <int dim>
-    void
-    append_columns(const ContactPoint<dim> &point, Indices &columns)
+    Components
+    components_of(const std::vector<ContactPoint<dim>> &points,
+                  const unsigned int                    first,
+                  const unsigned int                    last,
+                  const bool                            all)
     {
-      for (const SparseRow *row : {&point.row, &point.stress})
-        for (const auto &entry : *row)
-          columns.push_back(entry.first);
+      Components result;
+      result.fill(all);
+      for (unsigned int q = first; q < last; ++q)
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] = result[d] || points[q].direction[d] != 0;
+      return result;
+    }
+
+    /// Calls add(column, value) for what the row of the gap has in these components.
+    template <int dim, typename Add>
+    void
+    for_each_entry(const ContactPoint<dim> &point, const Components &components, const Add &add)
+    {
+      for (const double sign : {1., -1.})
+        for (const NodeFunction<dim> &function : sign > 0 ? point.slave : point.master)
+          if (std::abs(function.value) > 1e-14)
+            for (unsigned int d = 0; d < dim; ++d)
+              if (components[d])
+                add(function.node + d, sign * function.value * point.direction[d]);
+      for (const auto &[column, value] : point.rigid)
+        add(column, -value);
     }
 
     template <int dim>
     bool
-    same_columns(const ContactPoint<dim> &a, const ContactPoint<dim> &b)
+    same_nodes(const ContactPoint<dim> &a, const ContactPoint<dim> &b)
     {
-      Indices of_a, of_b;
-      append_columns(a, of_a);
-      append_columns(b, of_b);
-      sort_and_unite(of_a);
-      sort_and_unite(of_b);
-      return of_a == of_b;
+      const auto same = [](const auto &of_a, const auto &of_b) {
+        return std::equal(of_a.begin(),
+                          of_a.end(),
+                          of_b.begin(),
+                          of_b.end(),
+                          [](const auto &x, const auto &y) { return x.node == y.node; });
+      };
+      return same(a.slave, b.slave) && same(a.master, b.master);
     }
 
     template <int dim>
     FaceMatrix
     face_matrix(const ContactSurface<dim>             &surface,
                 const std::vector<std::vector<Share>> &shares,
+                const Components                      &components,
                 const unsigned int                     first,
                 const unsigned int                     last)
     {
@@ -77,23 +105,35 @@ namespace Signorini
         {
           for (const Share &share : shares[q])
             matrix.rows.push_back(share.row);
-          append_columns(surface.points[q], matrix.columns);
+          for_each_entry(surface.points[q], components, [&](const auto column, double) {
+            matrix.columns.push_back(column);
+          });
+          for (const auto &entry : surface.points[q].stress)
+            matrix.columns.push_back(entry.first);
         }
       sort_and_unite(matrix.rows);
       sort_and_unite(matrix.columns);
-      const auto fill = [&](FullMatrix<double> &values, SparseRow ContactPoint<dim>::*member) {
-        values.reinit(matrix.rows.size(), matrix.columns.size());
-        for (unsigned int q = first; q < last; ++q)
-          for (const auto &[column, value] : surface.points[q].*member)
-            {
+      const bool with_stress = !surface.points[first].stress.empty();
+      matrix.displacement.reinit(matrix.rows.size(), matrix.columns.size());
+      if (with_stress)
+        matrix.stress.reinit(matrix.rows.size(), matrix.columns.size());
+      std::vector<unsigned int> rows;
+      for (unsigned int q = first; q < last; ++q)
+        {
+          rows.clear();
+          for (const Share &share : shares[q])
+            rows.push_back(position_in(matrix.rows, share.row));
+          const auto add_to = [&](FullMatrix<double> &values) {
+            return [&](const types::global_dof_index column, const double value) {
               const unsigned int j = position_in(matrix.columns, column);
-              for (const auto &[row, weight] : shares[q])
-                values(position_in(matrix.rows, row), j) += weight * value;
-            }
-      };
-      fill(matrix.displacement, &ContactPoint<dim>::row);
-      if (!surface.points[first].stress.empty())
-        fill(matrix.stress, &ContactPoint<dim>::stress);
+              for (unsigned int i = 0; i < rows.size(); ++i)
+                values(rows[i], j) += shares[q][i].weight * value;
+            };
+          };
+          for_each_entry(surface.points[q], components, add_to(matrix.displacement));
+          for (const auto &[column, value] : surface.points[q].stress)
+            add_to(matrix.stress)(column, value);
+        }
       return matrix;
     }
 
@@ -101,7 +141,8 @@ namespace Signorini
     std::vector<FaceMatrix>
     face_matrices(const ContactRows                      &rows,
                   const std::vector<ContactSurface<dim>> &surfaces,
-                  const Sampling                          sampling)
+                  const Sampling                          sampling,
+                  const bool                              all_components)
     {
       std::vector<FaceMatrix> matrices;
       for (unsigned int p = 0; p < surfaces.size(); ++p)
@@ -111,9 +152,10 @@ namespace Signorini
             {
               // Rows of points have the columns of their own partner only.
               while (last < points.size() && points[last].face == points[first].face &&
-                     (sampling == Sampling::nodes || same_columns(points[first], points[last])))
+                     (sampling == Sampling::nodes || same_nodes(points[first], points[last])))
                 ++last;
-              matrices.push_back(face_matrix(surfaces[p], rows.shares[p], first, last));
+              const auto components = components_of(points, first, last, all_components);
+              matrices.push_back(face_matrix(surfaces[p], rows.shares[p], components, first, last));
             }
         }
       return matrices;
@@ -125,10 +167,12 @@ namespace Signorini
                       const ContactRows                      &rows,
                       const std::vector<ContactSurface<dim>> &surfaces,
                       const ContactMethod                    &method,
-                      const MPI_Comm                          comm)
+                      const Elasticity<dim>                  &elasticity)
     {
-      const std::vector<FaceMatrix> matrices = face_matrices(rows, surfaces, method.sampling());
-      LA::SparsityPattern           pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
+      const MPI_Comm                comm = elasticity.mesh().communicator();
+      const std::vector<FaceMatrix> matrices =
+        face_matrices(rows, surfaces, method.sampling(), elasticity.has_inclined_supports());
+      LA::SparsityPattern pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
       for (const FaceMatrix &matrix : matrices)
         for (const auto row : matrix.rows)
           pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
@@ -285,7 +329,7 @@ namespace Signorini
     contact.origin.places             = rows.places;
     contact.origin.readable           = rows.writable;
     contact.origin.regions = ContactRegions(elasticity, surfaces, rows, method.sampling());
-    assemble_matrices(contact, rows, surfaces, method, comm);
+    assemble_matrices(contact, rows, surfaces, method, elasticity);
     assemble_vectors(
       contact, rows, surfaces, method, elasticity.mesh().size(), !configuration.is_rest(), comm);
     normalise(contact);
@@ -434,7 +478,7 @@ namespace Signorini
       return;
     LA::Vector change = u;
     change -= moved.place;
-    moved.G->vmult_add(dst, change);
+    moved.G->vmult_add(dst, change, 1);
   }
 
 
@@ -442,12 +486,8 @@ namespace Signorini
   void
   GapOperator::subtract_geometric(LA::Vector &dst, const LA::Vector &v) const
   {
-    if (!moved.G)
-      return;
-    LA::Vector force;
-    force.reinit(dst, true);
-    moved.G->vmult(force, v);
-    dst -= force;
+    if (moved.G)
+      moved.G->vmult_add(dst, v, -1);
   }
 
 
@@ -456,10 +496,12 @@ namespace Signorini
   GapOperator::memory() const
   {
     std::size_t bytes = 0;
-    for (const LA::SparseMatrix *matrix : std::initializer_list<const LA::SparseMatrix *>{
-           &B, &B_free, &S, &S_free, &S_thermal, moved.G.get()})
-      if (matrix && matrix->m() > 0)
+    for (const LA::SparseMatrix *matrix :
+         std::initializer_list<const LA::SparseMatrix *>{&B, &B_free, &S, &S_free, &S_thermal})
+      if (matrix->m() > 0)
         bytes += LA::memory(*matrix);
+    if (moved.G)
+      bytes += moved.G->memory();
     const std::size_t n_vectors =
       5 + geometry.position.size() + geometry.normal.size() + geometry.moment.size();
     return bytes + weight.locally_owned_size() * n_vectors * sizeof(double);

@@ -1,10 +1,9 @@
 #include <signorini/contact/discretisation/geometric_stiffness.h>
-#include <signorini/linear_algebra/diagonal.h>
-#include <signorini/linear_algebra/sparsity_pattern.h>
-
-#include <deal.II/lac/full_matrix.h>
+#include <signorini/linear_algebra/ghost_exchange.h>
+#include <signorini/linear_algebra/values.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace Signorini
 {
@@ -12,120 +11,241 @@ namespace Signorini
 
   namespace
   {
-    /// What a contact point adds.
-    struct PointMatrix
+    /// A contact point that presses. Nodes and rigid rows are named by places in an array.
+    template <int dim>
+    struct PressedPoint
     {
-      std::vector<types::global_dof_index> indices;
-      FullMatrix<double>                   values;
+      FaceFunctions<dim> slave, master;
+      Tensor<1, dim>     direction;
+      GapBend<dim>       bend; ///< times the force
     };
 
-    /// sum_ij C_ij T_i T_j^T
     template <int dim>
-    PointMatrix
-    point_matrix(const ContactPoint<dim> &point, const double force)
+    Tensor<1, dim>
+    value_at(const FaceFunctions<dim> &functions, const double *u)
     {
-      const unsigned int m = point.bend_rows.size();
-      PointMatrix        result;
-      for (const SparseRow &row : point.bend_rows)
-        for (const auto &entry : row)
-          result.indices.push_back(entry.first);
-      auto &indices = result.indices;
-      std::sort(indices.begin(), indices.end());
-      indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-      const auto number = [&](const types::global_dof_index i) {
-        return std::lower_bound(indices.begin(), indices.end(), i) - indices.begin();
-      };
-      FullMatrix<double> T(m, indices.size()), C(m, m);
-      for (unsigned int i = 0; i < m; ++i)
-        {
-          for (const auto &[index, value] : point.bend_rows[i])
-            T(i, number(index)) += value;
-          for (unsigned int j = 0; j < m; ++j)
-            C(i, j) = force * point.bend_factors[i * m + j];
-        }
-      // By rows, most of whose entries are zero.
-      const unsigned int  n = indices.size();
-      std::vector<double> CT(n);
-      result.values.reinit(n, n);
-      for (unsigned int a = 0; a < m; ++a)
-        {
-          std::fill(CT.begin(), CT.end(), 0.);
-          for (unsigned int b = 0; b < m; ++b)
-            for (unsigned int j = 0; j < n; ++j)
-              CT[j] += C(a, b) * T(b, j);
-          for (unsigned int i = 0; i < n; ++i)
-            if (const double factor = T(a, i); factor != 0)
-              for (unsigned int j = 0; j < n; ++j)
-                result.values(i, j) += factor * CT[j];
-        }
-      return result;
+      Tensor<1, dim> sum;
+      for (const NodeFunction<dim> &function : functions)
+        for (unsigned int d = 0; d < dim; ++d)
+          sum[d] += function.value * u[function.node + d];
+      return sum;
     }
+
+    template <int dim>
+    void
+    add_force(const FaceFunctions<dim> &functions, const Tensor<1, dim> &force, double *dst)
+    {
+      for (const NodeFunction<dim> &function : functions)
+        for (unsigned int d = 0; d < dim; ++d)
+          dst[function.node + d] += function.value * force[d];
+    }
+
+    /// T_i.u, see GapBend.
+    template <int dim>
+    void
+    bend_rows(const PressedPoint<dim> &point, const double *u, std::vector<double> &T)
+    {
+      const auto &[directions, rigid, factors] = point.bend;
+      const unsigned int   n                   = directions.size();
+      const Tensor<1, dim> jump = value_at(point.slave, u) - value_at(point.master, u);
+      T.assign(point.bend.n_rows(), 0.);
+      for (unsigned int i = 0; i < n; ++i)
+        T[i] = directions[i] * jump;
+      for (unsigned int i = 0; i < rigid.size(); ++i)
+        for (const auto &[place, value] : rigid[i])
+          T[i] += value * u[place];
+      if (rigid.empty())
+        for (const NodeFunction<dim> &function : point.master)
+          {
+            double along = 0;
+            for (unsigned int d = 0; d < dim; ++d)
+              along += point.direction[d] * u[function.node + d];
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              T[n + a] += function.slopes[a] * along;
+          }
+    }
+
+    /// dst += sum_i s_i T_i
+    template <int dim>
+    void
+    add_bend_rows(const PressedPoint<dim> &point, const std::vector<double> &s, double *dst)
+    {
+      const auto &[directions, rigid, factors] = point.bend;
+      const unsigned int n                     = directions.size();
+      Tensor<1, dim>     force;
+      for (unsigned int i = 0; i < n; ++i)
+        force += s[i] * directions[i];
+      add_force(point.slave, force, dst);
+      add_force(point.master, -force, dst);
+      for (unsigned int i = 0; i < rigid.size(); ++i)
+        for (const auto &[place, value] : rigid[i])
+          dst[place] += value * s[i];
+      if (rigid.empty())
+        for (const NodeFunction<dim> &function : point.master)
+          {
+            double along = 0;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              along += s[n + a] * function.slopes[a];
+            for (unsigned int d = 0; d < dim; ++d)
+              dst[function.node + d] += along * point.direction[d];
+          }
+    }
+
+    template <int dim>
+    class PointwiseStiffness : public GeometricStiffness
+    {
+    public:
+      PointwiseStiffness(const Elasticity<dim> &elasticity, std::vector<PressedPoint<dim>> &&points)
+        : points(std::move(points))
+        , exchange(elasticity.owned(),
+                   dofs(elasticity.owned().size()),
+                   elasticity.mesh().communicator())
+      {
+        use_places();
+        find_constraints(elasticity);
+      }
+
+      void
+      vmult_add(LA::Vector &dst, const LA::Vector &v, const double factor) const override
+      {
+        const std::size_t n_owned = exchange.n_owned();
+        u.assign(n_owned + exchange.n_ghosts(), 0.);
+        std::copy_n(LA::values_of(v), n_owned, u.begin());
+        for (const auto line : fixed)
+          u[line] = 0;
+        for (const auto &[line, other, share] : ties)
+          u[line] += share * u[other];
+        exchange.fetch(u.data(), u.data() + n_owned);
+
+        f.assign(u.size(), 0.);
+        for (const PressedPoint<dim> &point : points)
+          {
+            bend_rows(point, u.data(), T);
+            CT.assign(T.size(), 0.);
+            for (std::size_t i = 0; i < T.size(); ++i)
+              for (std::size_t j = 0; j < T.size(); ++j)
+                CT[i] += factor * point.bend.factors[i * T.size() + j] * T[j];
+            add_bend_rows(point, CT, f.data());
+          }
+
+        exchange.add(f.data() + n_owned, f.data());
+        for (const auto &[line, other, share] : ties)
+          f[other] += share * f[line];
+        for (const auto line : fixed)
+          f[line] = 0;
+        double *values = LA::values_of(dst);
+        for (std::size_t i = 0; i < n_owned; ++i)
+          values[i] += f[i];
+      }
+
+      std::size_t
+      memory() const override
+      {
+        std::size_t bytes = 0;
+        for (const PressedPoint<dim> &point : points)
+          bytes += sizeof(point) +
+                   (point.slave.size() + point.master.size()) * sizeof(NodeFunction<dim>) +
+                   point.bend.factors.size() * sizeof(double);
+        return bytes;
+      }
+
+    private:
+      /// All that points refer to.
+      IndexSet
+      dofs(const types::global_dof_index n_dofs) const
+      {
+        std::vector<types::global_dof_index> indices;
+        for (const PressedPoint<dim> &point : points)
+          {
+            for (const auto *functions : {&point.slave, &point.master})
+              for (const NodeFunction<dim> &function : *functions)
+                for (unsigned int d = 0; d < dim; ++d)
+                  indices.push_back(function.node + d);
+            for (const SparseRow &row : point.bend.rigid)
+              for (const auto &entry : row)
+                indices.push_back(entry.first);
+          }
+        std::sort(indices.begin(), indices.end());
+        indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+        IndexSet result(n_dofs);
+        result.add_indices(indices.begin(), indices.end());
+        return result;
+      }
+
+      void
+      use_places()
+      {
+        for (PressedPoint<dim> &point : points)
+          {
+            for (auto *functions : {&point.slave, &point.master})
+              for (NodeFunction<dim> &function : *functions)
+                function.node = exchange.place(function.node);
+            for (SparseRow &row : point.bend.rigid)
+              for (auto &entry : row)
+                entry.first = exchange.place(entry.first);
+          }
+      }
+
+      /// Hanging nodes are left out: points do not refer to them.
+      void
+      find_constraints(const Elasticity<dim> &elasticity)
+      {
+        const auto &constraints = elasticity.constraints();
+        const auto &owned       = elasticity.owned();
+        for (const auto line : owned)
+          if (constraints.is_constrained(line))
+            fixed.push_back(exchange.place(line));
+        for (const auto &[first, node] : elasticity.held_nodes())
+          for (const auto line : node.dofs)
+            if (owned.is_element(line) && constraints.is_constrained(line))
+              for (const auto &[other, share] : *constraints.get_constraint_entries(line))
+                ties.emplace_back(exchange.place(line), exchange.place(other), share);
+      }
+
+      std::vector<PressedPoint<dim>>                                points;
+      const LA::GhostExchange<double>                               exchange;
+      std::vector<std::uint32_t>                                    fixed; ///< constrained
+      std::vector<std::tuple<std::uint32_t, std::uint32_t, double>> ties;
+      mutable std::vector<double>                                   u, f, T, CT;
+    };
   } // namespace
 
 
 
   template <int dim>
-  LA::SparseMatrix
+  std::unique_ptr<GeometricStiffness>
   geometric_stiffness(const Elasticity<dim>                  &elasticity,
                       const std::vector<ContactSurface<dim>> &surfaces,
                       const ContactRows                      &rows,
                       const LA::Vector                       &pressure)
   {
-    const MPI_Comm comm = elasticity.mesh().communicator();
-    LA::Vector     p(rows.owned, rows.writable, comm);
+    LA::Vector p(rows.owned, rows.writable, elasticity.mesh().communicator());
     p = pressure;
-    std::vector<PointMatrix> matrices;
+    std::vector<PressedPoint<dim>> points;
     for (unsigned int s = 0; s < surfaces.size(); ++s)
       for (unsigned int q = 0; q < surfaces[s].points.size(); ++q)
         {
-          double force = 0;
+          const ContactPoint<dim> &point = surfaces[s].points[q];
+          double                   force = 0;
           for (const auto &[row, weight] : rows.shares[s][q])
             force += weight * p(row);
-          if (force == 0 || surfaces[s].points[q].bend_rows.empty())
+          if (force == 0 || point.bend.factors.empty())
             continue;
-          PointMatrix matrix = point_matrix(surfaces[s].points[q], force);
-          // Points between the same two faces.
-          if (!matrices.empty() && matrices.back().indices == matrix.indices)
-            matrices.back().values.add(1, matrix.values);
-          else
-            matrices.push_back(std::move(matrix));
+          points.push_back({point.slave, point.master, point.direction, point.bend});
+          for (double &factor : points.back().bend.factors)
+            factor *= force;
         }
-
-    // Rows of other ranks too: those of the masters.
-    const IndexSet                      &owned    = elasticity.owned();
-    IndexSet                             writable = owned;
-    std::vector<types::global_dof_index> foreign;
-    for (const PointMatrix &matrix : matrices)
-      foreign.insert(foreign.end(), matrix.indices.begin(), matrix.indices.end());
-    std::sort(foreign.begin(), foreign.end());
-    writable.add_indices(foreign.begin(), foreign.end());
-    LA::SparsityPattern pattern(owned, owned, writable, comm, 0u);
-    for (const PointMatrix &matrix : matrices)
-      for (const auto row : matrix.indices)
-        pattern.add_entries(row, matrix.indices.begin(), matrix.indices.end(), true);
-    pattern.compress();
-    LA::SparseMatrix result;
-    result.reinit(pattern);
-    for (const PointMatrix &matrix : matrices)
-      result.add(matrix.indices, matrix.values);
-    result.compress(VectorOperation::add);
-    // A rank does not know what is prescribed on others.
-    LA::Vector free = elasticity.zero_vector();
-    free            = 1.;
-    elasticity.constraints().set_zero(free);
-    LA::scale_rows(result, free);
-    LA::scale_columns(result, free);
-    return result;
+    return std::make_unique<PointwiseStiffness<dim>>(elasticity, std::move(points));
   }
 
 
 
-  template LA::SparseMatrix
+  template std::unique_ptr<GeometricStiffness>
   geometric_stiffness(const Elasticity<2> &,
                       const std::vector<ContactSurface<2>> &,
                       const ContactRows &,
                       const LA::Vector &);
-  template LA::SparseMatrix
+  template std::unique_ptr<GeometricStiffness>
   geometric_stiffness(const Elasticity<3> &,
                       const std::vector<ContactSurface<3>> &,
                       const ContactRows &,

@@ -1,4 +1,5 @@
 #include <signorini/contact/discretisation/geometry_change.h>
+#include <signorini/contact/discretisation/openings.h>
 #include <signorini/contact/geometry/boundary_faces.h>
 
 #include <algorithm>
@@ -105,13 +106,13 @@ namespace Signorini
         points.emplace_back(&surface.points[i], forces[i]);
     if (Utilities::MPI::sum(points.size(), comm) == 0)
       return {};
-    const BoundaryFaces<dim>       slave(now, pair.slave);
-    const auto                     there = obstacle ? on_obstacle(now, *obstacle, slave, points) :
-                                                      on_body(now, pair.master, slave, points, comm);
-    std::vector<const SparseRow *> rows;
+    const BoundaryFaces<dim> slave(now, pair.slave);
+    const auto               there = obstacle ? on_obstacle(now, *obstacle, slave, points) :
+                                                on_body(now, pair.master, slave, points, comm);
+    std::vector<const ContactPoint<dim> *> places;
     for (const auto &[point, force] : points)
-      rows.push_back(&point->row);
-    const std::vector<double> opened = row_values(rows, now.displacement());
+      places.push_back(point);
+    const std::vector<double> opened = openings(places, now.displacement());
 
     std::vector<double> sums(6, 0.); // force, area, modulus, gap^2, angle^2, without partner
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -19,8 +19,7 @@ namespace Signorini
                  const BoundaryFaces<dim> &boundary,
                  const bool                with_stress,
                  const bool                with_bend)
-        : elasticity(elasticity)
-        , boundary(boundary)
+        : boundary(boundary)
         , trace(elasticity)
         , stress(std::make_shared<NormalStress<dim>>(elasticity))
         , bound(boundary)
@@ -38,32 +37,27 @@ namespace Signorini
       void
       operator()(const unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner)
       {
-        const auto &[cell, face]    = boundary.faces[i];
-        const Point<dim>      place = unit_point<dim>(face, xi);
-        const Tensor<1, dim> &n     = partner.normal;
+        const auto &[cell, face] = boundary.faces[i];
         trace.reinit(cell, face);
-        partner.row       = trace.normal_displacement(place, n);
+        partner.functions = trace.functions(xi);
         partner.stiffness = stiffnesses[i];
         partner.modulus   = moduli[i];
         partner.size      = sizes[i];
         partner.rest      = boundary.rest[i].position(xi);
         if (with_bend && is_near_enough(partner.distance, sizes[i]))
-          {
-            partner.bend = bend_of_master(boundary.patches[i], xi, n, trace, face);
-            for (SparseRow &row : partner.bend.rows)
-              resolve(elasticity.constraints(), row); // other ranks do not know them
-          }
+          partner.bend = bend_of_master(boundary.patches[i], xi, partner.normal);
         if (!with_stress)
           return;
         stress->reinit(cell);
-        const Tensor<1, dim> at_rest = boundary.rest[i].normal(xi);
-        partner.stress               = stress->row(place, -n, at_rest);
-        partner.thermal_stress       = stress->thermal_row(place, -n, at_rest);
-        partner.bound                = bound(*stress, i);
+        const Point<dim>      place   = unit_point<dim>(face, xi);
+        const Tensor<1, dim> &n       = partner.normal;
+        const Tensor<1, dim>  at_rest = boundary.rest[i].normal(xi);
+        partner.stress                = stress->row(place, -n, at_rest);
+        partner.thermal_stress        = stress->thermal_row(place, -n, at_rest);
+        partner.bound                 = bound(*stress, i);
       }
 
     private:
-      const Elasticity<dim>             &elasticity;
       const BoundaryFaces<dim>           boundary;
       Trace<dim>                         trace;
       std::shared_ptr<NormalStress<dim>> stress;

@@ -82,7 +82,7 @@ namespace Signorini
           point.partner.distance  = std::abs(place.gap);
           point.partner.stiffness = std::numeric_limits<double>::infinity();
           point.partner.bound     = std::numeric_limits<double>::infinity();
-          point.partner.row       = rigid_row(pose, first, point.partner.position, place.normal);
+          point.partner.rigid     = rigid_row(pose, first, point.partner.position, place.normal);
           if (!configuration.is_rest())
             point.partner.bend = bend_of_obstacle(place, pose, x, first);
           points.push_back(std::move(point));

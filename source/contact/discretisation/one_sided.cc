@@ -4,6 +4,7 @@
 #include <signorini/contact/discretisation/master_faces.h>
 #include <signorini/contact/discretisation/obstacle_points.h>
 #include <signorini/contact/discretisation/one_sided.h>
+#include <signorini/contact/discretisation/openings.h>
 #include <signorini/contact/discretisation/pressure_functions.h>
 #include <signorini/contact/discretisation/slave_faces.h>
 #include <signorini/contact/discretisation/surface_comparison.h>
@@ -90,7 +91,7 @@ namespace Signorini
           "x^2/20 for Normal = 0, 1, or take Contact method/Contact geometry = reference");
     }
 
-    /// So that the gap is true where the surfaces are: less row . u, which is how far slave and
+    /// So that the gap is true where the surfaces are: less row() . u, which is how far slave and
     /// master have moved along the normal.
     template <int dim>
     void
@@ -103,7 +104,7 @@ namespace Signorini
       std::vector<const SparseRow *> rigid_rows;
       for (const PairedPoint<dim> &point : paired)
         if (is_obstacle)
-          rigid_rows.push_back(&point.partner.row);
+          rigid_rows.push_back(&point.partner.rigid);
       const std::vector<double> rigid = row_values(rigid_rows, u);
       for (std::size_t i = 0; i < points.size(); ++i)
         {

@@ -83,7 +83,7 @@ namespace Signorini
         weights.clear();
         for (; last < points.size() && points[last].face == points[first].face; ++last)
           {
-            shapes.push_back(trace.unresolved_shape(unit_point<dim>(face, paired_points[last].xi)));
+            shapes.push_back(trace.unresolved_shape(paired_points[last].xi));
             weights.push_back(points[last].weight);
           }
         auto       nodes = face_nodes(elasticity, cell, face, slave.patches[points[first].face]);

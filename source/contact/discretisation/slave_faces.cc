@@ -26,7 +26,7 @@ namespace Signorini
           const unsigned int k = face.degree = cell->get_fe().degree;
           for (const Point<dim - 1> &xi : face_lattice<dim>(k))
             {
-              const SparseRow shape = trace.unresolved_shape(unit_point<dim>(f, xi));
+              const SparseRow shape = trace.unresolved_shape(xi);
               face.nodes.push_back(
                 std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
                   return a.second < b.second;
@@ -50,7 +50,7 @@ namespace Signorini
         const QGauss<dim - 1> rule(slave.faces[i].first->get_fe().degree + 1);
         trace.reinit(slave.faces[i].first, slave.faces[i].second);
         for (unsigned int q = 0; q < rule.size(); ++q)
-          result.emplace_back(trace.shape(unit_point<dim>(slave.faces[i].second, rule.point(q))),
+          result.emplace_back(trace.shape(rule.point(q)),
                               rule.weight(q) * slave.rest[i].jacobian(rule.point(q)) *
                                 measure(elasticity.model(), slave.rest[i].position(rule.point(q))));
       }

@@ -38,6 +38,25 @@ namespace Signorini
 
 
   template <int dim>
+  SparseRow
+  ContactPoint<dim>::row() const
+  {
+    SparseRow  result;
+    const auto add = [&](const FaceFunctions<dim> &functions, const double sign) {
+      for (const NodeFunction<dim> &function : functions)
+        for (unsigned int d = 0; d < dim; ++d)
+          result.emplace_back(function.node + d, sign * function.value * direction[d]);
+    };
+    add(slave, 1);
+    add(master, -1);
+    for (const auto &[index, value] : rigid)
+      result.emplace_back(index, -value);
+    return result;
+  }
+
+
+
+  template <int dim>
   double
   covered_share(const ContactSurface<dim> &surface, const MPI_Comm comm)
   {
@@ -98,6 +117,7 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
+  template struct ContactPoint<dim>;                                                               \
   template double              covered_share(const ContactSurface<dim> &, MPI_Comm);               \
   template ContactSurface<dim> make_contact_surface(const Configuration<dim> &,                    \
                                                     const ContactPair<dim> &,                      \

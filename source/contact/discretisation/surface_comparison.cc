@@ -28,9 +28,9 @@ namespace Signorini
     bool
     is_at_node(const Partner<dim> &partner)
     {
-      double squares = 0; // of n_d phi_j
-      for (const auto &entry : partner.row)
-        squares += entry.second * entry.second;
+      double squares = 0;
+      for (const NodeFunction<dim> &function : partner.functions)
+        squares += function.value * function.value;
       return squares > 0.95;
     }
   } // namespace

@@ -1,6 +1,9 @@
 #include <signorini/contact/discretisation/trace.h>
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/mesh/face_nodes.h>
+#include <signorini/mesh/face_parameter.h>
+
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +11,76 @@
 namespace Signorini
 {
   using namespace dealii;
+
+  namespace
+  {
+    constexpr double zero = 1e-14; // of a shape function
+
+    /// Replace entries for hanging nodes by ones for those that they hang on, each made by
+    /// scaled(entry, index, weight); false if there are none.
+    template <typename Entry, typename Index, typename Scale>
+    bool
+    replace_hanging(const AffineConstraints<double> &hanging,
+                    std::vector<Entry>              &row,
+                    const Index                     &index_of,
+                    const Scale                     &scaled)
+    {
+      const auto hangs = [&](const Entry &entry) {
+        return hanging.is_constrained(index_of(entry));
+      };
+      if (std::none_of(row.begin(), row.end(), hangs))
+        return false;
+      const std::size_t n = row.size();
+      for (std::size_t i = 0; i < n; ++i)
+        if (const auto *entries = hanging.get_constraint_entries(index_of(row[i])))
+          {
+            const Entry entry = row[i];
+            for (const auto &[index, weight] : *entries)
+              row.push_back(scaled(entry, index, weight));
+          }
+      row.erase(std::remove_if(row.begin(), row.end(), hangs), row.end());
+      return true;
+    }
+
+    template <int dim>
+    void
+    unite(FaceFunctions<dim> &functions)
+    {
+      std::sort(functions.begin(), functions.end(), [](const auto &a, const auto &b) {
+        return a.node < b.node;
+      });
+      std::size_t last = 0;
+      for (std::size_t i = 1; i < functions.size(); ++i)
+        if (functions[i].node == functions[last].node)
+          {
+            functions[last].value += functions[i].value;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              functions[last].slopes[a] += functions[i].slopes[a];
+          }
+        else
+          functions[++last] = functions[i];
+      functions.resize(last + 1);
+    }
+
+    template <int dim>
+    void
+    resolve(const AffineConstraints<double> &hanging, FaceFunctions<dim> &functions)
+    {
+      const auto scaled =
+        [](NodeFunction<dim> function, const types::global_dof_index node, const double weight) {
+          function.node = node;
+          function.value *= weight;
+          for (double &slope : function.slopes)
+            slope *= weight;
+          return function;
+        };
+      if (replace_hanging(
+            hanging, functions, [](const auto &function) { return function.node; }, scaled))
+        unite<dim>(functions);
+    }
+  } // namespace
+
+
 
   void
   unite(SparseRow &row)
@@ -28,48 +101,13 @@ namespace Signorini
   void
   resolve(const AffineConstraints<double> &hanging, SparseRow &row)
   {
-    const auto hangs = [&](const auto &entry) { return hanging.is_constrained(entry.first); };
-    if (std::none_of(row.begin(), row.end(), hangs))
-      return;
-    const std::size_t n = row.size();
-    for (std::size_t i = 0; i < n; ++i)
-      if (const auto *entries = hanging.get_constraint_entries(row[i].first))
-        {
-          const double factor = row[i].second;
-          for (const auto &[index, weight] : *entries)
-            row.emplace_back(index, factor * weight);
-        }
-    row.erase(std::remove_if(row.begin(), row.end(), hangs), row.end());
-    unite(row);
-  }
-
-
-
-  std::vector<double>
-  row_values(const std::vector<const SparseRow *> &rows, const LA::Vector &u)
-  {
-    std::vector<types::global_dof_index> indices;
-    for (const SparseRow *row : rows)
-      for (const auto &entry : *row)
-        indices.push_back(entry.first);
-    std::sort(indices.begin(), indices.end());
-    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    IndexSet readable = u.locally_owned_elements();
-    readable.add_indices(indices.begin(), indices.end());
-    LA::Vector ghosted(u.locally_owned_elements(), readable, u.get_mpi_communicator());
-    ghosted = u;
-    std::vector<double> values(indices.size()), result;
-    ghosted.extract_subvector_to(indices, values);
-    const auto value_of = [&](const types::global_dof_index index) {
-      return values[std::lower_bound(indices.begin(), indices.end(), index) - indices.begin()];
+    using Entry       = SparseRow::value_type;
+    const auto scaled = [](const Entry &entry, const auto index, const double weight) {
+      return Entry(index, weight * entry.second);
     };
-    for (const SparseRow *row : rows)
-      {
-        result.push_back(0);
-        for (const auto &[index, value] : *row)
-          result.back() += value * value_of(index);
-      }
-    return result;
+    if (replace_hanging(
+          hanging, row, [](const Entry &entry) { return entry.first; }, scaled))
+      unite(row);
   }
 
 
@@ -77,88 +115,104 @@ namespace Signorini
   template <int dim>
   Trace<dim>::Trace(const Elasticity<dim> &elasticity)
     : hanging(elasticity.hanging_nodes())
-    , all_components(elasticity.has_inclined_supports())
   {
     for (const auto &fe : elasticity.finite_elements())
-      {
-        nodes_of.emplace_back(GeometryInfo<dim>::faces_per_cell);
-        for (unsigned int face = 0; face < nodes_of.back().size(); ++face)
-          nodes_of.back()[face] = nodes_of_face(fe.base_element(0), face);
-      }
+      elements.push_back(element_of(fe));
+  }
+
+
+
+  template <int dim>
+  typename Trace<dim>::Element
+  Trace<dim>::element_of(const FiniteElement<dim> &fe)
+  {
+    const FiniteElement<dim>   &scalar = fe.base_element(0);
+    const std::vector<Point<1>> places = QGaussLobatto<1>(scalar.degree + 1).get_points();
+    Element                     result{Polynomials::generate_complete_Lagrange_basis(places),
+                   std::vector<std::vector<Node>>(GeometryInfo<dim>::faces_per_cell)};
+    for (unsigned int face = 0; face < result.nodes.size(); ++face)
+      for (const unsigned int i : nodes_of_face(scalar, face))
+        {
+          Node       node{fe.component_to_system_index(0, i), {}};
+          const auto xi = face_parameter<dim>(face, scalar.unit_support_point(i));
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            while (std::abs(places[node.place[d]][0] - xi[d]) > 1e-10)
+              ++node.place[d];
+          result.nodes[face].push_back(node);
+        }
+    return result;
   }
 
 
 
   template <int dim>
   void
-  Trace<dim>::reinit(const Cell &cell, const unsigned int new_face)
+  Trace<dim>::reinit(const Cell &new_cell, const unsigned int new_face)
   {
-    read_indices<dim>(cell, indices);
-    fe      = &cell->get_fe();
-    element = cell->active_fe_index();
+    if (new_face == face && new_cell == cell)
+      return;
+    cell    = new_cell;
     face    = new_face;
+    element = &elements[cell->active_fe_index()];
+    read_indices<dim>(cell, indices);
+    nodes.clear();
+    for (const Node &node : element->nodes[face])
+      nodes.push_back(indices[node.dof]);
   }
 
 
 
   template <int dim>
-  const std::vector<unsigned int> &
-  Trace<dim>::nodes() const
+  FaceFunctions<dim>
+  Trace<dim>::unresolved(const Parameter &xi) const
   {
-    return nodes_of[element][face];
-  }
+    // The polynomials of a line: value and derivative of each, for each parameter.
+    const unsigned int  n = element->line.size();
+    std::vector<double> lines(2 * n * (dim - 1));
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      for (unsigned int i = 0; i < n; ++i)
+        element->line[i].value(xi[d], 1, &lines[2 * (d * n + i)]);
 
-
-
-  template <int dim>
-  SparseRow
-  Trace<dim>::normal_displacement(const Point<dim> &unit_point, const Tensor<1, dim> &n) const
-  {
-    SparseRow row;
-    row.reserve(2 * dim * nodes().size()); // room for a partner
-    for (const unsigned int i : nodes())
-      if (const double value = fe->base_element(0).shape_value(i, unit_point);
-          std::abs(value) > 1e-14)
-        for (unsigned int d = 0; d < dim; ++d)
-          if (n[d] != 0 || all_components)
-            row.emplace_back(indices[fe->component_to_system_index(d, i)], value * n[d]);
-    resolve(hanging, row);
-    return row;
-  }
-
-
-
-  template <int dim>
-  SparseRow
-  Trace<dim>::normal_slope(const Point<dim>     &unit_point,
-                           const Tensor<1, dim> &n,
-                           const unsigned int    a) const
-  {
-    const unsigned int axis = (face / 2 + 1 + a) % dim; // see mesh/face_parameter.h
-    SparseRow          row;
-    row.reserve(dim * nodes().size());
-    for (const unsigned int i : nodes())
+    FaceFunctions<dim> result;
+    result.reserve(nodes.size());
+    for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const double slope = fe->base_element(0).shape_grad(i, unit_point)[axis];
-        for (unsigned int d = 0; d < dim; ++d)
-          if (n[d] != 0 || all_components)
-            row.emplace_back(indices[fe->component_to_system_index(d, i)], n[d] * slope);
+        const auto       &place = element->nodes[face][k].place;
+        NodeFunction<dim> one{nodes[k], 1., {}};
+        one.slopes.fill(1.);
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            const double *of_line = &lines[2 * (d * n + place[d])];
+            one.value *= of_line[0];
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              one.slopes[a] *= of_line[a == d];
+          }
+        result.push_back(one);
       }
-    resolve(hanging, row);
-    return row;
+    return result;
+  }
+
+
+
+  template <int dim>
+  FaceFunctions<dim>
+  Trace<dim>::functions(const Parameter &xi) const
+  {
+    FaceFunctions<dim> result = unresolved(xi);
+    resolve<dim>(hanging, result);
+    return result;
   }
 
 
 
   template <int dim>
   SparseRow
-  Trace<dim>::unresolved_shape(const Point<dim> &unit_point) const
+  Trace<dim>::unresolved_shape(const Parameter &xi) const
   {
     SparseRow row;
-    for (const unsigned int i : nodes())
-      if (const double value = fe->base_element(0).shape_value(i, unit_point);
-          std::abs(value) > 1e-14)
-        row.emplace_back(indices[fe->component_to_system_index(0, i)], value);
+    for (const NodeFunction<dim> &function : unresolved(xi))
+      if (std::abs(function.value) > zero)
+        row.emplace_back(function.node, function.value);
     return row;
   }
 
@@ -166,10 +220,10 @@ namespace Signorini
 
   template <int dim>
   SparseRow
-  Trace<dim>::shape(const Point<dim> &unit_point) const
+  Trace<dim>::shape(const Parameter &xi) const
   {
-    SparseRow row = unresolved_shape(unit_point);
-    resolve(hanging, row);
+    SparseRow row = unresolved_shape(xi);
+    Signorini::resolve(hanging, row);
     return row;
   }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <signorini/contact/discretisation/trace.h>
 #include <signorini/contact/geometry/search.h>
 #include <signorini/contact/obstacles/obstacle.h>
 
@@ -30,9 +29,7 @@ namespace Signorini
   GapBend<dim>
   bend_of_master(const FacePatch<dim>         &patch,
                  const dealii::Point<dim - 1> &xi,
-                 const dealii::Tensor<1, dim> &n,
-                 const Trace<dim>             &trace,
-                 unsigned int                  face);
+                 const dealii::Tensor<1, dim> &n);
 
   /// With the factors. Nothing where the closest place is on the rim of a face: the gap bends
   /// abruptly there.

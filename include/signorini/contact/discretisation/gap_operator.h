@@ -43,14 +43,28 @@ namespace Signorini
     ContactRegions          regions;
   };
 
+  /// How the forces of the pressures at the contact points change as surfaces move, see
+  /// geometric_stiffness().
+  class GeometricStiffness
+  {
+  public:
+    virtual ~GeometricStiffness() = default;
+
+    /// dst += factor G v. Collective.
+    virtual void
+    vmult_add(LA::Vector &dst, const LA::Vector &v, double factor) const = 0;
+
+    /// Bytes on this rank.
+    virtual std::size_t
+    memory() const = 0;
+  };
+
   /// Contact on surfaces that have moved by u_k, to first order about that place; empty at rest.
   struct MovedContact
   {
-    LA::Vector drift; ///< what the true gap at u_k is beyond B u_k + rest_gap
-    LA::Vector place; ///< u_k
-    /// G, how the forces of the pressures there change as the surfaces move: geometric_stiffness().
-    /// Null: zero.
-    std::unique_ptr<LA::SparseMatrix> G;
+    LA::Vector drift;                      ///< what the true gap at u_k is beyond B u_k + rest_gap
+    LA::Vector place;                      ///< u_k
+    std::unique_ptr<GeometricStiffness> G; ///< null: zero
   };
 
   /// The discrete gap g = B u + g_0 at the points where the method imposes contact, one row a

@@ -29,7 +29,11 @@ namespace Signorini
     dealii::Point<dim> master_position; ///< of the partner at rest; not of obstacles
     double             stiffness;       ///< E/h of slave and master in series [force/length^3]
     double             depth;           ///< of the slave's cell behind the face: h
-    SparseRow          row;             ///< (u^S - u^M).n = sum row . d, hanging nodes resolved
+    /// Along which the gap opens: the normal, out of the face that is the master of this point,
+    /// which is the pair's slave at some points of unbiased methods.
+    dealii::Tensor<1, dim> direction;
+    FaceFunctions<dim>     slave, master; ///< of displacements; obstacles have none
+    SparseRow              rigid;         ///< direction.u of an obstacle
     /// The functions of the pressure at the point: (first degree of freedom of the node, value),
     /// hanging nodes resolved. For point-wise methods the trace shape functions.
     SparseRow              shape;
@@ -42,15 +46,17 @@ namespace Signorini
     SparseRow thermal_stress; ///< likewise that of rises, of ThermalStrain::coefficients()
     double    bound = 0;      ///< of its square by the energy of the cells [force/length^3]
 
-    // Where surfaces have moved, the second variation of the gap, see GapBend:
-    std::vector<SparseRow> bend_rows;    ///< T_i, what supports tie or prescribe resolved
-    std::vector<double>    bend_factors; ///< C
+    GapBend<dim> bend; ///< where surfaces have moved
 
     double
     gap_now() const
     {
       return gap - closing;
     }
+
+    /// (u^S - u^M).direction = sum row . d. The degrees of freedom may be on other ranks.
+    SparseRow
+    row() const;
   };
 
   /// The nodes of a slave face, lexicographic in its parameter; hanging ones as they are.

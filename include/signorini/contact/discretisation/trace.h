@@ -1,14 +1,16 @@
 #pragma once
 
+#include <signorini/contact/geometry/partner.h>
 #include <signorini/elasticity/elasticity.h>
 
+#include <deal.II/base/polynomial.h>
+
+#include <array>
 #include <utility>
 #include <vector>
 
 namespace Signorini
 {
-  using SparseRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
-
   /// Sum entries of the same index.
   void
   unite(SparseRow &row);
@@ -17,54 +19,63 @@ namespace Signorini
   void
   resolve(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
 
-  /// row . u of each, whose degrees of freedom may be on other ranks. Collective.
-  /// @param u without ghosts
-  std::vector<double>
-  row_values(const std::vector<const SparseRow *> &rows, const LA::Vector &u);
-
-  /// Shape functions of a cell at points of one of its faces, in terms of degrees of freedom
-  /// (hanging nodes resolved). Keeps a reference to its argument.
+  /// Shape functions of a cell at points of one of its faces, by nodes. Keeps a reference to its
+  /// argument.
   template <int dim>
   class Trace
   {
   public:
-    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+    using Cell      = typename dealii::DoFHandler<dim>::active_cell_iterator;
+    using Parameter = dealii::Point<dim - 1>;
 
     Trace(const Elasticity<dim> &elasticity);
 
     void
     reinit(const Cell &cell, unsigned int face);
 
-    /// n . u at a point of the face, given on the reference cell.
-    SparseRow
-    normal_displacement(const dealii::Point<dim>     &unit_point,
-                        const dealii::Tensor<1, dim> &n) const;
+    /// Hanging nodes resolved.
+    FaceFunctions<dim>
+    functions(const Parameter &xi) const;
 
-    /// The derivative of n . u in parameter a of the face.
+    /// The values alone, without those that are zero.
     SparseRow
-    normal_slope(const dealii::Point<dim>     &unit_point,
-                 const dealii::Tensor<1, dim> &n,
-                 unsigned int                  a) const;
-
-    /// The scalar shape functions, each named by its node's first degree of freedom.
-    SparseRow
-    shape(const dealii::Point<dim> &unit_point) const;
+    shape(const Parameter &xi) const;
 
     /// The same with hanging nodes as they are.
     SparseRow
-    unresolved_shape(const dealii::Point<dim> &unit_point) const;
+    unresolved_shape(const Parameter &xi) const;
 
   private:
-    const std::vector<unsigned int> &
-    nodes() const;
+    /// A node of a face: which of the cell's degrees of freedom is its first one, and its numbers
+    /// along the parameters of the face.
+    struct Node
+    {
+      unsigned int                      dof;
+      std::array<unsigned int, dim - 1> place;
+    };
+
+    /// What the present element needs to know.
+    struct Element
+    {
+      std::vector<dealii::Polynomials::Polynomial<double>> line;  ///< the shape functions in 1D
+      std::vector<std::vector<Node>>                       nodes; ///< of each face of a cell
+    };
+
+
+    static Element
+    element_of(const dealii::FiniteElement<dim> &fe);
+
+    FaceFunctions<dim>
+    unresolved(const Parameter &xi) const;
 
     const dealii::AffineConstraints<double> &hanging;
-    const bool all_components; ///< supports may tie those along the normal to the others
-    std::vector<std::vector<std::vector<unsigned int>>> nodes_of; ///< [element][face of a cell]
+    std::vector<Element>                     elements;
 
     // Of the present face.
-    const dealii::FiniteElement<dim>            *fe = nullptr;
-    std::vector<dealii::types::global_dof_index> indices;
-    unsigned int                                 element = 0, face = 0;
+    Cell                                         cell;
+    unsigned int                                 face    = dealii::numbers::invalid_unsigned_int;
+    const Element                               *element = nullptr;
+    std::vector<dealii::types::global_dof_index> indices; ///< of the cell
+    std::vector<dealii::types::global_dof_index> nodes;   ///< of the face
   };
 } // namespace Signorini

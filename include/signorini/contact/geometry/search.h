@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/contact/geometry/bytes.h>
 #include <signorini/contact/geometry/face_patch.h>
+#include <signorini/contact/geometry/partner.h>
 #include <signorini/contact/geometry/projection.h>
 
 #include <deal.II/base/mpi.h>
@@ -13,72 +13,6 @@
 
 namespace Signorini
 {
-  /// A place on a master surface.
-  template <int dim>
-  struct MasterPlace
-  {
-    dealii::Point<dim>     position;
-    dealii::Tensor<1, dim> normal;   ///< outward unit normal of the master there
-    double                 distance; ///< closest point distance
-    dealii::Point<dim>
-           face_center;      ///< identity of the face: breaks ties alike on any number of ranks
-    double stiffness;        ///< E/h of the master cell (force / length^3)
-    double modulus = 0;      ///< E of the master cell; 0: rigid
-    double size    = 0;      ///< of the master's face
-    double bound   = 0;      ///< of the master cell's normal stress, see NormalStress::bound()
-    dealii::Point<dim> rest; ///< the position before anything moved
-  };
-
-  /// How the gap bends: its second variation is sum_ij C_ij (T_i.d) (T_j.d') for changes d and d'
-  /// of the degrees of freedom, with T_i.d = v_i . u^S + (row_i).d, u^S being the displacement of
-  /// the slave point. See contact/discretisation/gap_bend.h.
-  template <int dim>
-  struct GapBend
-  {
-    std::vector<dealii::Tensor<1, dim>> directions; ///< v_i
-    std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> rows;
-    std::vector<double>                                                          factors; ///< C
-
-    template <class Archive>
-    void
-    serialize(Archive &ar, const unsigned int)
-    {
-      serialize_bytes(ar, directions);
-      std::size_t n = rows.size();
-      serialize_bytes(ar, n);
-      rows.resize(n);
-      for (auto &row : rows)
-        serialize_bytes(ar, row);
-      serialize_bytes(ar, factors);
-    }
-  };
-
-  /// The place on a master surface that belongs to a slave point, and how it moves.
-  template <int dim>
-  struct Partner : public MasterPlace<dim>
-  {
-    /// Value of a displacement's normal component there as a combination of degrees of freedom:
-    /// n . u(position) = sum_j coefficient_j d_j, hanging nodes already resolved.
-    std::vector<std::pair<dealii::types::global_dof_index, double>> row;
-    /// The normal stress of the master there, positive in compression, likewise; for methods that
-    /// ask for it.
-    std::vector<std::pair<dealii::types::global_dof_index, double>> stress;
-    /// That of the rises of the temperature, in terms of ThermalStrain::coefficients().
-    std::vector<std::pair<dealii::types::global_dof_index, double>> thermal_stress;
-    GapBend<dim> bend; ///< where surfaces have moved; its factors not yet, see bend_of_bodies()
-
-    template <class Archive>
-    void
-    serialize(Archive &ar, const unsigned int)
-    {
-      serialize_bytes(ar, static_cast<MasterPlace<dim> &>(*this));
-      serialize_bytes(ar, row);
-      serialize_bytes(ar, stress);
-      serialize_bytes(ar, thermal_stress);
-      ar &bend;
-    }
-  };
-
   /// Of the normals of two surfaces where they may touch.
   template <int dim>
   bool
@@ -97,13 +31,13 @@ namespace Signorini
   };
 
   /// The master side of one contact pair on this rank: the faces of locally owned cells. Supplies
-  /// what the search cannot know: a face's rows of shape functions and its stiffness.
+  /// what the search cannot know: a face's shape functions and its stiffness.
   template <int dim>
   struct MasterFaces
   {
     std::vector<FacePatch<dim>> patches;
-    /// Fill the rows, `stiffness` and `bound` of a partner on face i at parameter xi; position and
-    /// normal are set.
+    /// Fill the functions, rows, `stiffness` and `bound` of a partner on face i at parameter xi;
+    /// position and normal are set.
     std::function<void(unsigned int i, const dealii::Point<dim - 1> &xi, Partner<dim> &partner)>
       complete;
   };

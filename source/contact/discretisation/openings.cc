@@ -1,0 +1,107 @@
+#include <signorini/contact/discretisation/openings.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  ValuesAt::ValuesAt(const LA::Vector &u, std::vector<types::global_dof_index> all)
+    : indices(std::move(all))
+  {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    IndexSet readable = u.locally_owned_elements();
+    readable.add_indices(indices.begin(), indices.end());
+    LA::Vector ghosted(u.locally_owned_elements(), readable, u.get_mpi_communicator());
+    ghosted = u;
+    values.resize(indices.size());
+    ghosted.extract_subvector_to(indices, values);
+  }
+
+
+
+  double
+  ValuesAt::operator()(const types::global_dof_index index) const
+  {
+    const auto at = std::lower_bound(indices.begin(), indices.end(), index);
+    Assert(at != indices.end() && *at == index, ExcInternalError());
+    return values[at - indices.begin()];
+  }
+
+
+
+  double
+  ValuesAt::operator()(const SparseRow &row) const
+  {
+    double sum = 0;
+    for (const auto &[index, value] : row)
+      sum += value * (*this)(index);
+    return sum;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  openings(const std::vector<const ContactPoint<dim> *> &points, const LA::Vector &u)
+  {
+    std::vector<types::global_dof_index> indices;
+    for (const ContactPoint<dim> *point : points)
+      {
+        for (const auto *functions : {&point->slave, &point->master})
+          for (const NodeFunction<dim> &function : *functions)
+            indices.push_back(function.node);
+        for (const auto &entry : point->rigid)
+          indices.push_back(entry.first);
+      }
+    // Nodes first: a third of what there is to sort.
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    for (std::size_t i = 0, n = indices.size(); i < n; ++i)
+      for (unsigned int d = 1; d < dim; ++d)
+        if (indices[i] + d < u.size())
+          indices.push_back(indices[i] + d);
+    const ValuesAt value(u, std::move(indices));
+
+    std::vector<double> result;
+    for (const ContactPoint<dim> *point : points)
+      {
+        double     sum = -value(point->rigid);
+        const auto add = [&](const FaceFunctions<dim> &functions, const double sign) {
+          for (const NodeFunction<dim> &function : functions)
+            for (unsigned int d = 0; d < dim; ++d)
+              sum += sign * function.value * point->direction[d] * value(function.node + d);
+        };
+        add(point->slave, 1);
+        add(point->master, -1);
+        result.push_back(sum);
+      }
+    return result;
+  }
+
+
+
+  std::vector<double>
+  row_values(const std::vector<const SparseRow *> &rows, const LA::Vector &u)
+  {
+    std::vector<types::global_dof_index> indices;
+    for (const SparseRow *row : rows)
+      for (const auto &entry : *row)
+        indices.push_back(entry.first);
+    const ValuesAt      value(u, std::move(indices));
+    std::vector<double> result;
+    for (const SparseRow *row : rows)
+      result.push_back(value(*row));
+    return result;
+  }
+
+
+
+  template std::vector<double>
+  openings(const std::vector<const ContactPoint<2> *> &, const LA::Vector &);
+  template std::vector<double>
+  openings(const std::vector<const ContactPoint<3> *> &, const LA::Vector &);
+} // namespace Signorini
