@@ -16,6 +16,9 @@ namespace Signorini
                           {"exchanged", pair.exchanged},
                           {"reach", reach[i]},
                           {"nearby", i < nearby.size() ? nearby[i] : 0.},
+                          {"known", i < known.size() && known[i].is_known},
+                          {"known_reach", i < known.size() ? known[i].reach : 0.},
+                          {"known_limit", i < known.size() ? known[i].limit : 0.},
                           {"keeps_sides", kept.count(pair.name) > 0}});
       }
     return result;
@@ -32,6 +35,7 @@ namespace Signorini
                        " contact pairs, but " + std::to_string(memory.size()) +
                        " in the checkpoint; solve the scene from the start");
     nearby.assign(scene.pairs.size(), 0.);
+    known.assign(scene.pairs.size(), {});
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
       {
         ContactPair<dim> &pair = scene.pairs[i];
@@ -45,6 +49,8 @@ namespace Signorini
                            "' is not that of the checkpoint; solve the scene from the start");
         reach[i]  = was.at("reach");
         nearby[i] = was.at("nearby");
+        if (was.value("known", false))
+          known[i] = {was.at("known_reach"), was.at("known_limit"), true};
         if (was.at("keeps_sides"))
           kept.insert(pair.name);
       }

@@ -36,8 +36,7 @@ namespace Signorini
   ContactSurface<dim>
   ContactSetup<dim>::surface_of(const Configuration<dim>  &configuration,
                                 const ContactPair<dim>    &pair,
-                                const unsigned int         i,
-                                const double               limit,
+                                const SearchRange         &range,
                                 const ContactSurface<dim> *former) const
   {
     return make_contact_surface(configuration,
@@ -45,8 +44,7 @@ namespace Signorini
                                 scene.obstacle_of(pair),
                                 scene.contact.chosen(),
                                 scene.integration_of(pair),
-                                built_near ? nearby[i] : reach[i],
-                                limit,
+                                range,
                                 former);
   }
 
@@ -83,7 +81,7 @@ namespace Signorini
     try
       {
         scene.contact.chosen().check(scene.integration_of(other), scene.degree_of(other.slave));
-        ContactSurface<dim> surface = surface_of(configuration, other, i, 0);
+        ContactSurface<dim> surface = surface_of(configuration, other, range_at_rest(i));
         if (area_of(surface, comm) < 0.9 * area_of(my_surfaces[i], comm))
           throw SceneError("the other side sees less");
         my_surfaces[i] = std::move(surface);
@@ -102,22 +100,66 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<double>
-  ContactSetup<dim>::possible_overlaps(const Configuration<dim> &configuration) const
+  SearchRange
+  ContactSetup<dim>::range_at_rest(const unsigned int i) const
   {
-    std::vector<double> result;
+    return known[i].is_known ? known[i] : SearchRange{reach[i], 0, false};
+  }
+
+
+
+  template <int dim>
+  SearchRange
+  ContactSetup<dim>::what_is_known(const unsigned int i) const
+  {
+    constexpr double        room = 1.5; // if more is needed, needs_more() sees it
+    const ContactPair<dim> &pair = scene.pairs[i];
+    const double            now  = room * approached[i],
+                 so_far          = pair.search_distance > 0 ? pair.search_distance : reach[i];
+    // Points whose gap a formula tells may be anywhere.
+    if (!pair.separates || pair.gap_is_given() || now == 0 || now >= so_far)
+      return {};
+    return {now, 2 * my_surfaces[i].overlap, true};
+  }
+
+
+
+  template <int dim>
+  std::vector<SearchRange>
+  ContactSetup<dim>::ranges(const Configuration<dim> &configuration)
+  {
+    std::vector<SearchRange> result;
+    std::vector<double>      approaches;
+    if (!configuration.is_rest() && !my_surfaces.empty())
+      approaches = approaches_since(since_built(configuration.displacement()));
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-      result.push_back(search_limit(elasticity, scene.pairs[i], reach[i]));
-    if (configuration.is_rest() || my_surfaces.empty())
-      return result;
-    const LA::Vector          since         = since_built(configuration.displacement());
+      {
+        if (configuration.is_rest())
+          {
+            result.push_back(range_at_rest(i));
+            continue;
+          }
+        if (built_near && !my_surfaces.empty())
+          nearby[i] = std::max(nearby[i], my_surfaces[i].face_size / 2);
+        const double limit = my_surfaces.empty() ?
+                               search_limit(elasticity, scene.pairs[i], reach[i]) :
+                               my_surfaces[i].overlap + approaches[i];
+        result.push_back({built_near ? nearby[i] : reach[i], limit, false});
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactSetup<dim>::approaches_since(const LA::Vector &since) const
+  {
     const std::vector<double> displacements = largest_displacements(elasticity, since);
-    for (unsigned int i = 0; i < result.size(); ++i)
-      result[i] = my_surfaces[i].overlap + largest_approach(elasticity,
-                                                            scene.pairs[i],
-                                                            scene.obstacle_of(scene.pairs[i]),
-                                                            since,
-                                                            displacements);
+    std::vector<double>       result;
+    for (const ContactPair<dim> &pair : scene.pairs)
+      result.push_back(
+        largest_approach(elasticity, pair, scene.obstacle_of(pair), since, displacements));
     return result;
   }
 
@@ -129,20 +171,19 @@ namespace Signorini
                            const bool                is_near,
                            const bool                keep_rule)
   {
-    const ContactMethod      &method   = scene.contact.chosen();
-    const std::vector<double> overlaps = possible_overlaps(configuration);
-    built_near                         = is_near;
+    const ContactMethod &method = scene.contact.chosen();
+    built_near                  = is_near;
     nearby.resize(scene.pairs.size(), 0.);
+    known.resize(scene.pairs.size());
     {
       TimerOutput::Scope                     scope(timer, "search");
-      const std::vector<ContactSurface<dim>> former = std::move(my_surfaces);
+      const std::vector<SearchRange>         of_pairs = ranges(configuration);
+      const std::vector<ContactSurface<dim>> former   = std::move(my_surfaces);
       my_surfaces.clear();
       for (unsigned int i = 0; i < scene.pairs.size(); ++i)
         {
-          if (is_near)
-            nearby[i] = std::max(nearby[i], former.empty() ? 0. : former[i].face_size / 2);
           my_surfaces.push_back(surface_of(
-            configuration, scene.pairs[i], i, overlaps[i], keep_rule ? &former[i] : nullptr));
+            configuration, scene.pairs[i], of_pairs[i], keep_rule ? &former[i] : nullptr));
           exchange_sides(configuration, i);
         }
     }
@@ -158,7 +199,8 @@ namespace Signorini
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       {
         const ContactPair<dim> &pair = scene.pairs[i];
-        if (configuration.is_rest() && my_surfaces[i].sees_nothing && pair.search_distance > 0)
+        if (configuration.is_rest() && my_surfaces[i].sees_nothing && pair.search_distance > 0 &&
+            !known[i].is_known)
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
             "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
@@ -189,6 +231,9 @@ namespace Signorini
   void
   ContactSetup<dim>::forget_mesh()
   {
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      known[i] = approached.empty() ? SearchRange() : what_is_known(i);
+    approached.clear();
     my_surfaces.clear();
     rows.reset();
     built_at = LA::Vector();
@@ -261,16 +306,11 @@ namespace Signorini
   bool
   ContactSetup<dim>::has_settled(const LA::Vector &u) const
   {
-    constexpr double          small         = 0.02; // in face sizes
-    const LA::Vector          since         = since_built(u);
-    const std::vector<double> displacements = largest_displacements(elasticity, since);
+    constexpr double          small      = 0.02; // in face sizes
+    const std::vector<double> approaches = approaches_since(since_built(u));
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-      {
-        const ContactPair<dim> &pair = scene.pairs[i];
-        if (largest_approach(elasticity, pair, scene.obstacle_of(pair), since, displacements) >
-            small * my_surfaces[i].face_size)
-          return false;
-      }
+      if (approaches[i] > small * my_surfaces[i].face_size)
+        return false;
     return true;
   }
 
@@ -280,19 +320,26 @@ namespace Signorini
   bool
   ContactSetup<dim>::needs_more(const LA::Vector &u)
   {
-    const LA::Vector          since         = since_built(u);
-    const std::vector<double> displacements = largest_displacements(elasticity, since);
-    bool                      too_short     = false;
+    const std::vector<double> approaches = approaches_since(since_built(u));
+    const bool                at_rest    = built_at.size() == 0;
+    bool                      too_short  = false;
+    if (at_rest)
+      approached = approaches;
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
       {
-        const ContactPair<dim> &pair = scene.pairs[i];
-        const double            approach =
-          largest_approach(elasticity, pair, scene.obstacle_of(pair), since, displacements);
+        const ContactPair<dim> &pair     = scene.pairs[i];
+        const double            approach = approaches[i];
         if (approach <= my_surfaces[i].reach || !pair.separates)
           continue;
+        if (at_rest && known[i].is_known)
+          {
+            known[i]  = {};
+            too_short = true;
+            continue;
+          }
         out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
             << ", farther than " << my_surfaces[i].reach;
-        if (pair.search_distance > 0 && built_at.size() == 0)
+        if (pair.search_distance > 0 && at_rest)
           out << ", its Search distance: contact beyond was not looked for" << std::endl;
         else
           {
@@ -317,6 +364,7 @@ namespace Signorini
       if (scene.pairs[i].search_distance == 0 && scene.pairs[i].separates && reach[i] < farthest)
         {
           reach[i] = 4 * std::max(reach[i], size / 10);
+          known[i] = {};
           any      = true;
         }
     if (any)

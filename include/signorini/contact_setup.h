@@ -123,13 +123,23 @@ namespace Signorini
     ContactSurface<dim>
     surface_of(const Configuration<dim>  &configuration,
                const ContactPair<dim>    &pair,
-               unsigned int               i,
-               double                     limit,
+               const SearchRange         &range,
                const ContactSurface<dim> *former = nullptr) const;
 
-    /// How deep each pair may overlap in a configuration that it has moved to since build().
+    /// How far to look for each pair in a configuration that it has moved to since build().
+    std::vector<SearchRange>
+    ranges(const Configuration<dim> &configuration);
+
+    SearchRange
+    range_at_rest(unsigned int i) const;
+
+    /// What the solution tells of the ranges on finer meshes.
+    SearchRange
+    what_is_known(unsigned int i) const;
+
+    /// By how much the surfaces of each pair may have come closer with a displacement.
     std::vector<double>
-    possible_overlaps(const Configuration<dim> &configuration) const;
+    approaches_since(const LA::Vector &since) const;
 
     /// If the mesh asks for it, and if the other side can be slave.
     void
@@ -142,6 +152,8 @@ namespace Signorini
 
     std::vector<double>              reach;  ///< of each pair: gaps of candidates
     std::vector<double>              nearby; ///< the same where surfaces are about in place
+    std::vector<SearchRange>         known;  ///< at rest, from coarser meshes
+    std::vector<double> approached; ///< since rest, by the last solution; empty: there is none
     bool                             built_near = false;
     std::vector<ContactSurface<dim>> my_surfaces;
     std::unique_ptr<ContactRows>     rows;

@@ -46,7 +46,7 @@ namespace Signorini
       section.fail(
         "Interference",
         "depends on the place, but is one share for the whole pair; write it in t alone");
-    if (initial_gap.text != "from geometry" && initial_gap.text != "closed")
+    if (gap_is_given() && initial_gap.text != "closed")
       try
         {
           Expression<dim>{initial_gap};

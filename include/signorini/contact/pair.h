@@ -33,6 +33,13 @@ namespace Signorini
     void
     declare(Section &section);
 
+    /// Not where the bodies are tells the gap at rest, but the scene.
+    bool
+    gap_is_given() const
+    {
+      return initial_gap.text != "from geometry";
+    }
+
     /// Slave and master.
     void
     exchange();

@@ -44,7 +44,7 @@ namespace Signorini
                 std::vector<ContactPoint<dim>> &points)
   {
     constexpr double error_of_mesh = 0.1; // in face sizes
-    const bool       is_given      = pair.initial_gap.text != "from geometry";
+    const bool       is_given      = pair.gap_is_given();
     unsigned int     n             = 0;
     for (unsigned int i = 0; i < points.size(); ++i)
       {

@@ -21,7 +21,7 @@ namespace Signorini
     {
     public:
       InitialGap(const ContactPair<dim> &pair)
-        : is_given(pair.initial_gap.text != "from geometry")
+        : is_given(pair.gap_is_given())
         , formula(is_given && pair.initial_gap.text != "closed" ? pair.initial_gap : Formula("0"))
       {}
 

@@ -48,7 +48,7 @@ namespace Signorini
   bool
   needs_gaps_at_rest(const ContactPair<dim> &pair)
   {
-    return pair.initial_gap.text != "from geometry" || !pair.separates ||
+    return pair.gap_is_given() || !pair.separates ||
            pair.interference.formula() != "1";
   }
 

@@ -126,8 +126,7 @@ namespace Signorini
                const Obstacle<dim>               *obstacle,
                const ContactMethod               &method,
                const Integration                 &integration,
-               const double                       reach,
-               const double                       least_limit,
+               const SearchRange                 &range,
                const std::vector<LaidPoint<dim>> &laid)
         : configuration(configuration)
         , elasticity(configuration.elasticity())
@@ -140,11 +139,12 @@ namespace Signorini
         , slave(configuration, pair.slave)
         , laid(laid)
         , is_laid(Utilities::MPI::max(laid.size(), comm) > 0)
-        , limit(find_limit(reach, least_limit))
+        , limit(find_limit(range))
       {
         surface.faces = surface.own_faces = slave.faces.size();
         surface.separates                 = pair.separates;
-        surface.reach                     = at_rest && pair.search_distance > 0 ? limit : reach;
+        surface.reach =
+          at_rest && !range.is_known && pair.search_distance > 0 ? limit : range.reach;
       }
 
       ContactSurface<dim>
@@ -174,11 +174,11 @@ namespace Signorini
     private:
       /// Up to which distance partners are looked for.
       double
-      find_limit(const double reach, const double least_limit) const
+      find_limit(const SearchRange &range) const
       {
-        if (!at_rest)
-          return std::max(reach, least_limit);
-        const double first   = search_limit(elasticity, pair, reach);
+        if (!at_rest || range.is_known)
+          return std::max(range.reach, range.limit);
+        const double first   = search_limit(elasticity, pair, range.reach);
         const double overlap = overlap_beyond(first, elasticity, pair, obstacle, slave);
         return overlap > 0 ? limit_for(overlap, pair) : first;
       }
@@ -287,13 +287,10 @@ namespace Signorini
                     const Obstacle<dim>               *obstacle,
                     const ContactMethod               &method,
                     const Integration                 &integration,
-                    const double                       reach,
-                    const double                       least_limit,
+                    const SearchRange                 &range,
                     const std::vector<LaidPoint<dim>> &laid)
   {
-    return OneSided<dim>(
-             configuration, pair, obstacle, method, integration, reach, least_limit, laid)
-      .make();
+    return OneSided<dim>(configuration, pair, obstacle, method, integration, range, laid).make();
   }
 
 
@@ -303,9 +300,8 @@ namespace Signorini
                                                  const ContactPair<dim> &,                         \
                                                  const Obstacle<dim> *,                            \
                                                  const ContactMethod &,                            \
-                                                 const Integration &,                              \
-                                                 double,                                           \
-                                                 double,                                           \
+                                                 const Integration &, \
+                                                 const SearchRange &, \
                                                  const std::vector<LaidPoint<dim>> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -78,21 +78,20 @@ namespace Signorini
                        const Obstacle<dim>       *obstacle,
                        const ContactMethod       &method,
                        const Integration         &integration,
-                       const double               reach,
-                       const double               limit,
+                       const SearchRange         &range,
                        const ContactSurface<dim> *former)
   {
     const std::vector<LaidPoint<dim>>  none;
     const std::vector<LaidPoint<dim>> &laid = former ? former->laid : none;
     auto                               surface =
-      one_sided_surface(configuration, pair, obstacle, method, integration, reach, limit, laid);
+      one_sided_surface(configuration, pair, obstacle, method, integration, range, laid);
     if (method.unbiased() && !obstacle)
       {
         ContactPair<dim> other = pair;
         std::swap(other.slave, other.master);
         const std::vector<LaidPoint<dim>> &laid_on_master = former ? former->laid_on_master : none;
         const auto                         of_master      = one_sided_surface<dim>(
-          configuration, other, nullptr, method, integration, reach, limit, laid_on_master);
+          configuration, other, nullptr, method, integration, range, laid_on_master);
         surface.laid_on_master = of_master.laid;
         add_other_side(surface, of_master);
       }
@@ -107,11 +106,10 @@ namespace Signorini
                        const ContactPair<dim> &pair,
                        const Obstacle<dim>    *obstacle,
                        const ContactMethod    &method,
-                       const Integration      &integration,
-                       const double            reach)
+                       const Integration      &integration)
   {
     return make_contact_surface<dim>(
-      Configuration<dim>(elasticity), pair, obstacle, method, integration, reach, 0, nullptr);
+      Configuration<dim>(elasticity), pair, obstacle, method, integration, {}, nullptr);
   }
 
 
@@ -123,16 +121,14 @@ namespace Signorini
                                                     const ContactPair<dim> &,                      \
                                                     const Obstacle<dim> *,                         \
                                                     const ContactMethod &,                         \
-                                                    const Integration &,                           \
-                                                    double,                                        \
-                                                    double,                                        \
+                                                    const Integration &, \
+                                                    const SearchRange &, \
                                                     const ContactSurface<dim> *);                  \
   template ContactSurface<dim> make_contact_surface(const Elasticity<dim> &,                       \
                                                     const ContactPair<dim> &,                      \
                                                     const Obstacle<dim> *,                         \
                                                     const ContactMethod &,                         \
-                                                    const Integration &,                           \
-                                                    double);
+                                                    const Integration &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

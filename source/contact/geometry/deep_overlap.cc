@@ -113,7 +113,7 @@ namespace Signorini
                  const Obstacle<dim>      *obstacle,
                  const BoundaryFaces<dim> &slave)
   {
-    if (pair.initial_gap.text != "from geometry")
+    if (pair.gap_is_given())
       return 0;
     const Mesh<dim> &mesh    = elasticity.mesh();
     const MPI_Comm   comm    = mesh.communicator();

@@ -70,7 +70,7 @@ namespace Signorini
            const double              distance)
   {
     const MPI_Comm comm = elasticity.mesh().communicator();
-    if (pair.initial_gap.text != "from geometry")
+    if (pair.gap_is_given())
       return false;
     if (obstacle)
       {

@@ -9,7 +9,6 @@ namespace Signorini
   /// make_contact_surface() with the pair's slave and master as they are. Throws SceneError where
   /// gaps are not numbers, overlaps are beyond the search distance, obstacles have no closest
   /// points, or the displacement of slave faces is prescribed. Collective.
-  /// @param least_limit as the limit there
   /// @param laid points of integration, or none on any rank: then they are chosen here
   template <int dim>
   ContactSurface<dim>
@@ -18,7 +17,6 @@ namespace Signorini
                     const Obstacle<dim>               *obstacle,
                     const ContactMethod               &method,
                     const Integration                 &integration,
-                    double                             reach,
-                    double                             least_limit,
+                    const SearchRange                 &range,
                     const std::vector<LaidPoint<dim>> &laid);
 } // namespace Signorini

@@ -96,6 +96,19 @@ namespace Signorini
     std::vector<LaidPoint<dim>> laid, laid_on_master;
   };
 
+  /// How far contact is looked for.
+  struct SearchRange
+  {
+    /// The gap up to which faces are candidates; at least twice the deepest overlap. At rest, the
+    /// search distance of the pair takes its place, if there is one.
+    double reach = 0;
+    /// At least so far partners are looked for: as deep as surfaces may overlap.
+    double limit = 0;
+    /// At rest: nothing has to be looked for beyond these two, since displacements and overlaps are
+    /// known by now.
+    bool is_known = false;
+  };
+
   /// Share of the slave's area that has a partner. Collective.
   template <int dim>
   double
@@ -104,10 +117,6 @@ namespace Signorini
   /// Integrate the slave and find the partners. Collective. Unbiased methods get both surfaces, as
   /// slaves of each other with half their areas; all normals point out of the pair's master.
   /// @param obstacle null if the master is a boundary of a body
-  /// @param reach the gap up to which faces are candidates, unless the pair has a search distance;
-  /// at least twice the deepest initial overlap
-  /// @param limit at least so far partners are looked for, where surfaces have moved: as deep as
-  /// they may overlap there
   /// @param former if the points of integration are to be those of a surface before, though the
   /// bodies have moved since
   template <int dim>
@@ -117,8 +126,7 @@ namespace Signorini
                        const Obstacle<dim>       *obstacle,
                        const ContactMethod       &method,
                        const Integration         &integration,
-                       double                     reach,
-                       double                     limit,
+                       const SearchRange         &range,
                        const ContactSurface<dim> *former);
 
   /// At rest.
@@ -128,6 +136,5 @@ namespace Signorini
                        const ContactPair<dim> &pair,
                        const Obstacle<dim>    *obstacle,
                        const ContactMethod    &method,
-                       const Integration      &integration,
-                       double                  reach = 0);
+                       const Integration      &integration);
 } // namespace Signorini
