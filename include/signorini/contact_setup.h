@@ -150,11 +150,11 @@ namespace Signorini
     dealii::TimerOutput        &timer;
     dealii::ConditionalOStream &out;
 
-    std::vector<double>              reach;  ///< of each pair: gaps of candidates
-    std::vector<double>              nearby; ///< the same where surfaces are about in place
-    std::vector<SearchRange>         known;  ///< at rest, from coarser meshes
-    std::vector<double> approached; ///< since rest, by the last solution; empty: there is none
-    bool                             built_near = false;
+    std::vector<double>      reach;      ///< of each pair: gaps of candidates
+    std::vector<double>      nearby;     ///< the same where surfaces are about in place
+    std::vector<SearchRange> known;      ///< at rest, from coarser meshes
+    std::vector<double>      approached; ///< since rest, by the last solution; empty: there is none
+    bool                     built_near = false;
     std::vector<ContactSurface<dim>> my_surfaces;
     std::unique_ptr<ContactRows>     rows;
     std::unique_ptr<GapOperator>     contact;

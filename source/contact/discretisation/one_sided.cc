@@ -300,8 +300,8 @@ namespace Signorini
                                                  const ContactPair<dim> &,                         \
                                                  const Obstacle<dim> *,                            \
                                                  const ContactMethod &,                            \
-                                                 const Integration &, \
-                                                 const SearchRange &, \
+                                                 const Integration &,                              \
+                                                 const SearchRange &,                              \
                                                  const std::vector<LaidPoint<dim>> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -121,8 +121,8 @@ namespace Signorini
                                                     const ContactPair<dim> &,                      \
                                                     const Obstacle<dim> *,                         \
                                                     const ContactMethod &,                         \
-                                                    const Integration &, \
-                                                    const SearchRange &, \
+                                                    const Integration &,                           \
+                                                    const SearchRange &,                           \
                                                     const ContactSurface<dim> *);                  \
   template ContactSurface<dim> make_contact_surface(const Elasticity<dim> &,                       \
                                                     const ContactPair<dim> &,                      \
