@@ -339,7 +339,7 @@ namespace Signorini
           }
         out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
             << ", farther than " << my_surfaces[i].reach;
-        if (pair.search_distance > 0 && at_rest)
+        if (pair.search_distance > 0 && at_rest && my_surfaces[i].reach >= pair.search_distance)
           out << ", its Search distance: contact beyond was not looked for" << std::endl;
         else
           {

@@ -61,7 +61,7 @@ namespace Signorini
     double
     limit_for(const double overlap, const ContactPair<dim> &pair)
     {
-      if (pair.search_distance > 0)
+      if (pair.search_distance > 0 && overlap > pair.search_distance)
         throw SceneError(
           pair.slave_place + ": '" + pair.slave + "' lies up to " + short_text(overlap, 4) +
           " deep in '" + pair.master + "' at the start, deeper than its Search distance of " +
@@ -144,7 +144,7 @@ namespace Signorini
         surface.faces = surface.own_faces = slave.faces.size();
         surface.separates                 = pair.separates;
         surface.reach =
-          at_rest && !range.is_known && pair.search_distance > 0 ? limit : range.reach;
+          at_rest && pair.search_distance > 0 ? std::min(limit, pair.search_distance) : range.reach;
       }
 
       ContactSurface<dim>
@@ -178,8 +178,13 @@ namespace Signorini
       {
         if (!at_rest || range.is_known)
           return std::max(range.reach, range.limit);
-        const double first   = search_limit(elasticity, pair, range.reach);
-        const double overlap = overlap_beyond(first, elasticity, pair, obstacle, slave);
+        // Points of pairs that never separate have to stay together from afar, and those whose gap
+        // a formula tells may be anywhere.
+        const double farthest = search_limit(elasticity, pair, range.reach),
+                     first    = pair.separates && !pair.gap_is_given() ?
+                                  std::min(range.reach, farthest) :
+                                  farthest;
+        const double overlap  = overlap_beyond(first, elasticity, pair, obstacle, slave);
         return overlap > 0 ? limit_for(overlap, pair) : first;
       }
 
@@ -194,6 +199,19 @@ namespace Signorini
 
       void
       find_partners()
+      {
+        pair_within_limit();
+        // Is there nothing within the search distance, if what moves does not come so far?
+        if (at_rest && pair.search_distance > limit &&
+            Utilities::MPI::sum(paired.size(), comm) == 0)
+          {
+            limit = pair.search_distance;
+            pair_within_limit();
+          }
+      }
+
+      void
+      pair_within_limit()
       {
         if (obstacle)
           paired = obstacle_points(configuration, slave.patches, *obstacle, integration, limit);
@@ -272,7 +290,7 @@ namespace Signorini
       const BoundaryFaces<dim>           slave;
       const std::vector<LaidPoint<dim>> &laid;
       const bool                         is_laid;
-      const double                       limit;
+      double                             limit;
       std::vector<PairedPoint<dim>>      paired; ///< as long as surface.points
       ContactSurface<dim>                surface;
     };

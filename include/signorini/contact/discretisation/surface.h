@@ -99,8 +99,8 @@ namespace Signorini
   /// How far contact is looked for.
   struct SearchRange
   {
-    /// The gap up to which faces are candidates; at least twice the deepest overlap. At rest, the
-    /// search distance of the pair takes its place, if there is one.
+    /// The gap up to which faces are candidates; at least twice the deepest overlap, and at rest no
+    /// more than the search distance of the pair, if there is one.
     double reach = 0;
     /// At least so far partners are looked for: as deep as surfaces may overlap.
     double limit = 0;
