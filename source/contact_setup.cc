@@ -361,12 +361,15 @@ namespace Signorini
     const double farthest = size + largest_closing(scene, elasticity.mesh());
     bool         any      = false;
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-      if (scene.pairs[i].search_distance == 0 && scene.pairs[i].separates && reach[i] < farthest)
-        {
-          reach[i] = 4 * std::max(reach[i], size / 10);
-          known[i] = {};
-          any      = true;
-        }
+      {
+        const ContactPair<dim> &pair = scene.pairs[i];
+        const double            most = pair.search_distance > 0 ? pair.search_distance : farthest;
+        if (!pair.separates || reach[i] >= most)
+          continue;
+        reach[i] = 4 * std::max(reach[i], size / 10);
+        known[i] = {};
+        any      = true;
+      }
     if (any)
       out << "  bodies may fall farther than contact was looked for: searching again" << std::endl;
     return any;

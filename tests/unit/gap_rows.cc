@@ -113,7 +113,7 @@ namespace
                         "Contact pairs/pair/Search distance=2"};
     for (const std::string &key : obstacle)
       lines.push_back("Obstacles/tool/" + key);
-    return lines + pair("block.top", "tool") + fixed("block.bottom", plane ? "0; 0" : "0; 0; 0");
+    return lines + pair("block.top", "tool") + fixed("block.bottom", plane ? "0; t" : "0; 0; t");
   }
 
   template <int dim>
