@@ -133,6 +133,9 @@ namespace Signorini
     Utilities::MPI::sum(sums, comm, sums);
     const double width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
                  pressure = sums[0] / sums[1];
+    // What rounding presses bends nothing.
+    if (pressure < std::numeric_limits<double>::epsilon() * modulus)
+      return {};
     // Points at rims lose their partner at once, and pressures are largest there.
     constexpr double at_rims = 0.02;
     GeometryChange   result;
