@@ -5,7 +5,10 @@
 
 #include <signorini/matrix_free/batches.h>
 #include <signorini/matrix_free/kernel_tables.h>
+#include <signorini/parameters/raw.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <type_traits>
 #include <utility>
 
@@ -515,12 +518,29 @@ namespace Signorini
 
   namespace
   {
+    /// What the environment asks for; empty: nothing.
+    std::string
+    set_of_environment()
+    {
+      const char       *value = std::getenv("SIGNORINI_INSTRUCTION_SET");
+      const std::string name  = value ? value : "";
+      const auto        known = instruction_sets();
+      if (name.empty() || std::find(known.begin(), known.end(), name) != known.end())
+        return name;
+      std::string list;
+      for (const std::string &one : known)
+        list += " " + one;
+      throw SceneError("SIGNORINI_INSTRUCTION_SET = " + name + ": this processor and program have" +
+                       list);
+    }
+
     /// Highway's choice, narrowed to one set while there is such an object.
     class OnlySet
     {
     public:
-      explicit OnlySet(const std::string &name)
+      explicit OnlySet(const std::string &asked_for)
       {
+        const std::string name = asked_for.empty() ? set_of_environment() : asked_for;
         if (!name.empty())
           for (const auto target : hwy::SupportedAndGeneratedTargets())
             if (hwy::TargetName(target) == name)

@@ -47,7 +47,9 @@ namespace Signorini
   {
   public:
     /// @param cells of degree largest_kernel_degree at most
-    /// @param instruction_set one of instruction_sets(); empty: the best one
+    /// @param instruction_set one of instruction_sets(); empty: that of the environment's
+    /// SIGNORINI_INSTRUCTION_SET, or the best one. Throws SceneError if there is no such
+    /// set.
     static std::unique_ptr<CellKernel>
     create(const KernelCells &cells, const std::string &instruction_set = "");
 
