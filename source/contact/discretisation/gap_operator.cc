@@ -1,4 +1,5 @@
 #include <signorini/contact/discretisation/contact_rows.h>
+#include <signorini/contact/discretisation/face_matrices.h>
 #include <signorini/contact/discretisation/gap_operator.h>
 #include <signorini/contact/discretisation/thermal_stress.h>
 #include <signorini/contact/discretisation/tied_columns.h>
@@ -8,8 +9,6 @@
 #include <signorini/linear_algebra/diagonal.h>
 #include <signorini/linear_algebra/entries.h>
 #include <signorini/linear_algebra/sparsity_pattern.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,146 +20,6 @@ namespace Signorini
 
   namespace
   {
-    using Indices = std::vector<types::global_dof_index>;
-
-    /// The rows of B and S that some points of one slave face contribute to, as dense matrices:
-    /// adding them at once costs a fraction of adding point by point.
-    struct FaceMatrix
-    {
-      Indices            rows, columns;
-      FullMatrix<double> displacement, stress;
-    };
-
-    void
-    sort_and_unite(Indices &indices)
-    {
-      std::sort(indices.begin(), indices.end());
-      indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    }
-
-    unsigned int
-    position_in(const Indices &indices, const types::global_dof_index i)
-    {
-      return std::lower_bound(indices.begin(), indices.end(), i) - indices.begin();
-    }
-
-    /// That matter for gaps.
-    using Components = std::array<bool, 3>;
-
-    /// Those along which gaps of some points open; all, if supports may tie them to others.
-    template <int dim>
-    Components
-    components_of(const std::vector<ContactPoint<dim>> &points,
-                  const unsigned int                    first,
-                  const unsigned int                    last,
-                  const bool                            all)
-    {
-      Components result;
-      result.fill(all);
-      for (unsigned int q = first; q < last; ++q)
-        for (unsigned int d = 0; d < dim; ++d)
-          result[d] = result[d] || points[q].direction[d] != 0;
-      return result;
-    }
-
-    /// Calls add(column, value) for what the row of the gap has in these components.
-    template <int dim, typename Add>
-    void
-    for_each_entry(const ContactPoint<dim> &point, const Components &components, const Add &add)
-    {
-      for (const double sign : {1., -1.})
-        for (const NodeFunction<dim> &function : sign > 0 ? point.slave : point.master)
-          if (std::abs(function.value) > 1e-14)
-            for (unsigned int d = 0; d < dim; ++d)
-              if (components[d])
-                add(function.node + d, sign * function.value * point.direction[d]);
-      for (const auto &[column, value] : point.rigid)
-        add(column, -value);
-    }
-
-    template <int dim>
-    bool
-    same_nodes(const ContactPoint<dim> &a, const ContactPoint<dim> &b)
-    {
-      const auto same = [](const auto &of_a, const auto &of_b) {
-        return std::equal(of_a.begin(),
-                          of_a.end(),
-                          of_b.begin(),
-                          of_b.end(),
-                          [](const auto &x, const auto &y) { return x.node == y.node; });
-      };
-      return same(a.slave, b.slave) && same(a.master, b.master);
-    }
-
-    template <int dim>
-    FaceMatrix
-    face_matrix(const ContactSurface<dim>             &surface,
-                const std::vector<std::vector<Share>> &shares,
-                const Components                      &components,
-                const unsigned int                     first,
-                const unsigned int                     last)
-    {
-      FaceMatrix matrix;
-      for (unsigned int q = first; q < last; ++q)
-        {
-          for (const Share &share : shares[q])
-            matrix.rows.push_back(share.row);
-          for_each_entry(surface.points[q], components, [&](const auto column, double) {
-            matrix.columns.push_back(column);
-          });
-          for (const auto &entry : surface.points[q].stress)
-            matrix.columns.push_back(entry.first);
-        }
-      sort_and_unite(matrix.rows);
-      sort_and_unite(matrix.columns);
-      const bool with_stress = !surface.points[first].stress.empty();
-      matrix.displacement.reinit(matrix.rows.size(), matrix.columns.size());
-      if (with_stress)
-        matrix.stress.reinit(matrix.rows.size(), matrix.columns.size());
-      std::vector<unsigned int> rows;
-      for (unsigned int q = first; q < last; ++q)
-        {
-          rows.clear();
-          for (const Share &share : shares[q])
-            rows.push_back(position_in(matrix.rows, share.row));
-          const auto add_to = [&](FullMatrix<double> &values) {
-            return [&](const types::global_dof_index column, const double value) {
-              const unsigned int j = position_in(matrix.columns, column);
-              for (unsigned int i = 0; i < rows.size(); ++i)
-                values(rows[i], j) += shares[q][i].weight * value;
-            };
-          };
-          for_each_entry(surface.points[q], components, add_to(matrix.displacement));
-          for (const auto &[column, value] : surface.points[q].stress)
-            add_to(matrix.stress)(column, value);
-        }
-      return matrix;
-    }
-
-    template <int dim>
-    std::vector<FaceMatrix>
-    face_matrices(const ContactRows                      &rows,
-                  const std::vector<ContactSurface<dim>> &surfaces,
-                  const Sampling                          sampling,
-                  const bool                              all_components)
-    {
-      std::vector<FaceMatrix> matrices;
-      for (unsigned int p = 0; p < surfaces.size(); ++p)
-        {
-          const auto &points = surfaces[p].points;
-          for (unsigned int first = 0, last = 0; first < points.size(); first = last)
-            {
-              // Rows of points have the columns of their own partner only.
-              while (last < points.size() && points[last].face == points[first].face &&
-                     (sampling == Sampling::nodes || same_nodes(points[first], points[last])))
-                ++last;
-              const auto components = components_of(points, first, last, all_components);
-              matrices.push_back(face_matrix(surfaces[p], rows.shares[p], components, first, last));
-            }
-        }
-      return matrices;
-    }
-
     template <int dim>
     void
     assemble_matrices(GapOperator                            &contact,
