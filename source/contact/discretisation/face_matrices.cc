@@ -1,8 +1,6 @@
 #include <signorini/contact/discretisation/face_matrices.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace Signorini
 {
@@ -25,9 +23,6 @@ namespace Signorini
       return std::lower_bound(indices.begin(), indices.end(), i) - indices.begin();
     }
 
-    /// That matter for gaps.
-    using Components = std::array<bool, 3>;
-
     /// Those along which gaps of some points open; all, if supports may tie them to others.
     template <int dim>
     Components
@@ -42,21 +37,6 @@ namespace Signorini
         for (unsigned int d = 0; d < dim; ++d)
           result[d] = result[d] || points[q].direction[d] != 0;
       return result;
-    }
-
-    /// Calls add(column, value) for what the row of the gap has in these components.
-    template <int dim, typename Add>
-    void
-    for_each_entry(const ContactPoint<dim> &point, const Components &components, const Add &add)
-    {
-      for (const double sign : {1., -1.})
-        for (const NodeFunction<dim> &function : sign > 0 ? point.slave : point.master)
-          if (std::abs(function.value) > 1e-14)
-            for (unsigned int d = 0; d < dim; ++d)
-              if (components[d])
-                add(function.node + d, sign * function.value * point.direction[d]);
-      for (const auto &[column, value] : point.rigid)
-        add(column, -value);
     }
 
     template <int dim>

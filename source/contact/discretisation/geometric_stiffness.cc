@@ -21,17 +21,6 @@ namespace Signorini
     };
 
     template <int dim>
-    Tensor<1, dim>
-    value_at(const FaceFunctions<dim> &functions, const double *u)
-    {
-      Tensor<1, dim> sum;
-      for (const NodeFunction<dim> &function : functions)
-        for (unsigned int d = 0; d < dim; ++d)
-          sum[d] += function.value * u[function.node + d];
-      return sum;
-    }
-
-    template <int dim>
     void
     add_force(const FaceFunctions<dim> &functions, const Tensor<1, dim> &force, double *dst)
     {
@@ -47,7 +36,8 @@ namespace Signorini
     {
       const auto &[directions, rigid, factors] = point.bend;
       const unsigned int   n                   = directions.size();
-      const Tensor<1, dim> jump = value_at(point.slave, u) - value_at(point.master, u);
+      const auto           element             = [u](const std::size_t place) { return u[place]; };
+      const Tensor<1, dim> jump = value_at(point.slave, element) - value_at(point.master, element);
       T.assign(point.bend.n_rows(), 0.);
       for (unsigned int i = 0; i < n; ++i)
         T[i] = directions[i] * jump;

@@ -68,17 +68,9 @@ namespace Signorini
 
     std::vector<double> result;
     for (const ContactPoint<dim> *point : points)
-      {
-        double     sum = -value(point->rigid);
-        const auto add = [&](const FaceFunctions<dim> &functions, const double sign) {
-          for (const NodeFunction<dim> &function : functions)
-            for (unsigned int d = 0; d < dim; ++d)
-              sum += sign * function.value * point->direction[d] * value(function.node + d);
-        };
-        add(point->slave, 1);
-        add(point->master, -1);
-        result.push_back(sum);
-      }
+      result.push_back((value_at(point->slave, value) - value_at(point->master, value)) *
+                         point->direction -
+                       value(point->rigid));
     return result;
   }
 

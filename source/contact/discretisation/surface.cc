@@ -42,15 +42,11 @@ namespace Signorini
   ContactPoint<dim>::row() const
   {
     SparseRow  result;
-    const auto add = [&](const FaceFunctions<dim> &functions, const double sign) {
-      for (const NodeFunction<dim> &function : functions)
-        for (unsigned int d = 0; d < dim; ++d)
-          result.emplace_back(function.node + d, sign * function.value * direction[d]);
-    };
-    add(slave, 1);
-    add(master, -1);
-    for (const auto &[index, value] : rigid)
-      result.emplace_back(index, -value);
+    Components all;
+    all.fill(true);
+    for_each_entry(*this, all, [&](const auto column, const double value) {
+      result.emplace_back(column, value);
+    });
     return result;
   }
 

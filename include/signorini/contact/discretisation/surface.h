@@ -8,6 +8,8 @@
 #include <signorini/contact/pair.h>
 #include <signorini/elasticity/elasticity.h>
 
+#include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -54,10 +56,29 @@ namespace Signorini
       return gap - closing;
     }
 
-    /// (u^S - u^M).direction = sum row . d. The degrees of freedom may be on other ranks.
+    /// (u^S - u^M).direction = sum row . d, of all components. The degrees of freedom may be on
+    /// other ranks.
     SparseRow
     row() const;
   };
+
+  /// Components of displacements, by number.
+  using Components = std::array<bool, 3>;
+
+  /// Calls add(column, value) for what the row of a point has in these components.
+  template <int dim, typename Add>
+  void
+  for_each_entry(const ContactPoint<dim> &point, const Components &components, const Add &add)
+  {
+    for (const double sign : {1., -1.})
+      for (const NodeFunction<dim> &function : sign > 0 ? point.slave : point.master)
+        if (std::abs(function.value) > 1e-14)
+          for (unsigned int d = 0; d < dim; ++d)
+            if (components[d])
+              add(function.node + d, sign * function.value * point.direction[d]);
+    for (const auto &[column, value] : point.rigid)
+      add(column, -value);
+  }
 
   /// The nodes of a slave face, lexicographic in its parameter; hanging ones as they are.
   template <int dim>

@@ -54,13 +54,12 @@ namespace Signorini
       std::array<unsigned int, dim - 1> place;
     };
 
-    /// What the present element needs to know.
+    /// What is the same on all cells with an element.
     struct Element
     {
       std::vector<dealii::Polynomials::Polynomial<double>> line;  ///< the shape functions in 1D
       std::vector<std::vector<Node>>                       nodes; ///< of each face of a cell
     };
-
 
     static Element
     element_of(const dealii::FiniteElement<dim> &fe);

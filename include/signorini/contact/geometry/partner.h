@@ -28,6 +28,18 @@ namespace Signorini
   template <int dim>
   using FaceFunctions = std::vector<NodeFunction<dim>>;
 
+  /// The displacement there. @param u its elements, u(dof)
+  template <int dim, typename Elements>
+  dealii::Tensor<1, dim>
+  value_at(const FaceFunctions<dim> &functions, const Elements &u)
+  {
+    dealii::Tensor<1, dim> sum;
+    for (const NodeFunction<dim> &function : functions)
+      for (unsigned int d = 0; d < dim; ++d)
+        sum[d] += function.value * u(function.node + d);
+    return sum;
+  }
+
   /// A place on a master surface.
   template <int dim>
   struct MasterPlace
