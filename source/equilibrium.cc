@@ -148,6 +148,25 @@ namespace Signorini
 
 
   template <int dim>
+  DualSolution
+  Equilibrium<dim>::dual(const Functional &functional)
+  {
+    constexpr double   reduction = 1e-3; // what recovery makes of it is not better
+    TimerOutput::Scope scope(timer, "dual");
+    clock.start();
+    const DualSolution result = solver->dual(state.displacement,
+                                             pressure,
+                                             active,
+                                             functional.of_displacement,
+                                             functional.of_pressure,
+                                             reduction);
+    clock.stop();
+    return result;
+  }
+
+
+
+  template <int dim>
   bool
   Equilibrium<dim>::solve(const double t, const double tolerance)
   {

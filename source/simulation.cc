@@ -1,5 +1,7 @@
 #include <signorini/body_setup.h>
+#include <signorini/output/accuracy_results.h>
 #include <signorini/output/directory.h>
+#include <signorini/output/memory.h>
 #include <signorini/output/preflight.h>
 #include <signorini/parameters/text.h>
 #include <signorini/simulation.h>
@@ -9,6 +11,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace Signorini
 {
@@ -16,6 +19,23 @@ namespace Signorini
 
   namespace
   {
+    /// Will a mesh that is so much larger fit, if the memory of this machine's ranks grows as it?
+    /// Collective.
+    bool
+    has_memory_for(const double growth, const MPI_Comm comm)
+    {
+      constexpr double               usable = 0.9;
+      Utilities::System::MemoryStats stats;
+      Utilities::System::get_memory_stats(stats);
+      MPI_Comm node;
+      MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+      const double used = Utilities::MPI::sum(static_cast<double>(stats.VmRSS), node);
+      MPI_Comm_free(&node);
+      const double more = (growth - 1) * used; // kB
+      const bool   fits = more <= usable * available_memory();
+      return Utilities::MPI::min(int(fits), comm) == 1;
+    }
+
     std::string
     seconds(const double s)
     {
@@ -45,8 +65,14 @@ namespace Signorini
     , out(stream, Utilities::MPI::this_mpi_process(comm) == 0)
     // Each rank measures for itself: no barriers, and no waiting for ranks that have failed.
     , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
+    , control(this->scene.goals, this->scene.refinement)
+    , tolerance(std::max(scene.newton.tolerance, scene.refinement.tolerance))
     , goes_on(goes_on)
   {
+    // What is left out is part of the bar; it should not be what the target fails for.
+    for (const double target : scene.goals.targets)
+      this->scene.contact.geometry_share =
+        std::min(this->scene.contact.geometry_share, 0.8 * target);
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
     if (!scene.title.empty())
       out << " - " << scene.title;
@@ -93,21 +119,27 @@ namespace Signorini
       {
         find_checkpoint();
         set_up();
-        for (; position.cycle < scene.refinement.cycles; ++position.cycle)
+        for (; position.cycle < scene.most_cycles(); ++position.cycle)
           {
             equilibrium->find_contact();
             report_set_up();
             reach();
             if (!solve_for_estimate())
               return finish(report());
-            refine_mesh();
+            if (!improve())
+              break;
           }
-        equilibrium->find_contact();
-        report_set_up();
+        if (!has_estimate)
+          {
+            equilibrium->find_contact();
+            report_set_up();
+          }
         if (position.step > 0) // as it was between two load steps
           equilibrium->recall_active_set();
         reach();
         run_load_history();
+        if (report().converged && !scene.goals.quantities.empty())
+          estimate_result();
         if (report().converged && scene.output.linear_reference)
           compare_with_linear_solve();
         return finish(report());
@@ -206,7 +238,7 @@ namespace Signorini
   Simulation<dim>::check_wanted()
   {
     // On a mesh that is to be refined, curved surfaces are not yet where they will be.
-    const bool is_final = scene.refinement.cycles == 0;
+    const bool is_final = scene.most_cycles() == 0;
     check_probes(*elasticity, scene.output.probes, is_final ? probe_tolerance : 0.5);
     if (scene.expected.empty())
       return;
@@ -251,18 +283,132 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  Simulation<dim>::refine_mesh()
+  bool
+  Simulation<dim>::improve()
   {
-    TimerOutput::Scope scope(timer, "estimate");
+    const ErrorEstimate estimate = estimate_errors();
+    control.add(estimate.quantities);
+    has_estimate = true;
+    report_errors();
+    Json accuracy = accuracy_results(scene.goals, control, estimate);
+    if (scene.goals.has_targets())
+      {
+        tolerance   = control.tolerance(tolerance);
+        why_not_met = control.obstacle();
+        if (control.is_met(true) || !why_not_met.empty())
+          return false;
+        const double stiffening = control.stiffening();
+        scene.contact.stiffen(stiffening);
+        accuracy["stiffening"] = stiffening;
+        if (stiffening > 1)
+          out << "  penalties times " << short_text(stiffening) << std::endl;
+      }
+    TimerOutput::Scope scope(timer, "refinement");
+    if (!mark(estimate))
+      return false;
+    recorder->add_cycle(n_steps, accuracy);
     reached.reset(); // it belongs to the mesh
     former_cycles  = 0;
     former_seconds = 0;
     equilibrium->release();
-    const double estimate =
-      refine(scene.refinement, *mesh, *elasticity, state.displacement, {&state.displacement});
+    refine(*mesh, *elasticity, {&state.displacement});
     equilibrium->forget_mesh();
-    recorder->add_cycle(n_steps, estimate);
+    has_estimate = false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::mark(const ErrorEstimate &estimate)
+  {
+    const std::vector<double> indicators = control.indicators(estimate.cells, comm);
+    if (!scene.goals.has_targets())
+      {
+        mark_cells(scene.refinement, *mesh, indicators);
+        return true;
+      }
+    if (control.needs_mesh())
+      mark_share(scene.refinement, *mesh, indicators, control.share());
+    const double factor = growth(*mesh), now = clock.wall_time();
+    const double cells   = factor * mesh->triangulation().n_global_active_cells();
+    const double seconds = 1.3 * factor * (now - std::exchange(last_mesh_at, now)),
+                 limit   = 60 * scene.goals.time_limit;
+    if (cells > scene.refinement.maximum_cells)
+      why_not_met = "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
+    else if (limit > 0 && Utilities::MPI::max(now + seconds, comm) > limit)
+      why_not_met = "the next mesh would end after Accuracy/Time limit = " +
+                    short_text(scene.goals.time_limit, 3) + " minutes";
+    else if (!has_memory_for(factor, comm))
+      why_not_met = "the next mesh would not fit into the memory";
+    if (!why_not_met.empty())
+      {
+        clear_marks(*mesh);
+        return false;
+      }
+    out << "  next: about " << static_cast<unsigned int>(cells) << " cells, "
+        << short_text(seconds, 2) << " s" << std::endl;
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::report_errors()
+  {
+    if (control.quantities().empty())
+      return;
+    std::ostringstream text;
+    print_accuracy(scene.goals, control, text);
+    out << text.str() << std::flush;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::estimate_result()
+  {
+    const ErrorEstimate estimate = estimate_errors();
+    if (has_estimate)
+      control.replace_last(estimate.quantities);
+    else
+      control.add(estimate.quantities);
+    report_errors();
+    if (scene.goals.has_targets() && !control.is_met() && why_not_met.empty())
+      why_not_met = control.is_met(true) ?
+                      "the solver cannot do better" :
+                      "Accuracy/Refinement cycles = " + std::to_string(scene.most_cycles());
+    if (control.is_met())
+      why_not_met.clear();
+    recorder->add_accuracy(accuracy_results(scene.goals, control, estimate), control, why_not_met);
+  }
+
+
+
+  template <int dim>
+  ErrorEstimate
+  Simulation<dim>::estimate_errors()
+  {
+    const Snapshot<dim>       now = equilibrium->snapshot(0);
+    std::vector<Functional>   functionals;
+    std::vector<DualSolution> duals;
+    for (const QuantityName &name : scene.quantities())
+      {
+        functionals.push_back(functional(name, now, scene.output.probes));
+        duals.push_back(equilibrium->dual(functionals.back()));
+      }
+    TimerOutput::Scope scope(timer, "estimate");
+    const Predictor    predictor = scene.contact.chosen().predictor();
+    const bool         is_consistent =
+      predictor == Predictor::multiplier || predictor == Predictor::normal_stress;
+    return error_estimate(now,
+                          functionals,
+                          duals,
+                          is_consistent,
+                          equilibrium->follows() ? 0. : equilibrium->neglected().value_or(0.));
   }
 
 
@@ -272,9 +418,8 @@ namespace Signorini
   Simulation<dim>::solve_for_estimate()
   {
     // Only the end counts, and mostly it is found at once.
-    const double tolerance = std::max(scene.newton.tolerance, scene.refinement.tolerance);
-    const double end       = scene.load_steps.end_time;
-    n_steps                = 0;
+    const double end = scene.load_steps.end_time;
+    n_steps          = 0;
     if (equilibrium->solve(end, tolerance))
       {
         n_steps = report().steps.size();
@@ -299,7 +444,10 @@ namespace Signorini
   void
   Simulation<dim>::run_load_history()
   {
-    follow_loads(scene.newton.tolerance, position, [&](const unsigned int step) {
+    const double final_tolerance = scene.goals.has_targets() ?
+                                     std::max(tolerance, scene.newton.tolerance) :
+                                     scene.newton.tolerance;
+    follow_loads(final_tolerance, position, [&](const unsigned int step) {
       record_step(step);
       reach();
     });

@@ -1,5 +1,6 @@
 #include <signorini/checkpoint/cells.h>
 #include <signorini/checkpoint/origin.h>
+#include <signorini/output/accuracy_results.h>
 #include <signorini/parameters/text.h>
 #include <signorini/simulation.h>
 
@@ -131,6 +132,12 @@ namespace Signorini
     former_cycles  = head.at("multigrid_cycles");
     former_seconds = head.at("mesh_seconds");
     recorder->restore(head.at("results"));
+    for (const Json &cycle : recorder->cycles())
+      {
+        control.add(quantities_of(cycle));
+        scene.contact.stiffen(cycle.value("stiffening", 1.));
+      }
+    tolerance = head.at("tolerance");
     former.reset();
     is_restored = true;
   }
@@ -141,8 +148,7 @@ namespace Signorini
   bool
   Simulation<dim>::is_over() const
   {
-    return position.cycle == scene.refinement.cycles &&
-           position.time >= scene.load_steps.ends().back();
+    return position.time >= scene.load_steps.ends().back();
   }
 
 
@@ -157,6 +163,7 @@ namespace Signorini
                  {"longest", position.longest},
                  {"state_time", state.time},
                  {"follows", equilibrium->follows()},
+                 {"tolerance", tolerance},
                  {"multigrid_cycles", multigrid_cycles()},
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
                  {"pairs", contact->memory()}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/accuracy/quantity.h>
 #include <signorini/contact_setup.h>
 #include <signorini/fields/snapshot.h>
 #include <signorini/solve/contact_solver.h>
@@ -61,6 +62,10 @@ namespace Signorini
     release();
 
     // Of the last solution:
+
+    /// Its reaction to changes, seen by a quantity. Collective.
+    DualSolution
+    dual(const Functional &functional);
 
     const NewtonReport &
     report() const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/accuracy/error_control.h>
+#include <signorini/accuracy/refinement.h>
 #include <signorini/checkpoint/checkpoints.h>
 #include <signorini/checkpoint/interruption.h>
 #include <signorini/equilibrium.h>
@@ -56,8 +58,21 @@ namespace Signorini
     /// Probes and expected results, before they cost a solution. Throws SceneError.
     void
     check_wanted();
+    /// Estimate the errors of the last solution, and refine the mesh. False if that is not needed,
+    /// or of no use: the last solution is on the last mesh.
+    bool
+    improve();
+    /// False if the next mesh cannot be had.
+    bool
+    mark(const ErrorEstimate &estimate);
     void
-    refine_mesh();
+    report_errors();
+    /// Of the last load step.
+    void
+    estimate_result();
+    /// Of the last solution. Collective.
+    ErrorEstimate
+    estimate_errors();
     /// The end of the load history, on a mesh that is still to be refined.
     bool
     solve_for_estimate();
@@ -130,8 +145,13 @@ namespace Signorini
     std::unique_ptr<Recorder<dim>>     recorder; ///< none where nothing is to be written
     bool                               only_checks = false;
     unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
-    unsigned int former_cycles  = 0; ///< of multigrid on this mesh, before a restart
-    double       former_seconds = 0; ///< likewise
+    ErrorControl                       control;
+    double                             tolerance; ///< of Newton's method on the next mesh
+    bool                               has_estimate = false; ///< of this mesh
+    double                             last_mesh_at = 0;     ///< seconds: when it was estimated
+    std::string                        why_not_met; ///< the targets; empty: no reason is known
+    unsigned int former_cycles  = 0;                ///< of multigrid on this mesh, before a restart
+    double       former_seconds = 0;                ///< likewise
 
     /// What a checkpoint needs beside the results: copies, since attempts change the originals.
     struct Reached

@@ -1,14 +1,9 @@
 #include <signorini/accuracy/refinement.h>
 #include <signorini/parameters/section.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/distributed/tria.h>
-#include <deal.II/hp/q_collection.h>
-#include <deal.II/numerics/error_estimator.h>
-
-#include <cmath>
 
 namespace Signorini
 {
@@ -23,7 +18,7 @@ namespace Signorini
     section.add_choice("Strategy",
                        strategy,
                        {{"estimator", Strategy::estimator}, {"global", Strategy::global}},
-                       "estimator: where stress jumps between cells; global: everywhere");
+                       "estimator: where the error estimate is largest; global: everywhere");
     section.add("Refine fraction",
                 refine_fraction,
                 "share of the cells that are refined",
@@ -44,53 +39,84 @@ namespace Signorini
 
 
 
-  namespace
-  {
-    template <int dim>
-    Vector<float>
-    estimate(const Elasticity<dim> &elasticity, const LA::Vector &displacement)
-    {
-      Vector<float>            error(elasticity.mesh().triangulation().n_active_cells());
-      hp::QCollection<dim - 1> rules;
-      for (const auto &fe : elasticity.finite_elements())
-        rules.push_back(QGauss<dim - 1>(fe.degree + 1));
-      KellyErrorEstimator<dim>::estimate(elasticity.mesh().mapping(),
-                                         elasticity.dof_handler(),
-                                         rules,
-                                         {},
-                                         elasticity.with_ghosts(displacement),
-                                         error);
-      for (const auto &cell : elasticity.mesh().triangulation().active_cell_iterators())
-        if (cell->is_locally_owned())
-          error[cell->active_cell_index()] *=
-            std::sqrt(elasticity.material(cell->material_id()).youngs_modulus);
-      return error;
-    }
-  } // namespace
-
-
-
   template <int dim>
-  double
-  refine(const RefinementSettings        &settings,
-         Mesh<dim>                       &mesh,
-         Elasticity<dim>                 &elasticity,
-         const LA::Vector                &displacement,
-         const std::vector<LA::Vector *> &vectors)
+  void
+  mark_cells(const RefinementSettings &settings, Mesh<dim> &mesh, const std::vector<double> &errors)
   {
     auto &triangulation =
       dynamic_cast<parallel::distributed::Triangulation<dim> &>(mesh.triangulation());
-    const Vector<float> error = estimate(elasticity, displacement);
     if (settings.strategy == RefinementSettings::Strategy::global)
       triangulation.set_all_refine_flags();
     else
       parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
         triangulation,
-        error,
+        Vector<double>(errors.begin(), errors.end()),
         settings.refine_fraction,
         settings.coarsen_fraction,
         settings.maximum_cells);
+  }
 
+
+
+  template <int dim>
+  void
+  mark_share(const RefinementSettings  &settings,
+             Mesh<dim>                 &mesh,
+             const std::vector<double> &indicators,
+             const double               share)
+  {
+    // A cell that is made twice as large has up to 2^(2 degree + dim) times its error.
+    constexpr double negligible = 2e-4;
+    if (settings.strategy == RefinementSettings::Strategy::global)
+      return mark_cells(settings, mesh, indicators);
+    auto &triangulation =
+      dynamic_cast<parallel::distributed::Triangulation<dim> &>(mesh.triangulation());
+    parallel::distributed::GridRefinement::refine_and_coarsen_fixed_fraction(
+      triangulation,
+      Vector<double>(indicators.begin(), indicators.end()),
+      share,
+      negligible,
+      VectorTools::NormType::L1_norm);
+  }
+
+
+
+  template <int dim>
+  double
+  growth(const Mesh<dim> &mesh)
+  {
+    constexpr double children = GeometryInfo<dim>::max_children_per_cell;
+    double           change   = 0;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        change += cell->refine_flag_set()  ? children - 1 :
+                  cell->coarsen_flag_set() ? 1 / children - 1 :
+                                             0.;
+    return 1 + Utilities::MPI::sum(change, mesh.communicator()) /
+                 mesh.triangulation().n_global_active_cells();
+  }
+
+
+
+  template <int dim>
+  void
+  clear_marks(Mesh<dim> &mesh)
+  {
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      {
+        cell->clear_refine_flag();
+        cell->clear_coarsen_flag();
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  refine(Mesh<dim> &mesh, Elasticity<dim> &elasticity, const std::vector<LA::Vector *> &vectors)
+  {
+    auto &triangulation =
+      dynamic_cast<parallel::distributed::Triangulation<dim> &>(mesh.triangulation());
     for (const auto &cell : triangulation.active_cell_iterators())
       if (static_cast<unsigned int>(cell->level()) <= mesh.least_level(cell->material_id()))
         cell->clear_coarsen_flag();
@@ -122,21 +148,20 @@ namespace Signorini
         elasticity.set_mesh_part(parts[i], *vectors[i]);
         elasticity.set_rigid_motion(rigid[i], *vectors[i]);
       }
-    return std::sqrt(Utilities::MPI::sum(error.norm_sqr(), mesh.communicator()));
   }
 
 
 
-  template double
-  refine(const RefinementSettings &,
-         Mesh<2> &,
-         Elasticity<2> &,
-         const LA::Vector &,
-         const std::vector<LA::Vector *> &);
-  template double
-  refine(const RefinementSettings &,
-         Mesh<3> &,
-         Elasticity<3> &,
-         const LA::Vector &,
-         const std::vector<LA::Vector *> &);
+#define INSTANTIATE(dim)                                                                            \
+  template void   mark_cells(const RefinementSettings &, Mesh<dim> &, const std::vector<double> &); \
+  template void   mark_share(const RefinementSettings &,                                            \
+                             Mesh<dim> &,                                                           \
+                             const std::vector<double> &,                                           \
+                             double);                                                               \
+  template double growth(const Mesh<dim> &);                                                        \
+  template void   clear_marks(Mesh<dim> &);                                                         \
+  template void   refine(Mesh<dim> &, Elasticity<dim> &, const std::vector<LA::Vector *> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

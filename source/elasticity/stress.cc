@@ -15,6 +15,16 @@ namespace Signorini
 
 
 
+  SymmetricTensor<2, 3>
+  compliance(const Material &material, const SymmetricTensor<2, 3> &stress)
+  {
+    return ((1 + material.poissons_ratio) * stress -
+            material.poissons_ratio * trace(stress) * unit_symmetric_tensor<3>()) /
+           material.youngs_modulus;
+  }
+
+
+
   double
   von_mises(const SymmetricTensor<2, 3> &stress)
   {

@@ -138,7 +138,7 @@ namespace Signorini
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       folder.remove_steps_after(last);
     results["restarts"].push_back({{"after_step", last},
-                                   {"cycle", n_cycles()},
+                                   {"cycle", results["cycles"].size()},
                                    {"ranks", results["ranks"]},
                                    {"seconds", seconds_before.value("total", 0.)}});
     write();
@@ -179,9 +179,29 @@ namespace Signorini
 
   template <int dim>
   void
-  Recorder<dim>::add_cycle(const unsigned int newton_iterations, const double estimate)
+  Recorder<dim>::add_cycle(const unsigned int newton_iterations, const Json &accuracy)
   {
-    results["cycles"].push_back({{"newton_iterations", newton_iterations}, {"estimate", estimate}});
+    Json one = {{"newton_iterations", newton_iterations}, {"dofs", results["dofs"]}};
+    one.update(accuracy);
+    one["seconds"] = clock.wall_time();
+    results["cycles"].push_back(one);
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_accuracy(const Json         &accuracy,
+                              const ErrorControl &control,
+                              const std::string  &why)
+  {
+    results["accuracy"] = accuracy;
+    if (!scene.goals.has_targets())
+      return;
+    results["accuracy"]["met"]    = why.empty();
+    results["accuracy"]["reason"] = why;
+    verdict.add(check_targets(scene.goals, control, why), scene.load_steps.ends().back());
+    results["verdict"] = verdict.json();
   }
 
 

@@ -38,18 +38,6 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
-  Probe<dim>::declare(Section &section)
-  {
-    section.add("Body", body, "the body that the point belongs to; empty: any");
-    section.add("Point", point, "coordinates of the undeformed body, separated by commas [length]");
-  }
-
-
-
   template struct OutputSettings<2>;
   template struct OutputSettings<3>;
-  template struct Probe<2>;
-  template struct Probe<3>;
 } // namespace Signorini

@@ -42,6 +42,16 @@ namespace Signorini
 
 
   void
+  ContactSettings::stiffen(const double factor)
+  {
+    for (const auto &[name, one] : methods)
+      if (name == method)
+        one->stiffen(factor);
+  }
+
+
+
+  void
   ContactSettings::declare(Section &section)
   {
     section.add_choice("Method", method, method_names(), "how contact is imposed");
@@ -186,9 +196,12 @@ namespace Signorini
     section.add_section("Contact method",
                         "One line switches the method; the others' sections are ignored.",
                         [&](Section &s) { contact.declare(s); });
-    section.add_section("Accuracy", "Adaptive refinement.", [&](Section &s) {
-      refinement.declare(s);
-    });
+    section.add_section("Accuracy",
+                        "What is wanted, how accurately, and adaptive refinement for it.",
+                        [&](Section &s) {
+                          goals.declare(s);
+                          refinement.declare(s);
+                        });
     section.add_section("Load steps", "The history of loading.", [&](Section &s) {
       load_steps.declare(s);
     });
@@ -390,11 +403,14 @@ namespace Signorini
     check_axisymmetric(*this);
     check_integration();
     check_contrast(bodies);
-    if (mesh.distribution == Distribution::METIS && refinement.cycles > 0)
-      throw SceneError(
-        "Mesh/Distribution = METIS has a fixed mesh, but Accuracy/Refinement cycles = " +
-        std::to_string(refinement.cycles) +
-        "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
+    if (!auto_pairs)
+      quantities();
+    if (mesh.distribution == Distribution::METIS && most_cycles() > 0)
+      throw SceneError("Mesh/Distribution = METIS has a fixed mesh, but " +
+                       (goals.has_targets() ?
+                          "there is an Accuracy/Target error" :
+                          "Accuracy/Refinement cycles = " + std::to_string(refinement.cycles)) +
+                       "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
   }
 
 
@@ -412,6 +428,32 @@ namespace Signorini
             "Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
             ": on segments there are rules with up to 7");
       }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Scene<dim>::most_cycles() const
+  {
+    constexpr unsigned int most = 40; // cells are too many before, or too small
+    return goals.has_targets() && refinement.cycles == 0 ? most : refinement.cycles;
+  }
+
+
+
+  template <int dim>
+  std::vector<QuantityName>
+  Scene<dim>::quantities() const
+  {
+    QuantityNames names{names_of(pairs), names_of(supports), {}, names_of(output.probes)};
+    for (const Obstacle<dim> &obstacle : obstacles)
+      if (obstacle.body.can_move())
+        names.obstacles.push_back(obstacle.name);
+    std::vector<QuantityName> result;
+    for (const std::string &text : goals.quantities)
+      result.push_back(read_quantity(text, "Accuracy/Quantity", names, dim));
+    return result;
   }
 
 

@@ -287,7 +287,9 @@ namespace Signorini
   ContactSystem::add_surface_forces(LA::Vector &dst, const LA::Vector &src) const
   {
     columns->fetch(src, displacement.begin());
-    if (columns->size() > 0)
+    if (columns->size() > 0 && transposed)
+      surface.Tvmult(force, displacement);
+    else if (columns->size() > 0)
       surface.vmult(force, displacement);
     columns->add(force.begin(), dst);
   }

@@ -202,7 +202,7 @@ namespace Signorini
     const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
 
     x = 0;
-    if (preconditioner->is_exact())
+    if (preconditioner->is_exact() && !system.is_transposed())
       {
         preconditioner->vmult(x, rhs);
         return 1;

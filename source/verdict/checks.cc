@@ -7,7 +7,7 @@
 namespace Signorini
 {
   std::vector<Finding>
-  check_balance(const nlohmann::ordered_json &results, const double scale)
+  check_balance(const nlohmann::ordered_json &results, const double scale, const double small)
   {
     // Newton's method ends at 1e-10 and less; the linear solvers of stiff bodies beside soft ones,
     // and geometry that is not free of rotations, leave more.
@@ -19,8 +19,8 @@ namespace Signorini
     const double         largest = results["largest_force"];
     std::vector<Finding> findings;
     for (const auto &[check, key, warned, failed] :
-         {Bounds{"balance of forces", "force_balance", 1e-5, 0.1},
-          Bounds{"balance of moments", "moment_balance", 1e-3, 0.1}})
+         {Bounds{"balance of forces", "force_balance", small, 0.1},
+          Bounds{"balance of moments", "moment_balance", std::max(small, 1e-3), 0.1}})
       {
         Finding finding;
         finding.check = check;
@@ -71,14 +71,20 @@ namespace Signorini
                  const nlohmann::ordered_json &results,
                  const double                  largest_force)
   {
-    constexpr double     rounding = 1e-6; // of elastic forces that are in balance inside of bodies
+    constexpr double rounding = 1e-6; // of elastic forces that are in balance inside of bodies
+    // Iterations end where they do not count beside a target.
+    double small = 1e-5;
+    if (scene.goals.has_targets())
+      small =
+        std::max(small,
+                 0.05 * *std::min_element(scene.goals.targets.begin(), scene.goals.targets.end()));
     const auto           extremes = extremes_of_bodies(now);
     const double         scale = std::max(largest_force, rounding * elastic_force(now, extremes));
     std::vector<Finding> all   = check_motions(now, extremes);
     for (const auto &some : {check_locking(now),
                              check_pairs(scene, now, extremes),
                              check_loads(scene, now),
-                             check_balance(results, scale)})
+                             check_balance(results, scale, small)})
       all.insert(all.end(), some.begin(), some.end());
     return all;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/contact_setup.h>
+#include <signorini/elasticity/cell_nodes.h>
 #include <signorini/solve/contact_solver.h>
 
 #include <memory>
@@ -94,4 +95,26 @@ namespace TestScene
   /// The methods in all their forms, as lines for SmallScene::use().
   const std::vector<Lines> &
   all_methods();
+
+  /// The interpolant of u(x, body).
+  template <int dim, typename U>
+  LA::Vector
+  interpolant(const SmallScene<dim> &scene, const U &u)
+  {
+    LA::Vector                           result = scene.elasticity->zero_vector();
+    CellNodes<dim>                       nodes_of(*scene.mesh, scene.elasticity->finite_elements());
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : scene.elasticity->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          read_indices<dim>(cell, indices);
+          const auto &nodes = nodes_of(cell);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (scene.elasticity->owned().is_element(indices[i]))
+              result(indices[i]) =
+                u(nodes[i], cell->material_id())[cell->get_fe().system_to_component_index(i).first];
+        }
+    result.compress(VectorOperation::insert);
+    return result;
+  }
 } // namespace TestScene

@@ -1,5 +1,7 @@
 // What is carried over from mesh to mesh and from run to run, and where meshes are refined.
 
+#include <signorini/accuracy/cell_errors.h>
+#include <signorini/accuracy/refinement.h>
 #include <signorini/body_setup.h>
 #include <signorini/checkpoint/cells.h>
 #include <signorini/elasticity/cell_nodes.h>
@@ -15,28 +17,6 @@ using namespace TestScene;
 
 namespace
 {
-  /// The interpolant of u(x, body).
-  template <int dim, typename U>
-  LA::Vector
-  interpolant(const SmallScene<dim> &scene, const U &u)
-  {
-    LA::Vector                           result = scene.elasticity->zero_vector();
-    CellNodes<dim>                       nodes_of(*scene.mesh, scene.elasticity->finite_elements());
-    std::vector<types::global_dof_index> indices;
-    for (const auto &cell : scene.elasticity->dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          read_indices<dim>(cell, indices);
-          const auto &nodes = nodes_of(cell);
-          for (unsigned int i = 0; i < indices.size(); ++i)
-            if (scene.elasticity->owned().is_element(indices[i]))
-              result(indices[i]) =
-                u(nodes[i], cell->material_id())[cell->get_fe().system_to_component_index(i).first];
-        }
-    result.compress(VectorOperation::insert);
-    return result;
-  }
-
   template <int dim>
   double
   difference(LA::Vector a, const LA::Vector &b)
@@ -61,13 +41,14 @@ namespace
     return n;
   }
 
-  RefinementSettings
-  by_estimate()
+  template <int dim>
+  void
+  mark_by_estimate(Mesh<dim> &mesh, const Elasticity<dim> &elasticity, const LA::Vector &u)
   {
     RefinementSettings settings;
     settings.refine_fraction  = 0.3;
     settings.coarsen_fraction = 0.5;
-    return settings;
+    mark_cells(settings, mesh, cell_errors(elasticity, u, {}).energy);
   }
 
   /// On parallelograms, elements contain the polynomials of their degree: linear ones in the lower
@@ -130,8 +111,8 @@ namespace
     });
     for (unsigned int cycle = 0; cycle < 2; ++cycle)
       {
-        refine(
-          by_estimate(), *scene.mesh, elasticity, cycle == 0 ? bent : field, {&field, &constant});
+        mark_by_estimate(*scene.mesh, elasticity, cycle == 0 ? bent : field);
+        refine(*scene.mesh, elasticity, {&field, &constant});
         if (cycle == 0)
           {
             const auto n = coarsened_and_refined(*scene.mesh, 2);
@@ -200,7 +181,10 @@ namespace
       return u;
     });
     for (unsigned int cycle = 0; cycle < 2; ++cycle)
-      refine(by_estimate(), *before.mesh, *before.elasticity, bent, {&bent});
+      {
+        mark_by_estimate(*before.mesh, *before.elasticity, bent);
+        refine(*before.mesh, *before.elasticity, {&bent});
+      }
     const LA::Vector field = interpolant(before, polynomial<dim>);
     const auto       cells = of_the_next_rank(values_of_cells(*before.elasticity, field));
 
@@ -277,7 +261,8 @@ namespace
     CHECK(difference<dim>(p, pressure) < 1e-15);
 
     LA::Vector u = scene.rough_field(1, 0.4);
-    refine(by_estimate(), *scene.mesh, *scene.elasticity, u, {&u});
+    mark_by_estimate(*scene.mesh, *scene.elasticity, u);
+    refine(*scene.mesh, *scene.elasticity, {&u});
     scene.use(method);
     CHECK(scene.mesh->triangulation().n_global_active_cells() != n);
     rows_of_places(field, scene.gap_operator(), p, active);
@@ -297,31 +282,4 @@ TEST_CASE("linear pressures are carried over to other meshes, from nodes and fro
       }
   for (const Lines &method : {nodes, points})
     check_pressure<3>(cases_3d()[0], "1", method);
-}
-
-
-
-TEST_CASE("the estimate is that of its definition")
-{
-  // u_y = |x - 1/2| in n by n cells of the unit square: its normal derivative jumps by 2 at n faces
-  // of length 1/n, each of which counts for two cells of diameter sqrt(2)/n:
-  // eta^2 = E sum_cells diameter/24 int jump^2 ds.
-  constexpr unsigned int n = 4;
-  for (const double E : {1., 9.})
-    {
-      SmallScene<2>      scene({"Bodies/Names=body",
-                                "Bodies/body/Corners=0,0 : 1,1",
-                                "Bodies/body/Subdivisions=4,4",
-                                "Bodies/body/Young's modulus=" + std::to_string(E),
-                                "Bodies/body/Poisson's ratio=0.3"});
-      LA::Vector         u = interpolant(scene, [](const Point<2> &x, auto) {
-        return Tensor<1, 2>({0., std::abs(x[0] - 0.5)});
-      });
-      RefinementSettings settings;
-      settings.strategy     = RefinementSettings::Strategy::global;
-      const double diameter = std::sqrt(2) / n;
-      CHECK(refine(settings, *scene.mesh, *scene.elasticity, u, {}) ==
-            doctest::Approx(std::sqrt(E * 2 * n * diameter / 24 * 4 / n)).epsilon(1e-6)); // floats
-      CHECK(scene.mesh->triangulation().n_global_active_cells() == 4 * n * n);
-    }
 }

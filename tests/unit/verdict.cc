@@ -78,7 +78,8 @@ TEST_CASE("balances: passed, warned, failed")
                      {"bodies",
                       {{"good", {{"force_balance", 0.}, {"moment_balance", 0.}}},
                        {"bad", {{"force_balance", forces}, {"moment_balance", moments}}}}}},
-                    4.);
+                    4.,
+                    1e-5);
     CHECK(findings.at(0).where == "body bad");
     return std::pair(findings.at(0).outcome, findings.at(1).outcome);
   };

@@ -11,7 +11,7 @@ namespace Signorini
     /// Which cells are refined.
     enum class Strategy
     {
-      estimator, ///< where stress jumps most
+      estimator, ///< where the error estimate is largest
       global     ///< all
     };
 
@@ -26,16 +26,36 @@ namespace Signorini
     declare(Section &section);
   };
 
-  /// Refine the mesh, set the degrees of freedom up again, and carry vectors over: each goes in as
-  /// it was and comes out interpolated. Strategy::estimator refines where jumps of stress
-  /// between cells are largest (Kelly, Gago, Zienkiewicz, Babuska 1983, weighted by the energy of
-  /// each body's material). Returns the estimated error of the old solution in the energy norm, up
-  /// to a constant.
+  /// Mark the shares of the cells with the largest and least errors, or all. Collective.
+  /// @param errors of each active cell, of this rank's own
+  template <int dim>
+  void
+  mark_cells(const RefinementSettings  &settings,
+             Mesh<dim>                 &mesh,
+             const std::vector<double> &errors);
+
+  /// Mark the least cells that have this share of the sum of all indicators, and those for
+  /// coarsening that have next to nothing of it. Collective.
+  template <int dim>
+  void
+  mark_share(const RefinementSettings  &settings,
+             Mesh<dim>                 &mesh,
+             const std::vector<double> &indicators,
+             double                     share);
+
+  /// The number of cells that the marked mesh will have, about, over that which it has. Collective.
   template <int dim>
   double
-  refine(const RefinementSettings        &settings,
-         Mesh<dim>                       &mesh,
-         Elasticity<dim>                 &elasticity,
-         const LA::Vector                &displacement,
-         const std::vector<LA::Vector *> &vectors);
+  growth(const Mesh<dim> &mesh);
+
+  /// Take all marks off.
+  template <int dim>
+  void
+  clear_marks(Mesh<dim> &mesh);
+
+  /// Refine the mesh as it is marked, set the degrees of freedom up again, and carry vectors over:
+  /// each goes in as it was and comes out interpolated. Collective.
+  template <int dim>
+  void
+  refine(Mesh<dim> &mesh, Elasticity<dim> &elasticity, const std::vector<LA::Vector *> &vectors);
 } // namespace Signorini

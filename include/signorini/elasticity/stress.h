@@ -11,6 +11,10 @@ namespace Signorini
   dealii::SymmetricTensor<2, 3>
   stress(const Material &material, const dealii::SymmetricTensor<2, 3> &strain);
 
+  /// The strain of a stress.
+  dealii::SymmetricTensor<2, 3>
+  compliance(const Material &material, const dealii::SymmetricTensor<2, 3> &stress);
+
   double
   von_mises(const dealii::SymmetricTensor<2, 3> &stress);
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/accuracy/error_control.h>
 #include <signorini/contact_setup.h>
 #include <signorini/exit_code.h>
 #include <signorini/output/directory.h>
@@ -74,7 +75,17 @@ namespace Signorini
     add_contact_geometry(std::optional<double> change, bool updated);
     /// A solution on a mesh that is refined then.
     void
-    add_cycle(unsigned int newton_iterations, double estimate);
+    add_cycle(unsigned int newton_iterations, const Json &accuracy);
+    /// The errors of the last load step. @param why the targets were not reached; empty: they were,
+    /// or there are none
+    void
+    add_accuracy(const Json &accuracy, const ErrorControl &control, const std::string &why);
+    /// Of all meshes that were refined so far.
+    const Json &
+    cycles() const
+    {
+      return results["cycles"];
+    }
     /// @param multigrid_cycles of the linear solver so far
     void
     add_step(const Snapshot<dim> &now, const NewtonReport &report, unsigned int multigrid_cycles);
@@ -100,12 +111,6 @@ namespace Signorini
     void
     stop(const std::string &why);
 
-    /// The number of cycles that were added.
-    unsigned int
-    n_cycles() const
-    {
-      return results["cycles"].size();
-    }
 
   private:
     void

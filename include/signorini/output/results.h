@@ -1,7 +1,7 @@
 #pragma once
 
+#include <signorini/fields/probes.h>
 #include <signorini/fields/snapshot.h>
-#include <signorini/output/probes.h>
 
 #include <nlohmann/json.hpp>
 

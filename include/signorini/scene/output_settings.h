@@ -1,26 +1,12 @@
 #pragma once
 
-#include <deal.II/base/point.h>
+#include <signorini/fields/probe.h>
 
 #include <string>
 #include <vector>
 
 namespace Signorini
 {
-  class Section;
-
-  /// A named point of a body, at its reference position.
-  template <int dim>
-  struct Probe
-  {
-    std::string        name;
-    std::string        body; ///< empty: any
-    dealii::Point<dim> point;
-
-    void
-    declare(Section &section);
-  };
-
   /// What a run leaves behind, apart from the results file.
   template <int dim>
   struct OutputSettings

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <signorini/accuracy/goals.h>
 #include <signorini/accuracy/known_solution.h>
+#include <signorini/accuracy/quantity.h>
 #include <signorini/accuracy/refinement.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/contact/obstacles/obstacle.h>
@@ -56,6 +58,10 @@ namespace Signorini
     const ContactMethod &
     chosen() const;
 
+    /// See ContactMethod::stiffen().
+    void
+    stiffen(double factor);
+
     /// With the number of points that the method needs where slave and master have elements of
     /// these degrees.
     Integration
@@ -99,6 +105,7 @@ namespace Signorini
     MeshSettings<dim>           mesh;
     unsigned int                degree = 1; ///< of bodies that do not say theirs
     ContactSettings             contact;
+    Goals                       goals;
     RefinementSettings          refinement;
     LoadSteps                   load_steps;
     NewtonSettings              newton;
@@ -121,6 +128,14 @@ namespace Signorini
     {
       return auto_pairs ? std::vector<ContactPair<dim>>() : pairs;
     }
+
+    /// Meshes that are refined, at most.
+    unsigned int
+    most_cycles() const;
+
+    /// The quantities of `goals`. Throws SceneError for those that the scene has not.
+    std::vector<QuantityName>
+    quantities() const;
 
     /// Of the displacement, one a body.
     std::vector<unsigned int>

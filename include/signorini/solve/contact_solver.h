@@ -32,6 +32,18 @@ namespace Signorini
       return newton.solve(u, p, active, visit);
     }
 
+    /// See Newton::dual().
+    DualSolution
+    dual(const LA::Vector &u,
+         const LA::Vector &p,
+         const LA::Vector &active,
+         const LA::Vector &of_displacement,
+         const LA::Vector &of_pressure,
+         const double      reduction)
+    {
+      return newton.dual(u, p, active, of_displacement, of_pressure, reduction);
+    }
+
     unsigned int
     multigrid_cycles() const
     {

@@ -48,6 +48,20 @@ namespace Signorini
     void
     set_active(const LA::Vector &active);
 
+    /// vmult() is that of the transposed matrix from then on, until this is taken back: another one
+    /// if is_symmetric() says no.
+    void
+    transpose(const bool wanted)
+    {
+      transposed = wanted && !is_symmetric();
+    }
+
+    bool
+    is_transposed() const
+    {
+      return transposed;
+    }
+
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
@@ -161,6 +175,7 @@ namespace Signorini
     const ContactLaw  &law;
     const GapOperator &contact;
     const bool         saddle;
+    bool               transposed = false;
     FreeMotions        motions;
     Blocks             D, X, Y;
     LA::Vector         D_diagonal, A, I;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/solve/balance.h>
+#include <signorini/solve/dual_solution.h>
 #include <signorini/solve/linear_solver.h>
 #include <signorini/solve/newton_settings.h>
 #include <signorini/solve/set_strategy.h>
@@ -34,6 +35,19 @@ namespace Signorini
     /// @param active the points that carry it, 1 or 0, likewise
     NewtonReport
     solve(LA::Vector &u, LA::Vector &p, LA::Vector &active, const StepVisitor &visit);
+
+    /// The dual solution of a quantity at the solution that solve() has returned. The linearisation
+    /// is that of the contact law as it is there; of Uzawa's method that of its springs.
+    /// @param of_displacement derivative by the free degrees of freedom
+    /// @param of_pressure by the pressures at the contact points
+    /// @param reduction of the residual
+    DualSolution
+    dual(const LA::Vector &u,
+         const LA::Vector &p,
+         const LA::Vector &active,
+         const LA::Vector &of_displacement,
+         const LA::Vector &of_pressure,
+         double            reduction);
 
   private:
     /// One step: where the bodies are out of balance, and the right-hand side of the next system.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/accuracy/error_control.h>
 #include <signorini/fields/snapshot.h>
 #include <signorini/scene/scene.h>
 #include <signorini/verdict/verdict.h>
@@ -28,6 +29,10 @@ namespace Signorini
   template <int dim>
   std::vector<Extremes>
   extremes_of_bodies(const Snapshot<dim> &now);
+
+  /// Error bars larger than wanted. @param why they are, in words
+  std::vector<Finding>
+  check_targets(const Goals &goals, const ErrorControl &control, const std::string &why);
 
   // One after the other:
 
@@ -59,6 +64,7 @@ namespace Signorini
 
   /// Forces and moments in balance.
   /// @param scale a force beside which they are to be small
+  /// @param small share of it that is
   std::vector<Finding>
-  check_balance(const nlohmann::ordered_json &results, double scale);
+  check_balance(const nlohmann::ordered_json &results, double scale, double small);
 } // namespace Signorini

@@ -81,7 +81,7 @@ namespace Signorini
             const Tensor<1, 3>       moment = moment_of(point.position, point.normal),
                                on_master    = moment_of(point.master_position, point.normal);
             const double epsilon =
-              method.penalty({point.stiffness, size / point.depth, point.bound});
+              method.epsilon({point.stiffness, size / point.depth, point.bound});
             for (const auto &[row, weight] : rows.shares[p][q])
               {
                 contact.weight(row) += weight;

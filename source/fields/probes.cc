@@ -1,7 +1,9 @@
+#include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/stress.h>
-#include <signorini/output/probes.h>
+#include <signorini/fields/probes.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/section.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
@@ -17,6 +19,16 @@
 namespace Signorini
 {
   using namespace dealii;
+
+  template <int dim>
+  void
+  Probe<dim>::declare(Section &section)
+  {
+    section.add("Body", body, "the body that the point belongs to; empty: any");
+    section.add("Point", point, "coordinates of the undeformed body, separated by commas [length]");
+  }
+
+
 
   namespace
   {
@@ -329,10 +341,70 @@ namespace Signorini
 
 
 
+  template <int dim>
+  LA::Vector
+  probe_functional(const Elasticity<dim>       &elasticity,
+                   const Probe<dim>            &probe,
+                   const Tensor<1, dim>        &of_displacement,
+                   const SymmetricTensor<2, 3> &of_stress)
+  {
+    const MPI_Comm comm   = elasticity.mesh().communicator();
+    const auto     places = own_places<dim>(elasticity, {probe}, probe_tolerance);
+    const auto     claims = all_claims(places, comm);
+    const auto    &fes    = elasticity.finite_elements();
+    LA::Vector     result = elasticity.zero_vector();
+    if (winner(claims, 0) == Utilities::MPI::this_mpi_process(comm))
+      {
+        const auto cells = cells_about(elasticity.mesh().mapping(), places[0], probe.point);
+        std::vector<types::global_dof_index> indices;
+        Vector<double>                       weights;
+        for (const Place<dim> &place : cells)
+          {
+            FEValues<dim> values(elasticity.mesh().mapping(),
+                                 fes[place.cell->active_fe_index()],
+                                 Quadrature<dim>(place.unit),
+                                 update_values | update_gradients);
+            values.reinit(place.cell);
+            read_indices<dim>(place.cell, indices);
+            weights.reinit(indices.size());
+            const FEValuesExtractors::Vector u(0);
+            const Material &material = elasticity.material(place.cell->material_id());
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              {
+                const auto eps = strain(elasticity.model(),
+                                        material,
+                                        values[u].gradient(i, 0),
+                                        values[u].value(i, 0),
+                                        probe.point);
+                weights[i]     = (of_displacement * values[u].value(i, 0) +
+                              of_stress * Signorini::stress(material, eps)) /
+                             cells.size();
+              }
+            elasticity.constraints().distribute_local_to_global(weights, indices, result);
+          }
+      }
+    result.compress(VectorOperation::add);
+    return result;
+  }
+
+
+
+  template struct Probe<2>;
+  template struct Probe<3>;
   template void
   check_probes(const Elasticity<2> &, const std::vector<Probe<2>> &, double);
   template void
   check_probes(const Elasticity<3> &, const std::vector<Probe<3>> &, double);
+  template LA::Vector
+  probe_functional(const Elasticity<2> &,
+                   const Probe<2> &,
+                   const Tensor<1, 2> &,
+                   const SymmetricTensor<2, 3> &);
+  template LA::Vector
+  probe_functional(const Elasticity<3> &,
+                   const Probe<3> &,
+                   const Tensor<1, 3> &,
+                   const SymmetricTensor<2, 3> &);
   template std::vector<ProbeValue<2>>
   evaluate_probes(const Elasticity<2> &, const LA::Vector &, const std::vector<Probe<2>> &);
   template std::vector<ProbeValue<3>>

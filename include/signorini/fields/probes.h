@@ -1,7 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/elasticity.h>
-#include <signorini/scene/output_settings.h>
+#include <signorini/fields/probe.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -41,4 +41,13 @@ namespace Signorini
   evaluate_probes(const Elasticity<dim>         &elasticity,
                   const LA::Vector              &displacement,
                   const std::vector<Probe<dim>> &probes);
+
+  /// The derivative of of_displacement . u + of_stress : sigma at a probe, as evaluate_probes()
+  /// says it, by the free degrees of freedom. The point has to lie in its body. Collective.
+  template <int dim>
+  LA::Vector
+  probe_functional(const Elasticity<dim>               &elasticity,
+                   const Probe<dim>                    &probe,
+                   const dealii::Tensor<1, dim>        &of_displacement,
+                   const dealii::SymmetricTensor<2, 3> &of_stress);
 } // namespace Signorini

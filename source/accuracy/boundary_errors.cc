@@ -1,0 +1,333 @@
+#include <signorini/accuracy/boundary_errors.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/stress.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+
+#include <algorithm>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Stress and strain at the points of a face.
+    template <int dim>
+    struct AtFace
+    {
+      std::vector<Tensor<1, dim>>        u;
+      std::vector<Tensor<2, dim>>        gradients;
+      std::vector<SymmetricTensor<2, 3>> strain, stress;
+
+      Tensor<1, dim>
+      traction(const unsigned int q, const Tensor<1, dim> &n) const
+      {
+        Tensor<1, dim> result;
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int b = 0; b < dim; ++b)
+            result[a] += stress[q][a][b] * n[b];
+        return result;
+      }
+    };
+
+    template <int dim>
+    class Boundaries
+    {
+    public:
+      Boundaries(const Elasticity<dim>         &elasticity,
+                 const LA::Vector              &displacement,
+                 const std::vector<LA::Vector> &duals);
+
+      BoundaryErrors
+      errors();
+
+    private:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+      hp::QCollection<dim - 1>
+      rules() const;
+      AtFace<dim>
+      values_of(const LA::Vector &ghosted, const Cell &cell, const FEFaceValues<dim> &at) const;
+      /// By which the true boundary lies outside of the cell at each point.
+      std::vector<double>
+      thickness(const Cell &cell, const unsigned int face, const FEFaceValues<dim> &at);
+      /// By which a coarser neighbour begins beyond the face, or before its end: a hanging node
+      /// lies on the curved surface that the neighbour's straight face cuts short.
+      std::vector<double>
+      distance_to_neighbour(const Cell &cell, const unsigned int face, const FEFaceValues<dim> &at);
+      void
+      add_strip(const Cell                &cell,
+                const unsigned int         face,
+                const std::vector<double> &strip,
+                BoundaryErrors            &errors);
+      void
+      add_boundary(const Cell &cell, const unsigned int face, BoundaryErrors &errors);
+      const FEFaceValues<dim> &
+      reinit(const Cell &cell, const unsigned int face)
+      {
+        const auto i = cell->active_fe_index();
+        values.reinit(cell, face, i, i, i);
+        return values.get_present_fe_values();
+      }
+      /// u_D - u_h where that is prescribed, at each point.
+      std::vector<Tensor<1, dim>>
+      unmet(const std::vector<const Support<dim> *> &supports,
+            const AtFace<dim>                       &u,
+            const FEFaceValues<dim>                 &at) const;
+
+      const Elasticity<dim>                                          &elasticity;
+      const LA::Vector                                                displacement; ///< with ghosts
+      std::vector<LA::Vector>                                         duals;        ///< likewise
+      const hp::QCollection<dim - 1>                                  all_rules;
+      hp::FEFaceValues<dim>                                           values, true_values;
+      hp::FESubfaceValues<dim>                                        neighbour_values;
+      std::map<types::boundary_id, std::vector<const Support<dim> *>> supports;
+    };
+
+
+
+    template <int dim>
+    Boundaries<dim>::Boundaries(const Elasticity<dim>         &elasticity,
+                                const LA::Vector              &u,
+                                const std::vector<LA::Vector> &z)
+      : elasticity(elasticity)
+      , displacement(elasticity.with_ghosts(u))
+      , all_rules(rules())
+      , values(elasticity.mesh().mappings(),
+               elasticity.finite_elements(),
+               all_rules,
+               update_values | update_gradients | update_quadrature_points | update_normal_vectors |
+                 update_JxW_values)
+      , true_values(elasticity.mesh().surface_mappings(),
+                    elasticity.finite_elements(),
+                    all_rules,
+                    update_quadrature_points)
+      , neighbour_values(elasticity.mesh().mappings(),
+                         elasticity.finite_elements(),
+                         all_rules,
+                         update_quadrature_points)
+    {
+      for (const LA::Vector &one : z)
+        duals.push_back(elasticity.with_ghosts(one));
+      for (const Support<dim> &support : elasticity.supports())
+        if (support.type != SupportType::symmetry)
+          for (const std::string &boundary : support.boundaries)
+            if (elasticity.mesh().body_of(boundary))
+              for (const types::boundary_id id : elasticity.mesh().boundary_ids(boundary))
+                supports[id].push_back(&support);
+    }
+
+
+
+    template <int dim>
+    hp::QCollection<dim - 1>
+    Boundaries<dim>::rules() const
+    {
+      hp::QCollection<dim - 1> result;
+      for (const auto &fe : elasticity.finite_elements())
+        result.push_back(QGauss<dim - 1>(fe.degree + 1));
+      return result;
+    }
+
+
+
+    template <int dim>
+    AtFace<dim>
+    Boundaries<dim>::values_of(const LA::Vector        &ghosted,
+                               const Cell              &cell,
+                               const FEFaceValues<dim> &at) const
+    {
+      const FEValuesExtractors::Vector v(0);
+      const unsigned int               n = at.n_quadrature_points;
+      AtFace<dim>                      result;
+      result.u.resize(n);
+      result.gradients.resize(n);
+      at[v].get_function_values(ghosted, result.u);
+      at[v].get_function_gradients(ghosted, result.gradients);
+      const Material &material = elasticity.material(cell->material_id());
+      for (unsigned int q = 0; q < n; ++q)
+        {
+          result.strain.push_back(strain(elasticity.model(),
+                                         material,
+                                         result.gradients[q],
+                                         result.u[q],
+                                         at.quadrature_point(q)));
+          result.stress.push_back(stress(material, result.strain.back()));
+        }
+      return result;
+    }
+
+
+
+    template <int dim>
+    std::vector<double>
+    Boundaries<dim>::thickness(const Cell              &cell,
+                               const unsigned int       face,
+                               const FEFaceValues<dim> &at)
+    {
+      const auto i = cell->active_fe_index();
+      true_values.reinit(
+        static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), face, i, 0, i);
+      const FEFaceValues<dim> &surface = true_values.get_present_fe_values();
+      std::vector<double>      result;
+      for (const unsigned int q : at.quadrature_point_indices())
+        {
+          const double d =
+            (surface.quadrature_point(q) - at.quadrature_point(q)) * at.normal_vector(q);
+          result.push_back(std::abs(d) > 1e-13 * cell->diameter() ? d : 0.);
+        }
+      return result;
+    }
+
+
+
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    Boundaries<dim>::unmet(const std::vector<const Support<dim> *> &of_face,
+                           const AtFace<dim>                       &u,
+                           const FEFaceValues<dim>                 &at) const
+    {
+      std::vector<Tensor<1, dim>> result(at.n_quadrature_points);
+      const double                t = elasticity.time();
+      for (const unsigned int q : at.quadrature_point_indices())
+        for (const Support<dim> *support : of_face)
+          {
+            const Point<dim> &x = at.quadrature_point(q);
+            if (support->type == SupportType::roller)
+              {
+                const Tensor<1, dim> n = support->direction.norm() > 0 ?
+                                           support->direction / support->direction.norm() :
+                                           at.normal_vector(q);
+                result[q] = (support->normal_displacement.value(x, t) - u.u[q] * n) * n;
+                continue;
+              }
+            const Tensor<1, dim> wanted = support->displacement.value(x, t);
+            for (unsigned int d = 0; d < dim; ++d)
+              if (support->displacement.prescribed(d))
+                result[q][d] = wanted[d] - u.u[q][d];
+          }
+      return result;
+    }
+
+
+
+    template <int dim>
+    std::vector<double>
+    Boundaries<dim>::distance_to_neighbour(const Cell              &cell,
+                                           const unsigned int       face,
+                                           const FEFaceValues<dim> &at)
+    {
+      const auto [number, part] = cell->neighbor_of_coarser_neighbor(face);
+      const auto neighbour      = cell->neighbor(face);
+      const auto i              = cell->active_fe_index(); // of the same body
+      neighbour_values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(
+                                neighbour),
+                              number,
+                              part,
+                              i,
+                              0,
+                              i);
+      const auto         &there = neighbour_values.get_present_fe_values();
+      std::vector<double> result;
+      for (const unsigned int q : at.quadrature_point_indices())
+        {
+          const double d =
+            (there.quadrature_point(q) - at.quadrature_point(q)) * at.normal_vector(q);
+          result.push_back(std::abs(d) > 1e-13 * cell->diameter() ? d : 0.);
+        }
+      return result;
+    }
+
+
+
+    /// Hadamard's formula, see BoundaryErrors.
+    template <int dim>
+    void
+    Boundaries<dim>::add_strip(const Cell                &cell,
+                               const unsigned int         face,
+                               const std::vector<double> &strip,
+                               BoundaryErrors            &errors)
+    {
+      if (std::all_of(strip.begin(), strip.end(), [](const double d) { return d == 0; }))
+        return;
+      const FEFaceValues<dim> &at = reinit(cell, face);
+      const AtFace<dim>        u  = values_of(displacement, cell, at);
+      for (unsigned int k = 0; k < duals.size(); ++k)
+        {
+          const AtFace<dim> z = values_of(duals[k], cell, at);
+          for (const unsigned int q : at.quadrature_point_indices())
+            {
+              const Tensor<1, dim> &n = at.normal_vector(q);
+              errors.of_geometry[k][cell->active_cell_index()] -=
+                at.JxW(q) * measure(elasticity.model(), at.quadrature_point(q)) * strip[q] *
+                (u.stress[q] * z.strain[q] - u.traction(q, n) * (z.gradients[q] * n) -
+                 z.traction(q, n) * (u.gradients[q] * n));
+            }
+        }
+    }
+
+
+
+    template <int dim>
+    void
+    Boundaries<dim>::add_boundary(const Cell &cell, const unsigned int face, BoundaryErrors &errors)
+    {
+      add_strip(cell, face, thickness(cell, face, reinit(cell, face)), errors);
+      const auto of_face = supports.find(cell->face(face)->boundary_id());
+      if (of_face == supports.end())
+        return;
+      const FEFaceValues<dim>          &at      = reinit(cell, face);
+      const AtFace<dim>                 u       = values_of(displacement, cell, at);
+      const std::vector<Tensor<1, dim>> lacking = unmet(of_face->second, u, at);
+      for (unsigned int k = 0; k < duals.size(); ++k)
+        {
+          const AtFace<dim> z = values_of(duals[k], cell, at);
+          for (const unsigned int q : at.quadrature_point_indices())
+            errors.of_supports[k][cell->active_cell_index()] -=
+              at.JxW(q) * measure(elasticity.model(), at.quadrature_point(q)) *
+              (lacking[q] * z.traction(q, at.normal_vector(q)));
+        }
+    }
+
+
+
+    template <int dim>
+    BoundaryErrors
+    Boundaries<dim>::errors()
+    {
+      const unsigned int n = elasticity.mesh().triangulation().n_active_cells();
+      BoundaryErrors     result;
+      result.of_supports.assign(duals.size(), std::vector<double>(n, 0.));
+      result.of_geometry = result.of_supports;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary())
+              add_boundary(cell, f, result);
+            else if (cell->neighbor_is_coarser(f))
+              add_strip(cell, f, distance_to_neighbour(cell, f, reinit(cell, f)), result);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  BoundaryErrors
+  boundary_errors(const Elasticity<dim>         &elasticity,
+                  const LA::Vector              &displacement,
+                  const std::vector<LA::Vector> &duals)
+  {
+    return Boundaries<dim>(elasticity, displacement, duals).errors();
+  }
+
+
+
+  template BoundaryErrors
+  boundary_errors(const Elasticity<2> &, const LA::Vector &, const std::vector<LA::Vector> &);
+  template BoundaryErrors
+  boundary_errors(const Elasticity<3> &, const LA::Vector &, const std::vector<LA::Vector> &);
+} // namespace Signorini

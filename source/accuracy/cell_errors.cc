@@ -1,0 +1,51 @@
+#include <signorini/accuracy/cell_errors.h>
+#include <signorini/accuracy/recovered_stress.h>
+#include <signorini/elasticity/stress.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  CellErrors
+  cell_errors(const Elasticity<dim>         &elasticity,
+              const LA::Vector              &displacement,
+              const std::vector<LA::Vector> &duals)
+  {
+    std::vector<typename RecoveredStress<dim>::Field> fields = {{&displacement, true}};
+    for (const LA::Vector &z : duals)
+      fields.push_back({&z, false});
+    RecoveredStress<dim> recovered(elasticity, fields);
+
+    const auto        &triangulation = elasticity.mesh().triangulation();
+    const unsigned int n             = triangulation.n_active_cells();
+    CellErrors         result;
+    result.energy.assign(n, 0.);
+    result.products.assign(duals.size(), std::vector<double>(n, 0.));
+    double energy = 0;
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const auto        &at       = recovered(cell);
+          const Material    &material = elasticity.material(cell->material_id());
+          const unsigned int i        = cell->active_cell_index();
+          for (unsigned int q = 0; q < at.weights.size(); ++q)
+            {
+              const auto strain = compliance(material, at.deviation[0][q]);
+              result.energy[i] += at.weights[q] * (at.deviation[0][q] * strain);
+              for (unsigned int z = 0; z < duals.size(); ++z)
+                result.products[z][i] += at.weights[q] * (at.deviation[z + 1][q] * strain);
+              energy += at.weights[q] * (at.stress[0][q] * compliance(material, at.stress[0][q]));
+            }
+        }
+    result.energy_of_solution = Utilities::MPI::sum(energy, triangulation.get_communicator());
+    return result;
+  }
+
+
+
+  template CellErrors
+  cell_errors(const Elasticity<2> &, const LA::Vector &, const std::vector<LA::Vector> &);
+  template CellErrors
+  cell_errors(const Elasticity<3> &, const LA::Vector &, const std::vector<LA::Vector> &);
+} // namespace Signorini

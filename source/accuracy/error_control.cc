@@ -1,0 +1,199 @@
+#include <signorini/accuracy/error_control.h>
+#include <signorini/parameters/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  ErrorControl::ErrorControl(const Goals &goals, const RefinementSettings &settings)
+    : goals(goals)
+    , settings(settings)
+    , histories(goals.quantities.size())
+  {}
+
+
+
+  void
+  ErrorControl::add(const std::vector<QuantityEstimate> &on_next_mesh)
+  {
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      histories[i].add(on_next_mesh[i]);
+  }
+
+
+
+  void
+  ErrorControl::replace_last(const std::vector<QuantityEstimate> &on_last_mesh)
+  {
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      histories[i].replace_last(on_last_mesh[i]);
+  }
+
+
+
+  double
+  ErrorControl::allowed(const unsigned int i) const
+  {
+    return goals.has_targets() ? goals.targets[i] * std::abs(histories[i].last().value) : 0.;
+  }
+
+
+
+  bool
+  ErrorControl::is_met(const bool without_solver) const
+  {
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      {
+        ErrorHistory history = histories[i];
+        if (without_solver)
+          history = history.without_solver();
+        if (history.last_with_bar().bar > allowed(i))
+          return false;
+      }
+    return goals.has_targets();
+  }
+
+
+
+  std::string
+  ErrorControl::obstacle() const
+  {
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      {
+        if (histories[i].last_with_bar().bar <= allowed(i))
+          continue;
+        const std::string &name = goals.quantities[i];
+        if (histories[i].diverges())
+          return name + " grows from mesh to mesh without end: it has no finite value, as under a "
+                        "sharp edge or a point force; ask for a force, or for a value farther away";
+        if (const double model = histories[i].last().parts.model; model > 0.9 * allowed(i))
+          return name + " is wrong by " +
+                 short_text(100 * model / std::abs(histories[i].last().value)) +
+                 " % since contact is on the surfaces at rest; take Contact method/Contact geometry "
+                 "= updated";
+      }
+    return {};
+  }
+
+
+
+  double
+  ErrorControl::allowed_of_mesh(const unsigned int i) const
+  {
+    return std::max(0.2 * allowed(i), allowed(i) - std::abs(histories[i].last().parts.model));
+  }
+
+
+
+  bool
+  ErrorControl::needs_mesh() const
+  {
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      {
+        ErrorHistory history = histories[i].without_solver().without_enforcement();
+        if (history.last_with_bar().bar > allowed(i))
+          return true;
+      }
+    return !goals.has_targets();
+  }
+
+
+
+  std::vector<double>
+  ErrorControl::indicators(const CellErrors &cells, const MPI_Comm comm) const
+  {
+    const auto sum_of = [&](const std::vector<double> &values) {
+      double sum = 0;
+      for (const double value : values)
+        sum += std::abs(value);
+      return Utilities::MPI::sum(sum, comm);
+    };
+    std::vector<double> result(cells.energy.size(), 0.);
+    const auto          add = [&](const std::vector<double> &values, const double weight) {
+      for (unsigned int cell = 0; cell < values.size(); ++cell)
+        result[cell] += weight * std::abs(values[cell]);
+    };
+    if (histories.empty())
+      add(cells.energy, 1.);
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      {
+        const ValueWithBar bar = histories[i].last_with_bar();
+        if (goals.has_targets() && bar.bar <= allowed(i))
+          continue;
+        const double sum = sum_of(cells.products[i]), energy = sum_of(cells.energy);
+        if (sum <= 0)
+          continue;
+        const double unit =
+          goals.has_targets() ? std::max(allowed(i), 1e-3 * sum) : std::abs(bar.value);
+        const double weight = unit > 0 ? 1 / unit : 1 / sum;
+        // What is regularised does not tell all.
+        const double of_energy = histories[i].last().is_regularised ? 0.5 : 0.;
+        add(cells.products[i], (1 - of_energy) * weight);
+        if (energy > 0)
+          add(cells.energy, of_energy * weight * sum / energy);
+      }
+    return result;
+  }
+
+
+
+  double
+  ErrorControl::share() const
+  {
+    // A cell of degree one that is halved has a quarter of its error left, others less.
+    constexpr double least = 0.4, most = 0.75, left = 0.25, reserve = 0.8;
+    double           result = least;
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      {
+        const double bar =
+          histories[i].last_with_bar().bar - std::abs(histories[i].last().parts.model);
+        if (bar <= 0)
+          continue;
+        const double wanted = reserve * allowed_of_mesh(i) / bar;
+        result              = std::max(result, (1 - wanted) / (1 - left));
+      }
+    return std::min(result, most);
+  }
+
+
+
+  double
+  ErrorControl::stiffening() const
+  {
+    // Of the target, once it is not within reach by the mesh alone.
+    constexpr double tolerable = 0.1, most = 1e3;
+    double           result = 1;
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      {
+        const ErrorParts &parts = histories[i].last().parts;
+        const double      limit = tolerable * std::max(allowed(i), std::abs(parts.discretisation));
+        if (goals.has_targets() && std::abs(parts.enforcement) > 3 * limit)
+          result = std::max(result, std::abs(parts.enforcement) / limit);
+      }
+    return std::min(result, most);
+  }
+
+
+
+  double
+  ErrorControl::tolerance(const double present) const
+  {
+    constexpr double tolerable = 0.03, least = 1e-12, most = 1e-3;
+    double           factor = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      {
+        const QuantityEstimate &now = histories[i].last();
+        // The next mesh has half of the error or less.
+        const double mesh =
+          std::max(std::abs(now.parts.discretisation + now.parts.geometry), 0.1 * now.absolute);
+        const double limit = tolerable * std::max(mesh, 0.1 * allowed(i)) / 2;
+        if (now.parts.algebraic != 0)
+          factor = std::min(factor, limit / std::abs(now.parts.algebraic));
+      }
+    return std::clamp(present * std::clamp(factor, 1e-3, 10.), least, most);
+  }
+} // namespace Signorini

@@ -1,0 +1,115 @@
+#include <signorini/accuracy/boundary_errors.h>
+#include <signorini/accuracy/error_estimate.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// zeta.(W g): what closing the gaps that a penalty leaves would change.
+    template <int dim>
+    double
+    of_open_gaps(const Snapshot<dim> &s, const LA::Vector &zeta)
+    {
+      double sum = 0;
+      for (const auto i : zeta.locally_owned_elements())
+        if (s.active(i) > 0)
+          sum += zeta(i) * s.contact.weight(i) * s.gap(i);
+      return Utilities::MPI::sum(sum, zeta.get_mpi_communicator());
+    }
+
+    /// Without the forces of points that pull, though they may separate: -z.(B^T W p).
+    template <int dim>
+    double
+    of_tension(const Snapshot<dim> &s, const LA::Vector &z)
+    {
+      LA::Vector opening = s.contact.zero();
+      if (s.contact.empty())
+        return 0;
+      s.contact.B.vmult(opening, z);
+      double sum = 0;
+      for (const auto i : opening.locally_owned_elements())
+        if (s.pressure(i) < 0 && s.contact.coefficients.permanent(i) == 0)
+          sum -= opening(i) * s.contact.weight(i) * s.pressure(i);
+      return Utilities::MPI::sum(sum, opening.get_mpi_communicator());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ErrorEstimate
+  error_estimate(const Snapshot<dim>             &snapshot,
+                 const std::vector<Functional>   &functionals,
+                 const std::vector<DualSolution> &duals,
+                 const bool                       is_consistent,
+                 const double                     neglected)
+  {
+    const MPI_Comm          comm = snapshot.elasticity.mesh().communicator();
+    std::vector<LA::Vector> displacements;
+    for (unsigned int i = 0; i < duals.size(); ++i)
+      {
+        displacements.push_back(duals[i].z);
+        if (functionals[i].lift.size() > 0)
+          displacements.back() -= functionals[i].lift;
+      }
+    ErrorEstimate result;
+    result.cells  = cell_errors(snapshot.elasticity, snapshot.displacement, displacements);
+    double energy = 0;
+    for (const double e : result.cells.energy)
+      energy += e;
+    energy        = Utilities::MPI::sum(energy, comm);
+    result.energy = result.cells.energy_of_solution > 0 ?
+                      std::sqrt(energy / result.cells.energy_of_solution) :
+                      0.;
+    const BoundaryErrors boundaries =
+      duals.empty() ? BoundaryErrors() :
+                      boundary_errors(snapshot.elasticity, snapshot.displacement, displacements);
+    for (unsigned int i = 0; i < duals.size(); ++i)
+      {
+        double               sum = 0, absolute = 0, geometry = 0;
+        std::vector<double> &of_cells = result.cells.products[i];
+        for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
+          {
+            of_cells[cell] += boundaries.of_supports[i][cell];
+            sum += of_cells[cell];
+            absolute += std::abs(of_cells[cell]);
+            of_cells[cell] += boundaries.of_geometry[i][cell];
+            geometry += boundaries.of_geometry[i][cell];
+          }
+        QuantityEstimate one;
+        one.value          = functionals[i].value;
+        one.is_regularised = functionals[i].is_regularised;
+        one.parts.discretisation =
+          Utilities::MPI::sum(sum, comm) + (functionals[i].is_quadratic ? -energy / 2 : 0.);
+        one.absolute       = Utilities::MPI::sum(absolute, comm);
+        one.parts.geometry = Utilities::MPI::sum(geometry, comm);
+        if (!is_consistent)
+          one.parts.enforcement = of_open_gaps(snapshot, duals[i].zeta);
+        one.parts.nonlinear = of_tension(snapshot, displacements[i]);
+        one.parts.algebraic = duals[i].remainder;
+        one.parts.model     = neglected * std::abs(one.value);
+        result.iterations += duals[i].iterations;
+        result.quantities.push_back(one);
+      }
+    return result;
+  }
+
+
+
+  template ErrorEstimate
+  error_estimate(const Snapshot<2> &,
+                 const std::vector<Functional> &,
+                 const std::vector<DualSolution> &,
+                 bool,
+                 double);
+  template ErrorEstimate
+  error_estimate(const Snapshot<3> &,
+                 const std::vector<Functional> &,
+                 const std::vector<DualSolution> &,
+                 bool,
+                 double);
+} // namespace Signorini

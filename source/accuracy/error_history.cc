@@ -1,0 +1,126 @@
+#include <signorini/accuracy/error_history.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  double
+  ErrorHistory::reduction() const
+  {
+    constexpr double   least = 0.3, most = 0.85;
+    const unsigned int n      = size();
+    const double       before = n < 2 ? 0. : meshes[n - 2].absolute;
+    return before > 0 ? std::clamp(meshes[n - 1].absolute / before, least, most) : most;
+  }
+
+
+
+  double
+  ErrorHistory::by_changes() const
+  {
+    const unsigned int n = size();
+    if (n < 2)
+      return 0;
+    const double factor = reduction();
+    double       change = std::abs(meshes[n - 1].value - meshes[n - 2].value);
+    // One change may be small by chance, of a value that swings about its limit.
+    if (n > 2)
+      change = std::max(change, factor * std::abs(meshes[n - 2].value - meshes[n - 3].value));
+    return change * factor / (1 - factor);
+  }
+
+
+
+  // With the factors, about 19 of 20 bars are true (scripts/accuracy, which tells how they were
+  // fitted).
+  ValueWithBar
+  ErrorHistory::last_with_bar() const
+  {
+    const QuantityEstimate &now   = last();
+    const double            model = std::abs(now.parts.model);
+    const double            rest = std::abs(now.parts.enforcement) + std::abs(now.parts.algebraic) +
+                        std::abs(now.parts.nonlinear);
+    const double correction = std::abs(now.parts.correction());
+    double       bar        = 1.3 * correction + 0.2 * now.absolute;
+    if (!now.is_regularised)
+      bar = std::max(bar, 0.8 * by_changes());
+    else if (size() < 3)
+      bar = std::max({bar, now.absolute, 1.5 * by_changes()});
+    else
+      bar = std::max(0.25 * now.absolute + rest, 1.5 * by_changes());
+    return {now.value, bar + model};
+  }
+
+
+
+  ErrorHistory
+  ErrorHistory::without_solver() const
+  {
+    ErrorHistory result                  = *this;
+    result.meshes.back().parts.nonlinear = 0;
+    result.meshes.back().parts.algebraic = 0;
+    return result;
+  }
+
+
+
+  ErrorHistory
+  ErrorHistory::without_enforcement() const
+  {
+    ErrorHistory result                    = *this;
+    result.meshes.back().parts.enforcement = 0;
+    return result;
+  }
+
+
+
+  std::optional<ValueWithBar>
+  ErrorHistory::extrapolated() const
+  {
+    const unsigned int n = size();
+    if (n < 3 || last().is_regularised)
+      return {};
+    double corrected[3], correction[3];
+    for (unsigned int k = 0; k < 3; ++k)
+      {
+        const QuantityEstimate &one = meshes[n - 3 + k];
+        correction[k]               = one.parts.correction();
+        corrected[k]                = one.value + correction[k];
+      }
+    // Clean: of one sign, and each less than the one before.
+    for (unsigned int k = 1; k < 3; ++k)
+      if (correction[k] * correction[k - 1] <= 0 ||
+          std::abs(correction[k]) > 0.85 * std::abs(correction[k - 1]))
+        return {};
+    const double bar =
+      std::max(std::abs(corrected[2] - corrected[1]), std::abs(corrected[1] - corrected[0]) / 2);
+    if (bar > 0.5 * last_with_bar().bar)
+      return {};
+    return ValueWithBar{corrected[2],
+                        std::max(bar, 0.25 * std::abs(correction[2])) +
+                          std::abs(last().parts.model)};
+  }
+
+
+
+  bool
+  ErrorHistory::diverges() const
+  {
+    // From the square root of a mesh size on, differences fall by 0.7 or more; singular values
+    // without a limit gain as much on each mesh, or more.
+    constexpr unsigned int enough = 4;
+    constexpr double       slow   = 0.9;
+    const unsigned int     n      = size();
+    if (n < enough + 1)
+      return false;
+    for (unsigned int k = n - enough + 1; k < n; ++k)
+      {
+        const double now    = meshes[k].value - meshes[k - 1].value,
+                     before = meshes[k - 1].value - meshes[k - 2].value;
+        if (now * before <= 0 || std::abs(now) < slow * std::abs(before))
+          return false;
+      }
+    return std::abs(meshes[n - 1].value - meshes[n - 2].value) > 1e-3 * std::abs(last().value);
+  }
+} // namespace Signorini

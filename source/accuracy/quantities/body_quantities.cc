@@ -1,0 +1,255 @@
+#include <signorini/accuracy/quantities/kinds.h>
+#include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/reactions.h>
+#include <signorini/elasticity/stress.h>
+#include <signorini/fields/probes.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// One along a direction at the nodes of a support, as far as it holds them, zero elsewhere.
+    template <int dim>
+    LA::Vector
+    one_on_support(const Elasticity<dim> &elasticity,
+                   const std::string     &name,
+                   const Tensor<1, dim>  &direction)
+    {
+      LA::Vector result = elasticity.zero_vector();
+      for (const auto &[index, node] : elasticity.held_nodes())
+        if (elasticity.owned().is_element(index))
+          {
+            const auto     directions = node.orthonormal();
+            Tensor<1, dim> there;
+            for (unsigned int k = 0; k < directions.size(); ++k)
+              if (const Support<dim> *support = node.holds[k].support;
+                  support && support->name == name)
+                there += (direction * directions[k]) * directions[k];
+            for (unsigned int d = 0; d < dim; ++d)
+              result(node.dofs[d]) = there[d];
+          }
+      result.compress(VectorOperation::insert);
+      elasticity.hanging_nodes().distribute(result);
+      return result;
+    }
+
+    /// Forces of the bodies' stiffness on the free degrees of freedom by a displacement that is
+    /// zero in most cells.
+    template <int dim>
+    LA::Vector
+    forces_of(const Elasticity<dim> &elasticity, const LA::Vector &w)
+    {
+      const LA::Vector                     ghosted = elasticity.with_ghosts(w);
+      LA::Vector                           result  = elasticity.zero_vector();
+      StiffnessKernel<dim>                 kernel(elasticity.mesh(),
+                                  elasticity.finite_elements(),
+                                  elasticity.model());
+      FullMatrix<double>                   matrix;
+      Vector<double>                       values, force;
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            read_indices<dim>(cell, indices);
+            values.reinit(indices.size());
+            cell->get_dof_values(ghosted, values);
+            if (values.linfty_norm() == 0)
+              continue;
+            kernel.assemble(cell, elasticity.material(cell->material_id()), matrix);
+            force.reinit(indices.size());
+            matrix.vmult(force, values);
+            elasticity.constraints().distribute_local_to_global(force, indices, result);
+          }
+      result.compress(VectorOperation::add);
+      return result;
+    }
+
+    /// The support exerts w.(forces of the stiffness - loads - contact forces).
+    template <int dim>
+    Functional
+    reaction_along(const Snapshot<dim> &s, const std::string &name, const unsigned int direction)
+    {
+      Functional         result  = zero_functional(s);
+      const GapOperator &contact = s.contact;
+      result.lift = one_on_support<dim>(s.elasticity, name, Point<dim>::unit_vector(direction));
+      result.of_displacement = forces_of(s.elasticity, result.lift);
+      if (contact.empty())
+        return result;
+      LA::Vector &of_pressure = result.of_pressure;
+      contact.B.vmult(of_pressure, result.lift);
+      of_pressure.scale(contact.weight);
+      of_pressure *= -1;
+      if (contact.has_stress() && contact.theta != 0)
+        {
+          // Of the force theta S^T W (s - p)/eps too.
+          LA::Vector by_stress = contact.zero();
+          contact.S.vmult(by_stress, result.lift);
+          by_stress.scale(contact.weight);
+          for (const auto i : by_stress.locally_owned_elements())
+            by_stress(i) *= contact.theta / contact.coefficients.epsilon(i);
+          by_stress.compress(VectorOperation::insert);
+          of_pressure += by_stress;
+          by_stress *= -1;
+          contact.S_free.Tvmult_add(result.of_displacement, by_stress);
+        }
+      return result;
+    }
+
+    template <int dim>
+    const Probe<dim> &
+    probe_named(const std::vector<Probe<dim>> &probes, const std::string &name)
+    {
+      unsigned int i = 0;
+      while (probes[i].name != name)
+        ++i;
+      return probes[i];
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Functional
+  reaction(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  {
+    const auto forces =
+      reactions(s.elasticity,
+                s.displacement,
+                s.contact.total_force(s.pressure, s.contact.stress(s.displacement)));
+    Tensor<1, dim> force;
+    for (unsigned int i = 0; i < s.elasticity.supports().size(); ++i)
+      if (s.elasticity.supports()[i].name == name.of)
+        force = forces.supports[i].force;
+    const auto along = [&](const unsigned int d) {
+      Functional result = d == 0 && s.elasticity.model() == Model::axisymmetric ?
+                            zero_functional(s) :
+                            reaction_along(s, name.of, d);
+      if (result.lift.size() == 0)
+        result.lift = s.elasticity.zero_vector();
+      result.value = force[d];
+      return result;
+    };
+    if (!name.component.empty())
+      return along(component_number(name.component));
+    std::vector<Functional> components;
+    for (unsigned int d = 0; d < dim; ++d)
+      components.push_back(along(d));
+    return size_of(components);
+  }
+
+
+
+  template <int dim>
+  Functional
+  motion(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  {
+    const Elasticity<dim> &e    = s.elasticity;
+    unsigned int           body = 0;
+    while (e.rigid_bodies()[body].name != name.of)
+      ++body;
+    const std::vector<double> values = e.rigid_motion(s.displacement);
+    std::vector<Functional>   components;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        Functional one = zero_functional(s);
+        one.value      = values[body * RigidBody<dim>::n_dofs + d];
+        if (const auto dof = e.first_dof(body) + d; e.owned().is_element(dof))
+          one.of_displacement(dof) = 1;
+        one.of_displacement.compress(VectorOperation::insert);
+        components.push_back(one);
+      }
+    return name.component.empty() ? size_of(components) :
+                                    components[component_number(name.component)];
+  }
+
+
+
+  template <int dim>
+  Functional
+  probe_displacement(const QuantityName            &name,
+                     const Snapshot<dim>           &s,
+                     const std::vector<Probe<dim>> &probes)
+  {
+    const Probe<dim>    &probe = probe_named(probes, name.of);
+    const Tensor<1, dim> u =
+      evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0].displacement;
+    std::vector<Functional> components;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        Functional one = zero_functional(s);
+        one.value      = u[d];
+        one.of_displacement =
+          probe_functional(s.elasticity, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {});
+        components.push_back(one);
+      }
+    return name.component.empty() ? size_of(components) :
+                                    components[component_number(name.component)];
+  }
+
+
+
+  template <int dim>
+  Functional
+  probe_stress(const QuantityName            &name,
+               const Snapshot<dim>           &s,
+               const std::vector<Probe<dim>> &probes)
+  {
+    const Probe<dim>  &probe = probe_named(probes, name.of);
+    const unsigned int i     = component_number(name.component.substr(0, 1)),
+                       j     = component_number(name.component.substr(1));
+    SymmetricTensor<2, 3> which;
+    which[i][j]       = i == j ? 1 : 0.5; // counts twice
+    Functional result = zero_functional(s);
+    result.value =
+      evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0].stress[i][j];
+    result.of_displacement = probe_functional(s.elasticity, probe, Tensor<1, dim>(), which);
+    return result;
+  }
+
+
+
+  template <int dim>
+  Functional
+  probe_von_mises(const QuantityName            &name,
+                  const Snapshot<dim>           &s,
+                  const std::vector<Probe<dim>> &probes)
+  {
+    const Probe<dim> &probe = probe_named(probes, name.of);
+    const auto        at =
+      evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0];
+    Functional result = zero_functional(s);
+    result.value      = at.von_mises;
+    if (at.von_mises > 0)
+      result.of_displacement = probe_functional(s.elasticity,
+                                                probe,
+                                                Tensor<1, dim>(),
+                                                1.5 / at.von_mises * deviator(at.stress));
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template Functional reaction(const QuantityName &,                                               \
+                               const Snapshot<dim> &,                                              \
+                               const std::vector<Probe<dim>> &);                                   \
+  template Functional motion(const QuantityName &,                                                 \
+                             const Snapshot<dim> &,                                                \
+                             const std::vector<Probe<dim>> &);                                     \
+  template Functional probe_displacement(const QuantityName &,                                     \
+                                         const Snapshot<dim> &,                                    \
+                                         const std::vector<Probe<dim>> &);                         \
+  template Functional probe_stress(const QuantityName &,                                           \
+                                   const Snapshot<dim> &,                                          \
+                                   const std::vector<Probe<dim>> &);                               \
+  template Functional probe_von_mises(const QuantityName &,                                        \
+                                      const Snapshot<dim> &,                                       \
+                                      const std::vector<Probe<dim>> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

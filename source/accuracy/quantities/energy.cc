@@ -1,0 +1,72 @@
+#include <signorini/accuracy/quantities/kinds.h>
+#include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/stress.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Functional
+  energy(const QuantityName &, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  {
+    const Elasticity<dim>               &elasticity = s.elasticity;
+    const LA::Vector                     ghosted    = elasticity.with_ghosts(s.displacement);
+    hp::FEValues<dim>                    all_values(elasticity.mesh().mappings(),
+                                 elasticity.finite_elements(),
+                                 hp::QCollection<dim>(QGauss<dim>(elasticity.degree() + 1)),
+                                 update_values | update_gradients | update_quadrature_points |
+                                   update_JxW_values);
+    const FEValuesExtractors::Vector     displacement(0);
+    std::vector<Tensor<1, dim>>          u;
+    std::vector<Tensor<2, dim>>          gradients;
+    std::vector<types::global_dof_index> indices;
+    Vector<double>                       forces;
+    Functional                           result = zero_functional(s);
+    double                               sum    = 0;
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          all_values.reinit(cell);
+          const FEValues<dim> &values   = all_values.get_present_fe_values();
+          const Material      &material = elasticity.material(cell->material_id());
+          u.resize(values.n_quadrature_points);
+          gradients.resize(values.n_quadrature_points);
+          values[displacement].get_function_values(ghosted, u);
+          values[displacement].get_function_gradients(ghosted, gradients);
+          read_indices<dim>(cell, indices);
+          forces.reinit(indices.size());
+          for (const unsigned int q : values.quadrature_point_indices())
+            {
+              const Point<dim> &x      = values.quadrature_point(q);
+              const double      weight = values.JxW(q) * measure(elasticity.model(), x);
+              const auto        sigma  = elasticity.stress(*cell, gradients[q], u[q], x);
+              sum += weight / 2 * (sigma * compliance(material, sigma));
+              for (unsigned int i = 0; i < indices.size(); ++i)
+                forces[i] += weight * (sigma * strain(elasticity.model(),
+                                                      material,
+                                                      values[displacement].gradient(i, q),
+                                                      values[displacement].value(i, q),
+                                                      x));
+            }
+          elasticity.constraints().distribute_local_to_global(forces,
+                                                              indices,
+                                                              result.of_displacement);
+        }
+    result.of_displacement.compress(VectorOperation::add);
+    result.value        = Utilities::MPI::sum(sum, elasticity.mesh().communicator());
+    result.is_quadratic = true;
+    return result;
+  }
+
+
+
+  template Functional
+  energy(const QuantityName &, const Snapshot<2> &, const std::vector<Probe<2>> &);
+  template Functional
+  energy(const QuantityName &, const Snapshot<3> &, const std::vector<Probe<3>> &);
+} // namespace Signorini

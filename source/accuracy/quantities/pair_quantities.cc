@@ -1,0 +1,265 @@
+#include <signorini/accuracy/quantities/kinds.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/fields/contact_patch.h>
+#include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/recovered_pressure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    unsigned int
+    number_of_pair(const Snapshot<dim> &s, const std::string &name)
+    {
+      unsigned int pair = 0;
+      while (s.pairs[pair].name != name)
+        ++pair;
+      return pair;
+    }
+
+    /// Calls visit(row) for the contact points of a pair.
+    template <int dim, typename Visit>
+    void
+    for_rows(const Snapshot<dim> &s, const unsigned int pair, const Visit &visit)
+    {
+      auto which = s.contact.origin.pair.begin();
+      for (const auto i : s.pressure.locally_owned_elements())
+        if (*which++ == pair)
+          visit(i);
+    }
+
+    /// The sum of weights times pressures.
+    template <int dim>
+    Functional
+    weighted_pressure(const Snapshot<dim>                                    &s,
+                      const unsigned int                                      pair,
+                      const std::function<double(types::global_dof_index i)> &weight)
+    {
+      Functional result = zero_functional(s);
+      for_rows(s, pair, [&](const auto i) { result.of_pressure(i) = weight(i); });
+      result.of_pressure.compress(VectorOperation::insert);
+      result.value = result.of_pressure * s.pressure;
+      return result;
+    }
+
+    template <int dim>
+    ContactPatch
+    patch_of(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      return contact_patch(s, pair, recovered_pressure(s, pair));
+    }
+
+    /// The derivative is that of int p/(p + c) dA with c a quarter of the mean pressure, which is
+    /// most where pressures are small, at the edge of contact. In units of the quantity: a relative
+    /// error of the area is one of the quantity.
+    template <int dim>
+    Functional
+    as_area(const Snapshot<dim> &s, const unsigned int pair, const double value, const double power)
+    {
+      double force = 0, area = 0;
+      for_rows(s, pair, [&](const auto i) {
+        if (s.pressure(i) > 0)
+          {
+            force += s.contact.weight(i) * s.pressure(i);
+            area += s.contact.weight(i);
+          }
+      });
+      const MPI_Comm comm   = s.elasticity.mesh().communicator();
+      force                 = Utilities::MPI::sum(force, comm);
+      area                  = Utilities::MPI::sum(area, comm);
+      const double c        = area > 0 ? force / (4 * area) : 1;
+      double       own      = 0;
+      Functional   result   = weighted_pressure<dim>(s, pair, [&](const auto i) {
+        const double p = std::max(0., s.pressure(i));
+        own += s.contact.weight(i) * p / (p + c);
+        return s.contact.weight(i) * c / ((p + c) * (p + c));
+      });
+      const double smoothed = Utilities::MPI::sum(own, comm);
+      result.value          = value;
+      result.is_regularised = true;
+      if (smoothed > 0)
+        result.of_pressure *= power * value / smoothed;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Functional
+  pair_force(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  {
+    const unsigned int      pair = number_of_pair(s, name.of);
+    const double            sign = s.pairs[pair].exchanged ? -1 : 1;
+    std::vector<Functional> components;
+    // Around the axis radial forces are in balance.
+    for (unsigned int d = 0; d < dim; ++d)
+      components.push_back(weighted_pressure<dim>(s, pair, [&](const auto i) {
+        return d == 0 && s.elasticity.model() == Model::axisymmetric ?
+                 0. :
+                 sign * s.contact.weight(i) * s.contact.geometry.normal[d](i);
+      }));
+    return name.component.empty() ? size_of(components) :
+                                    components[component_number(name.component)];
+  }
+
+
+
+  template <int dim>
+  Functional
+  normal_force(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  {
+    return weighted_pressure<dim>(s, number_of_pair(s, name.of), [&](const auto i) {
+      return s.contact.weight(i);
+    });
+  }
+
+
+
+  template <int dim>
+  Functional
+  mean_pressure(const QuantityName            &name,
+                const Snapshot<dim>           &s,
+                const std::vector<Probe<dim>> &probes)
+  {
+    Functional       result = normal_force(name, s, probes);
+    const Functional area   = contact_area(name, s, probes);
+    if (area.value > 0)
+      {
+        const double mean = result.value / area.value;
+        result.of_pressure.add(-mean, area.of_pressure);
+        result.of_pressure /= area.value;
+        result.value = mean;
+      }
+    result.is_regularised = true;
+    return result;
+  }
+
+
+
+  template <int dim>
+  Functional
+  largest_pressure(const QuantityName  &name,
+                   const Snapshot<dim> &s,
+                   const std::vector<Probe<dim>> &)
+  {
+    const unsigned int pair  = number_of_pair(s, name.of);
+    const MPI_Comm     comm  = s.elasticity.mesh().communicator();
+    const LA::Vector   nodal = recovered_pressure(s, pair);
+    double             value = 0;
+    for (const double p : nodal)
+      value = std::max(value, p);
+
+    // The contact point with the largest pressure, the first of those with the same.
+    double                  largest = -std::numeric_limits<double>::max();
+    types::global_dof_index row     = numbers::invalid_dof_index;
+    for_rows(s, pair, [&](const auto i) {
+      if (s.contact.weight(i) > 0 && s.pressure(i) > largest)
+        {
+          largest = s.pressure(i);
+          row     = i;
+        }
+    });
+    const double everywhere = Utilities::MPI::max(largest, comm);
+    row = Utilities::MPI::min(largest == everywhere ? row : numbers::invalid_dof_index, comm);
+    Tensor<1, dim> place;
+    double         size = 0;
+    if (s.pressure.in_local_range(row))
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          place[d] = s.contact.geometry.position[d](row);
+        // E/h at points: what of h is alike in all of them.
+        size = s.surfaces[pair].face_size;
+      }
+    place = Utilities::MPI::sum(place, comm);
+    size  = Utilities::MPI::sum(size, comm);
+
+    const bool is_nodal = samples_nodes(s.contact);
+    double     area     = 0;
+    Functional result   = weighted_pressure<dim>(s, pair, [&](const auto i) {
+      Tensor<1, dim> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = s.contact.geometry.position[d](i);
+      const double share = is_nodal ? i == row : std::max(0., 1 - (x - place).norm() / size);
+      area += share * s.contact.weight(i);
+      return share * s.contact.weight(i);
+    });
+    area                = Utilities::MPI::sum(area, comm);
+    if (area > 0)
+      result.of_pressure /= area;
+    result.value          = Utilities::MPI::max(value, comm);
+    result.is_regularised = true;
+    return result;
+  }
+
+
+
+  template <int dim>
+  Functional
+  contact_area(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  {
+    const unsigned int pair = number_of_pair(s, name.of);
+    return as_area(s, pair, patch_of(s, pair).area, 1.);
+  }
+
+
+
+  template <int dim>
+  Functional
+  half_width(const QuantityName            &name,
+             const Snapshot<dim>           &s,
+             const std::vector<Probe<dim>> &probes)
+  {
+    const unsigned int pair = number_of_pair(s, name.of);
+    const auto         axes = patch_of(s, pair).semi_axes;
+    if (axes.empty()) // axisymmetric, or no contact
+      return contact_radius(name, s, probes);
+    return as_area(s, pair, axes.front(), dim == 2 ? 1. : 0.5);
+  }
+
+
+
+  template <int dim>
+  Functional
+  contact_radius(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  {
+    const unsigned int pair = number_of_pair(s, name.of);
+    return as_area(s, pair, std::sqrt(patch_of(s, pair).area / numbers::PI), 0.5);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template Functional pair_force(const QuantityName &,                                             \
+                                 const Snapshot<dim> &,                                            \
+                                 const std::vector<Probe<dim>> &);                                 \
+  template Functional normal_force(const QuantityName &,                                           \
+                                   const Snapshot<dim> &,                                          \
+                                   const std::vector<Probe<dim>> &);                               \
+  template Functional mean_pressure(const QuantityName &,                                          \
+                                    const Snapshot<dim> &,                                         \
+                                    const std::vector<Probe<dim>> &);                              \
+  template Functional largest_pressure(const QuantityName &,                                       \
+                                       const Snapshot<dim> &,                                      \
+                                       const std::vector<Probe<dim>> &);                           \
+  template Functional contact_area(const QuantityName &,                                           \
+                                   const Snapshot<dim> &,                                          \
+                                   const std::vector<Probe<dim>> &);                               \
+  template Functional half_width(const QuantityName &,                                             \
+                                 const Snapshot<dim> &,                                            \
+                                 const std::vector<Probe<dim>> &);                                 \
+  template Functional contact_radius(const QuantityName &,                                         \
+                                     const Snapshot<dim> &,                                        \
+                                     const std::vector<Probe<dim>> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

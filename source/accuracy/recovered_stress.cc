@@ -1,0 +1,252 @@
+#include <signorini/accuracy/recovered_stress.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/stress.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+
+#include <Eigen/Cholesky>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Products of powers of the coordinates up to a degree, in all 1 + dim or more.
+    template <int dim>
+    class Monomials
+    {
+    public:
+      static constexpr unsigned int most = dim == 2 ? 6 : 10;
+      using Values                       = std::array<double, most>;
+
+      explicit Monomials(const unsigned int degree)
+        : n(degree == 1 ? dim + 1 : most)
+      {}
+
+      Values
+      operator()(const Tensor<1, dim> &x) const
+      {
+        Values value;
+        value[0] = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+          value[1 + d] = x[d];
+        unsigned int next = dim + 1;
+        if (n == most)
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int e = 0; e <= d; ++e)
+              value[next++] = x[d] * x[e];
+        return value;
+      }
+
+      const unsigned int n;
+    };
+
+    /// Gauss rules with 1 to `most` points a direction, rule after rule.
+    template <int dim>
+    hp::QCollection<dim>
+    gauss_rules(const unsigned int most)
+    {
+      hp::QCollection<dim> rules;
+      for (unsigned int n = 1; n <= most; ++n)
+        rules.push_back(QGauss<dim>(n));
+      return rules;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  RecoveredStress<dim>::RecoveredStress(const Elasticity<dim>    &elasticity,
+                                        const std::vector<Field> &fields)
+    : elasticity(elasticity)
+    , rules(gauss_rules<dim>(elasticity.degree() + 1))
+    , values(elasticity.mesh().mappings(),
+             elasticity.finite_elements(),
+             rules,
+             update_values | update_gradients | update_quadrature_points | update_JxW_values)
+  {
+    for (const Field &field : fields)
+      {
+        ghosted.push_back(elasticity.with_ghosts(*field.displacement));
+        has_thermal_strain.push_back(field.has_thermal_strain);
+      }
+    result.deviation.resize(fields.size());
+    result.stress.resize(fields.size());
+    sample();
+    find_neighbours();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  RecoveredStress<dim>::points_a_direction(const Cell &cell) const
+  {
+    const unsigned int degree = elasticity.degree(cell->material_id());
+    for (unsigned int d = 0; d < dim; ++d)
+      if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
+        return std::max(2u, degree);
+    return degree;
+  }
+
+
+
+  template <int dim>
+  void
+  RecoveredStress<dim>::stresses_at(const Cell                       &cell,
+                                    const FEValues<dim>              &at,
+                                    const std::vector<Point<dim>>    &points,
+                                    std::vector<std::vector<Stress>> &stresses) const
+  {
+    const FEValuesExtractors::Vector displacement(0);
+    const Material                  &material = elasticity.material(cell->material_id());
+    std::vector<Tensor<1, dim>>      u(points.size());
+    std::vector<Tensor<2, dim>>      gradients(points.size());
+    for (unsigned int f = 0; f < ghosted.size(); ++f)
+      {
+        at[displacement].get_function_gradients(ghosted[f], gradients);
+        if (elasticity.model() == Model::axisymmetric)
+          at[displacement].get_function_values(ghosted[f], u);
+        stresses[f].resize(points.size());
+        for (unsigned int q = 0; q < points.size(); ++q)
+          stresses[f][q] =
+            has_thermal_strain[f] ?
+              elasticity.stress(*cell, gradients[q], u[q], points[q]) :
+              stress(material, strain(elasticity.model(), material, gradients[q], u[q], points[q]));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  RecoveredStress<dim>::sample()
+  {
+    const auto &triangulation = elasticity.mesh().triangulation();
+    first_sample.assign(triangulation.n_active_cells() + 1, 0);
+    std::vector<std::vector<Stress>> stresses(ghosted.size());
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      {
+        first_sample[cell->active_cell_index()] = places.size();
+        if (cell->is_artificial())
+          continue;
+        values.reinit(cell, points_a_direction(cell) - 1);
+        const FEValues<dim> &at     = values.get_present_fe_values();
+        const auto          &points = at.get_quadrature_points();
+        stresses_at(cell, at, points, stresses);
+        for (unsigned int q = 0; q < points.size(); ++q)
+          {
+            places.push_back(points[q]);
+            for (const auto &of_field : stresses)
+              for (unsigned int c = 0; c < n_components; ++c)
+                samples.push_back(of_field[q].access_raw_entry(c));
+          }
+      }
+    first_sample.back() = places.size();
+  }
+
+
+
+  template <int dim>
+  void
+  RecoveredStress<dim>::find_neighbours()
+  {
+    const auto &triangulation = elasticity.mesh().triangulation();
+    first_at_vertex.assign(triangulation.n_vertices() + 1, 0);
+    const auto for_vertices = [&](const auto &visit) {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const unsigned int v : cell->vertex_indices())
+            visit(cell->vertex_index(v), cell->active_cell_index());
+    };
+    for_vertices([&](const unsigned int v, unsigned int) { ++first_at_vertex[v + 1]; });
+    for (unsigned int v = 0; v < triangulation.n_vertices(); ++v)
+      first_at_vertex[v + 1] += first_at_vertex[v];
+    cells_at_vertex.resize(first_at_vertex.back());
+    std::vector<unsigned int> next = first_at_vertex;
+    for_vertices(
+      [&](const unsigned int v, const unsigned int cell) { cells_at_vertex[next[v]++] = cell; });
+  }
+
+
+
+  template <int dim>
+  void
+  RecoveredStress<dim>::collect_patch(const Cell &cell)
+  {
+    patch.clear();
+    for (const unsigned int v : cell->vertex_indices())
+      patch.insert(patch.end(),
+                   cells_at_vertex.begin() + first_at_vertex[cell->vertex_index(v)],
+                   cells_at_vertex.begin() + first_at_vertex[cell->vertex_index(v) + 1]);
+    std::sort(patch.begin(), patch.end());
+    patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+  }
+
+
+
+  template <int dim>
+  const typename RecoveredStress<dim>::Deviations &
+  RecoveredStress<dim>::operator()(const Cell &cell)
+  {
+    const unsigned int   degree = elasticity.degree(cell->material_id());
+    const Monomials<dim> monomials(degree);
+    const unsigned int   n = monomials.n, n_values = ghosted.size() * n_components;
+    const Point<dim>     center = cell->center();
+    const double         scale  = 1 / cell->diameter();
+
+    // The normal equations.
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Matrix N = Matrix::Zero(n, n), right = Matrix::Zero(n, n_values);
+    collect_patch(cell);
+    for (const unsigned int c : patch)
+      for (unsigned int s = first_sample[c]; s < first_sample[c + 1]; ++s)
+        {
+          const auto          phi   = monomials(scale * (places[s] - center));
+          const double *const value = &samples[s * n_values];
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              for (unsigned int j = 0; j <= i; ++j)
+                N(i, j) += phi[i] * phi[j];
+              for (unsigned int k = 0; k < n_values; ++k)
+                right(i, k) += phi[i] * value[k];
+            }
+        }
+    // What the patch cannot tell, as the slope across a body that is one cell thick, is zero.
+    constexpr double rounding = 1e-9;
+    for (unsigned int i = 0; i < n; ++i)
+      N(i, i) += rounding * N(0, 0);
+    const Matrix coefficients = N.template selfadjointView<Eigen::Lower>().ldlt().solve(right);
+
+    values.reinit(cell, degree); // degree + 1 points a direction
+    const FEValues<dim> &at     = values.get_present_fe_values();
+    const auto          &points = at.get_quadrature_points();
+    stresses_at(cell, at, points, result.stress);
+    result.weights.resize(points.size());
+    for (auto &of_field : result.deviation)
+      of_field.resize(points.size());
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        result.weights[q] = at.JxW(q) * measure(elasticity.model(), points[q]);
+        const auto phi    = monomials(scale * (points[q] - center));
+        for (unsigned int f = 0; f < ghosted.size(); ++f)
+          for (unsigned int c = 0; c < n_components; ++c)
+            {
+              double recovered = 0;
+              for (unsigned int i = 0; i < n; ++i)
+                recovered += phi[i] * coefficients(i, f * n_components + c);
+              result.deviation[f][q].access_raw_entry(c) =
+                recovered - result.stress[f][q].access_raw_entry(c);
+            }
+      }
+    return result;
+  }
+
+
+
+  template class RecoveredStress<2>;
+  template class RecoveredStress<3>;
+} // namespace Signorini

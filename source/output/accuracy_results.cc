@@ -1,0 +1,96 @@
+#include <signorini/output/accuracy_results.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace Signorini
+{
+  Json
+  accuracy_results(const Goals &goals, const ErrorControl &control, const ErrorEstimate &estimate)
+  {
+    Json quantities = Json::object();
+    for (unsigned int i = 0; i < goals.quantities.size(); ++i)
+      {
+        const ErrorHistory     &history = control.quantities()[i];
+        const QuantityEstimate &last    = history.last();
+        const ValueWithBar      now     = history.last_with_bar();
+        Json                   &one     = quantities[goals.quantities[i]];
+        one["value"]                    = now.value;
+        one["bar"]                      = now.bar;
+        if (now.value != 0)
+          one["relative_bar"] = now.bar / std::abs(now.value);
+        if (goals.has_targets())
+          {
+            one["target"] = goals.targets[i];
+            one["met"]    = now.bar <= goals.targets[i] * std::abs(now.value);
+          }
+        if (const auto better = history.extrapolated())
+          one["extrapolated"] = {{"value", better->value}, {"bar", better->bar}};
+        one["parts"]       = {{"discretisation", last.parts.discretisation},
+                              {"geometry", last.parts.geometry},
+                              {"enforcement", last.parts.enforcement},
+                              {"model", last.parts.model},
+                              {"nonlinear", last.parts.nonlinear},
+                              {"algebraic", last.parts.algebraic}};
+        one["absolute"]    = last.absolute;
+        one["regularised"] = last.is_regularised;
+      }
+    return {{"energy", estimate.energy},
+            {"quantities", quantities},
+            {"dual_iterations", estimate.iterations}};
+  }
+
+
+
+  std::vector<QuantityEstimate>
+  quantities_of(const Json &results)
+  {
+    std::vector<QuantityEstimate> all;
+    for (const Json &one : results.at("quantities"))
+      {
+        QuantityEstimate read;
+        const Json      &parts    = one.at("parts");
+        read.value                = one.at("value");
+        read.parts.discretisation = parts.at("discretisation");
+        read.parts.geometry       = parts.at("geometry");
+        read.parts.enforcement    = parts.at("enforcement");
+        read.parts.model          = parts.at("model");
+        read.parts.nonlinear      = parts.at("nonlinear");
+        read.parts.algebraic      = parts.at("algebraic");
+        read.absolute             = one.at("absolute");
+        read.is_regularised       = one.at("regularised");
+        all.push_back(read);
+      }
+    return all;
+  }
+
+
+
+  void
+  print_accuracy(const Goals &goals, const ErrorControl &control, std::ostream &out)
+  {
+    std::size_t widest = 8;
+    for (const std::string &name : goals.quantities)
+      widest = std::max(widest, name.size());
+    std::ostringstream text;
+    text << "  " << std::left << std::setw(widest) << "error of" << std::right
+         << "          value      bar     mesh geometry  penalty    model   solver\n";
+    for (unsigned int i = 0; i < goals.quantities.size(); ++i)
+      {
+        const ErrorHistory &history = control.quantities()[i];
+        const ErrorParts   &parts   = history.last().parts;
+        const ValueWithBar  now     = history.last_with_bar();
+        const double        unit    = now.value != 0 ? std::abs(now.value) : 1;
+        text << "  " << std::left << std::setw(widest) << goals.quantities[i] << std::right
+             << std::setprecision(7) << std::setw(15) << now.value << std::setprecision(1)
+             << std::scientific << std::setw(9) << now.bar / unit << std::setw(9)
+             << parts.discretisation / unit << std::setw(9) << parts.geometry / unit << std::setw(9)
+             << parts.enforcement / unit << std::setw(9) << parts.model / unit << std::setw(9)
+             << (parts.algebraic + parts.nonlinear) / unit << std::defaultfloat << "\n";
+      }
+    out << text.str();
+  }
+} // namespace Signorini
