@@ -320,6 +320,7 @@ namespace Signorini
   {
     if (!solver)
       make_solver(tolerance);
+    solver->set_tolerance(tolerance);
     clock.start();
     {
       TimerOutput::Scope scope(timer, "assembly");

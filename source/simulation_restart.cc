@@ -134,8 +134,8 @@ namespace Signorini
     recorder->restore(head.at("results"));
     for (const Json &cycle : recorder->cycles())
       {
-        control.add(quantities_of(cycle));
-        scene.contact.stiffen(cycle.value("stiffening", 1.));
+        control.add(quantities_of(cycle.at("accuracy")));
+        scene.contact.stiffen(cycle.at("accuracy").value("stiffening", 1.));
       }
     tolerance = head.at("tolerance");
     former.reset();

@@ -83,6 +83,7 @@ namespace Signorini
         QuantityEstimate one;
         one.value          = functionals[i].value;
         one.is_regularised = functionals[i].is_regularised;
+        one.unresolved     = functionals[i].unresolved;
         one.parts.discretisation =
           Utilities::MPI::sum(sum, comm) + (functionals[i].is_quadratic ? -energy / 2 : 0.);
         one.absolute       = Utilities::MPI::sum(absolute, comm);

@@ -8,7 +8,7 @@ namespace Signorini
   Goals::declare(Section &section)
   {
     // Beyond, sums of pressures are rounding.
-    constexpr double least = 1e-9;
+    constexpr double least = 1e-8;
     section.add("Quantity",
                 quantities,
                 "what is wanted, with an error bar: names as 'force of PAIR', 'reaction y of "

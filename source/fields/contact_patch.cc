@@ -21,6 +21,7 @@ namespace Signorini
     struct Moments
     {
       std::vector<double> sums = std::vector<double>(1 + dim + dim * dim, 0.);
+      double              edge = 0; ///< area of parts that the edge crosses
 
       void
       add(const double area, const Point<dim> &x)
@@ -39,6 +40,7 @@ namespace Signorini
       {
         ContactPatch result;
         result.area = sums[0];
+        result.edge = edge;
         // Rings around the axis have no axes of their own.
         if (result.area <= 0 || model == Model::axisymmetric)
           return result;
@@ -86,13 +88,17 @@ namespace Signorini
               n_active += is_active(node);
               values[c] = is_active(node) ? std::max(squares(node), tiny) : level(node);
             }
-          if (n_active > 0)
-            add_part(nodes,
-                     face,
-                     values,
-                     n_active == n,
-                     shares[&face - surface.slave_faces.data()],
-                     result);
+          if (n_active == 0)
+            return;
+          const double share = shares[&face - surface.slave_faces.data()];
+          add_part(nodes, face, values, n_active == n, share, result);
+          if (n_active == n)
+            return;
+          Moments<dim>          whole;
+          std::array<double, n> ones;
+          ones.fill(1.);
+          add_part(nodes, face, ones, true, share, whole);
+          result.edge += whole.sums[0];
         });
         return result;
       }
@@ -275,23 +281,6 @@ namespace Signorini
       const ContactSurface<dim> &surface;
       const LA::Vector           squares, status; ///< with ghosts
     };
-
-    template <int dim>
-    Moments<dim>
-    of_points(const Snapshot<dim> &s, const unsigned int pair)
-    {
-      Moments<dim> result;
-      auto         which = s.contact.origin.pair.begin();
-      for (const auto i : s.active.locally_owned_elements())
-        if (*which++ == pair && s.active(i) > 0)
-          {
-            Point<dim> x;
-            for (unsigned int d = 0; d < dim; ++d)
-              x[d] = s.contact.geometry.position[d](i);
-            result.add(s.contact.weight(i), x);
-          }
-      return result;
-    }
   } // namespace
 
 
@@ -300,9 +289,10 @@ namespace Signorini
   ContactPatch
   contact_patch(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
   {
-    Moments<dim> moments =
-      samples_nodes(s.contact) ? Lattice<dim>(s, pair, pressure).moments() : of_points(s, pair);
-    Utilities::MPI::sum(moments.sums, s.elasticity.mesh().communicator(), moments.sums);
+    Moments<dim>   moments = Lattice<dim>(s, pair, pressure).moments();
+    const MPI_Comm comm    = s.elasticity.mesh().communicator();
+    Utilities::MPI::sum(moments.sums, comm, moments.sums);
+    moments.edge = Utilities::MPI::sum(moments.edge, comm);
     return moments.patch(s.elasticity.model());
   }
 

@@ -36,6 +36,7 @@ namespace Signorini
                               {"nonlinear", last.parts.nonlinear},
                               {"algebraic", last.parts.algebraic}};
         one["absolute"]    = last.absolute;
+        one["unresolved"]  = last.unresolved;
         one["regularised"] = last.is_regularised;
       }
     return {{"energy", estimate.energy},
@@ -61,6 +62,7 @@ namespace Signorini
         read.parts.nonlinear      = parts.at("nonlinear");
         read.parts.algebraic      = parts.at("algebraic");
         read.absolute             = one.at("absolute");
+        read.unresolved           = one.at("unresolved");
         read.is_regularised       = one.at("regularised");
         all.push_back(read);
       }

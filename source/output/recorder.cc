@@ -181,10 +181,10 @@ namespace Signorini
   void
   Recorder<dim>::add_cycle(const unsigned int newton_iterations, const Json &accuracy)
   {
-    Json one = {{"newton_iterations", newton_iterations}, {"dofs", results["dofs"]}};
-    one.update(accuracy);
-    one["seconds"] = clock.wall_time();
-    results["cycles"].push_back(one);
+    results["cycles"].push_back({{"newton_iterations", newton_iterations},
+                                 {"dofs", results["dofs"]},
+                                 {"seconds", clock.wall_time()},
+                                 {"accuracy", accuracy}});
   }
 
 

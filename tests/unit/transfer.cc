@@ -46,8 +46,8 @@ namespace
   mark_by_estimate(Mesh<dim> &mesh, const Elasticity<dim> &elasticity, const LA::Vector &u)
   {
     RefinementSettings settings;
-    settings.refine_fraction  = 0.3;
-    settings.coarsen_fraction = 0.5;
+    settings.refine_fraction  = 0.2;
+    settings.coarsen_fraction = 0.7;
     mark_cells(settings, mesh, cell_errors(elasticity, u, {}).energy);
   }
 

@@ -30,6 +30,7 @@ namespace Signorini
     double     value = 0;
     ErrorParts parts;
     double     absolute       = 0;     ///< the discretisation's, if errors of cells never cancelled
+    double     unresolved     = 0;     ///< by what lies within a face, as the edge of contact does
     bool       is_regularised = false; ///< see Functional
   };
 

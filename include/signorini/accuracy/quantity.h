@@ -44,8 +44,9 @@ namespace Signorini
     LA::Vector lift;
     /// The derivative is that of a smooth quantity close to this one, so that it tells the error
     /// about only.
-    bool is_regularised = false;
-    bool is_quadratic   = false; ///< the energy, see error_estimate()
+    bool   is_regularised = false;
+    double unresolved     = 0;     ///< by what the value may be wrong within a face
+    bool   is_quadratic   = false; ///< the energy, see error_estimate()
   };
 
   /// Collective.

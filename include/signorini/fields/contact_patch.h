@@ -8,6 +8,7 @@ namespace Signorini
   struct ContactPatch
   {
     double area = 0;
+    double edge = 0; ///< area of the faces that its edge crosses (2nd degree: of their quarters)
     /// Of the ellipse (2D: the interval) with the same second moments, the largest first.
     std::vector<double> semi_axes;
   };
@@ -15,7 +16,7 @@ namespace Signorini
   /// Nodes carry pressure or not; the edge of contact lies between. There the square of the
   /// pressure goes to zero linearly, as it does where smooth surfaces lose contact (Hertz), so that
   /// its linear continuation from the nodes in contact tells where. Of methods that sample at
-  /// points, the areas of those in contact. Collective.
+  /// points, nodes have the means about them. Collective.
   /// @param pressure recovered_pressure()
   template <int dim>
   ContactPatch

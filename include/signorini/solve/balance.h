@@ -15,6 +15,12 @@ namespace Signorini
     /// Refers to both.
     Balance(const Bodies &bodies, const ContactLaw &law, double tolerance);
 
+    void
+    set_tolerance(const double wanted)
+    {
+      tolerance = wanted;
+    }
+
     /// Forget the forces that there were.
     void
     restart();
@@ -73,7 +79,7 @@ namespace Signorini
     const Bodies       &bodies;
     const ContactLaw   &law;
     const GapOperator  &contact;
-    const double        tolerance;
+    double              tolerance;
     unsigned int        n_bodies    = 0;
     double              force_scale = 0, largest_force = 0, force_rounding = 0;
     std::vector<double> at_work; ///< forces_at_work() now

@@ -32,6 +32,13 @@ namespace Signorini
       return newton.solve(u, p, active, visit);
     }
 
+    /// Of Newton's method, from then on.
+    void
+    set_tolerance(const double tolerance)
+    {
+      newton.set_tolerance(tolerance);
+    }
+
     /// See Newton::dual().
     DualSolution
     dual(const LA::Vector &u,

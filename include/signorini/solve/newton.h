@@ -30,6 +30,13 @@ namespace Signorini
            ContactSystem        &system,
            LinearSolver         &linear_solver);
 
+    void
+    set_tolerance(const double tolerance)
+    {
+      settings.tolerance = tolerance;
+      balance.set_tolerance(tolerance);
+    }
+
     /// @param u in: start, with the prescribed displacements of this step; out: solution
     /// @param p pressure at the contact points, in: start, out: solution
     /// @param active the points that carry it, 1 or 0, likewise
@@ -77,14 +84,14 @@ namespace Signorini
     void
     linearise(const LA::Vector &u);
 
-    const NewtonSettings settings;
-    Bodies              &bodies;
-    ContactLaw          &law;
-    const GapOperator   &contact;
-    ContactSystem       &system;
-    LinearSolver        &linear_solver;
-    Balance              balance;
-    SetStrategy          strategy;
+    NewtonSettings     settings;
+    Bodies            &bodies;
+    ContactLaw        &law;
+    const GapOperator &contact;
+    ContactSystem     &system;
+    LinearSolver      &linear_solver;
+    Balance            balance;
+    SetStrategy        strategy;
 
     LA::BlockVector x;               ///< the change of (u, q)
     bool            is_same = false; ///< the linear system has the present active set

@@ -62,9 +62,15 @@ namespace Signorini
     /// error of the area is one of the quantity.
     template <int dim>
     Functional
-    as_area(const Snapshot<dim> &s, const unsigned int pair, const double value, const double power)
+    as_area(const Snapshot<dim> &s,
+            const unsigned int   pair,
+            const ContactPatch  &patch,
+            const double         value,
+            const double         power)
     {
-      double force = 0, area = 0;
+      // Where the edge is, in faces.
+      const double sharpness = samples_nodes(s.contact) ? 0.15 : 0.5;
+      double       force = 0, area = 0;
       for_rows(s, pair, [&](const auto i) {
         if (s.pressure(i) > 0)
           {
@@ -85,6 +91,8 @@ namespace Signorini
       const double smoothed = Utilities::MPI::sum(own, comm);
       result.value          = value;
       result.is_regularised = true;
+      if (patch.area > 0)
+        result.unresolved = sharpness * power * value * patch.edge / patch.area;
       if (smoothed > 0)
         result.of_pressure *= power * value / smoothed;
       return result;
@@ -137,7 +145,8 @@ namespace Signorini
         const double mean = result.value / area.value;
         result.of_pressure.add(-mean, area.of_pressure);
         result.of_pressure /= area.value;
-        result.value = mean;
+        result.value      = mean;
+        result.unresolved = mean / area.value * area.unresolved;
       }
     result.is_regularised = true;
     return result;
@@ -206,8 +215,9 @@ namespace Signorini
   Functional
   contact_area(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
   {
-    const unsigned int pair = number_of_pair(s, name.of);
-    return as_area(s, pair, patch_of(s, pair).area, 1.);
+    const unsigned int pair  = number_of_pair(s, name.of);
+    const ContactPatch patch = patch_of(s, pair);
+    return as_area(s, pair, patch, patch.area, 1.);
   }
 
 
@@ -218,11 +228,11 @@ namespace Signorini
              const Snapshot<dim>           &s,
              const std::vector<Probe<dim>> &probes)
   {
-    const unsigned int pair = number_of_pair(s, name.of);
-    const auto         axes = patch_of(s, pair).semi_axes;
-    if (axes.empty()) // axisymmetric, or no contact
+    const unsigned int pair  = number_of_pair(s, name.of);
+    const ContactPatch patch = patch_of(s, pair);
+    if (patch.semi_axes.empty()) // axisymmetric, or no contact
       return contact_radius(name, s, probes);
-    return as_area(s, pair, axes.front(), dim == 2 ? 1. : 0.5);
+    return as_area(s, pair, patch, patch.semi_axes.front(), dim == 2 ? 1. : 0.5);
   }
 
 
@@ -231,8 +241,9 @@ namespace Signorini
   Functional
   contact_radius(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
   {
-    const unsigned int pair = number_of_pair(s, name.of);
-    return as_area(s, pair, std::sqrt(patch_of(s, pair).area / numbers::PI), 0.5);
+    const unsigned int pair  = number_of_pair(s, name.of);
+    const ContactPatch patch = patch_of(s, pair);
+    return as_area(s, pair, patch, std::sqrt(patch.area / numbers::PI), 0.5);
   }
 
 

@@ -1,0 +1,118 @@
+"""What the program says of its errors, against closed forms: estimates, bars, targets; and the refusals."""
+
+import math
+
+from case import SCENES, Case, method, short
+
+PUNCH = ("punch-axisymmetric.prm", "force of contact", 460.396)
+SPHERE = ("hertz-axisymmetric.prm", "force of contact", 1000)
+RINGS = ("shrink-fit.prm", "normal force of fit", 84.717379 * 30 * math.pi / 2)
+FREE_BOUNDARY = ("polynomial.prm", "force of foot", 1 / 120)
+
+
+def wanted(quantity, *more):
+    return [f"Accuracy/Quantity={quantity}", *more]
+
+
+def estimated(known, low, high, ranks, *sets):
+    """On each mesh, what is estimated to be missing is between low and high times what is missing."""
+    scene, quantity, exact = known
+
+    def body(test):
+        results = test.results(SCENES / scene, wanted(quantity, "Accuracy/Refinement cycles=2") + list(sets), ranks)
+        for accuracy in [cycle["accuracy"] for cycle in results["cycles"]] + [results["accuracy"]]:
+            found = accuracy["quantities"][quantity]
+            missing = exact - found["value"]
+            said = sum(part for name, part in found["parts"].items() if name != "model")
+            test.print(f"{found['value']:.6g}: {missing:.3g} is missing, {said:.3g} is estimated")
+            test.check(low <= said / missing <= high, f"{said:.3g} estimated of {missing:.3g}")
+            test.check(abs(missing) <= found["bar"], f"{missing:.3g} is outside of the bar {found['bar']:.3g}")
+    return body
+
+
+def unsolved(method_sets):
+    """The part of the solver is what further steps of it change."""
+    scene, quantity, _ = SPHERE
+
+    def body(test):
+        rough, good = (test.results(SCENES / scene, wanted(quantity, f"Newton/Tolerance={tolerance}") + method_sets)
+                       for tolerance in (1e-3, 1e-11))
+        before, after = (results["accuracy"]["quantities"][quantity] for results in (rough, good))
+        change, said = after["value"] - before["value"], before["parts"]["algebraic"]
+        test.print(f"changes by {change:.3g}, {said:.3g} was estimated")
+        test.check(abs(change - said) <= 0.05 * abs(change) + 1e-7 * abs(after["value"]), f"{said:.3g} of {change:.3g}")
+    return body
+
+
+def soft_penalty(test):
+    """The part of a soft penalty is what a stiff one changes; a target makes it stiffer."""
+    scene, quantity, exact = SPHERE
+    soft, stiff = (test.results(SCENES / scene, wanted(quantity) + method("penalty", Factor=factor)) for factor in (30, 1e6))
+    before, after = (results["accuracy"]["quantities"][quantity] for results in (soft, stiff))
+    change, said = after["value"] - before["value"], before["parts"]["enforcement"]
+    test.print(f"changes by {change:.3g}, {said:.3g} was estimated")
+    test.check(abs(change - said) <= 0.1 * abs(change), f"{said:.3g} of {change:.3g}")
+    results = test.results(SCENES / scene, wanted(quantity, "Accuracy/Target error=5e-3") + method("penalty", Factor=30), 2)
+    reached(test, results, quantity, exact)
+
+
+def reached(test, results, quantity, exact):
+    found = results["accuracy"]["quantities"][quantity]
+    test.print(f"{found['value']:.7g} +- {found['bar']:.2g}, {len(results['cycles']) + 1} meshes, {results['dofs']} dofs")
+    test.check(found["met"], f"the target is not met: {results['accuracy']['reason']}")
+    test.check(abs(found["value"] - exact) <= found["bar"], f"{exact} is outside")
+    return found
+
+
+def aimed_at(known, target, most_dofs, ranks, *sets):
+    scene, quantity, exact = known
+
+    def body(test):
+        results = test.results(SCENES / scene, wanted(quantity, f"Accuracy/Target error={target}") + list(sets), ranks)
+        found = reached(test, results, quantity, exact)
+        test.check(found["bar"] <= target * abs(found["value"]), "the bar is larger than the target")
+        test.check(abs(found["parts"]["algebraic"]) <= 0.1 * found["bar"], "the solver's part is more than a tenth")
+        test.check(results["dofs"] <= most_dofs, f"{results['dofs']} degrees of freedom, more than {most_dofs}")
+    return body
+
+
+def without_limit(test):
+    quantity = "largest pressure of contact"
+    results = test.results(SCENES / PUNCH[0], wanted(quantity, "Accuracy/Target error=1e-2"))
+    test.check(not results["accuracy"]["met"], "the pressure under a sharp edge has no limit")
+    test.check("without end" in results["accuracy"]["reason"], results["accuracy"]["reason"])
+    test.check(results["verdict"]["outcome"] == "warned", results["verdict"]["outcome"])
+
+
+def no_time(test):
+    results = test.results(SCENES / PUNCH[0], wanted(PUNCH[1], "Accuracy/Target error=1e-4", "Accuracy/Time limit=1e-4"))
+    found = results["accuracy"]["quantities"][PUNCH[1]]
+    test.check(not found["met"] and "Time limit" in results["accuracy"]["reason"], results["accuracy"]["reason"])
+    test.check(abs(found["value"] - PUNCH[2]) <= found["bar"], "the exact value is outside of the bar")
+
+
+def same_on_ranks(test):
+    """Bars do not depend on the number of ranks, nor the meshes on the way."""
+    one, four = (test.results(SCENES / PUNCH[0], wanted(PUNCH[1], "Accuracy/Refinement cycles=2"), ranks) for ranks in (1, 4))
+    for name in ("value", "bar", "absolute"):
+        a, b = (results["accuracy"]["quantities"][PUNCH[1]][name] for results in (one, four))
+        test.check(abs(a - b) <= 1e-3 * abs(a), f"{name}: {a} on one rank, {b} on four")
+
+
+def cases():
+    for name in ("Lagrange multiplier", "penalty", "Nitsche"):
+        yield Case("accuracy", f"solver/{short(name)}", unsolved(method(name)))
+        yield Case("accuracy", f"sphere/{short(name)}", estimated(SPHERE, 0.9, 1.35, 2, *method(name)), ranks=2)
+        yield Case("accuracy", f"punch/{short(name)}", estimated(PUNCH, 1, 1.25, 1, *method(name)))
+    yield Case("accuracy", "solver/unsymmetric", unsolved(method("Nitsche", Theta=0)))
+    yield Case("accuracy", "solver/saddle point", unsolved(["Solver/Preconditioner=block triangular"]))
+    yield Case("accuracy", "punch/direct", estimated(PUNCH, 1, 1.25, 1, "Solver/Preconditioner=direct", *method("Nitsche", Theta=0)))
+    yield Case("accuracy", "rings", estimated(RINGS, 0.9, 1.3, 2), ranks=2)
+    yield Case("accuracy", "soft penalty", soft_penalty, ranks=2)
+    yield Case("accuracy", "target/punch", aimed_at(PUNCH, 2e-3, 12000, 2), ranks=2)
+    yield Case("accuracy", "target/degree 2", aimed_at(PUNCH, 2e-4, 30000, 2, "Mesh/Degree=2"), ranks=2)
+    yield Case("accuracy", "target/rings", aimed_at(RINGS, 2e-3, 3000, 1))
+    yield Case("accuracy", "target/free boundary", aimed_at(FREE_BOUNDARY, 2e-3, 8000, 1))
+    yield Case("accuracy", "without limit", without_limit)
+    yield Case("accuracy", "no time", no_time)
+    yield Case("accuracy", "ranks", same_on_ranks, ranks=4)
