@@ -49,7 +49,10 @@ namespace Signorini
                  LA::Vector         &pressure,
                  LA::Vector         &active)
   {
-    pressure = active = contact.zero();
+    // Not by copying one to the other: where as many rows lie on other ranks than before, a copy
+    // would keep the old layout on some of them.
+    pressure = contact.zero();
+    active   = contact.zero();
     if (contact.empty())
       return;
     const MPI_Comm      comm = contact.weight.get_mpi_communicator();

@@ -92,11 +92,13 @@ def no_time(test):
 
 
 def same_on_ranks(test):
-    """Bars do not depend on the number of ranks, nor the meshes on the way."""
-    one, four = (test.results(SCENES / PUNCH[0], wanted(PUNCH[1], "Accuracy/Refinement cycles=2"), ranks) for ranks in (1, 4))
-    for name in ("value", "bar", "absolute"):
-        a, b = (results["accuracy"]["quantities"][PUNCH[1]][name] for results in (one, four))
-        test.check(abs(a - b) <= 1e-3 * abs(a), f"{name}: {a} on one rank, {b} on four")
+    """Bars do not depend on the number of ranks; cells that are joined do a little, since they may be on different ranks."""
+    for cycles, tolerance in ((0, 1e-5), (2, 0.02)):
+        one, four = (test.results(SCENES / PUNCH[0], wanted(PUNCH[1], f"Accuracy/Refinement cycles={cycles}"), ranks)
+                     for ranks in (1, 4))
+        for name in ("value", "bar", "absolute"):
+            a, b = (results["accuracy"]["quantities"][PUNCH[1]][name] for results in (one, four))
+            test.check(abs(a - b) <= tolerance * abs(a), f"{name}: {a} on one rank, {b} on four")
 
 
 def cases():
