@@ -79,6 +79,8 @@ namespace Signorini
     out << "\n"
         << scene.contact.method << ", " << Utilities::MPI::n_mpi_processes(comm) << " ranks"
         << std::endl;
+    if (!scene.choice.empty())
+      out << "  chosen: " << scene.choice << std::endl;
   }
 
 

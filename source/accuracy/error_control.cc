@@ -145,7 +145,7 @@ namespace Signorini
   ErrorControl::share() const
   {
     // A cell of degree one that is halved has a quarter of its error left, others less.
-    constexpr double least = 0.4, most = 0.75, left = 0.25, reserve = 0.8;
+    constexpr double least = 0.1, most = 0.75, left = 0.25, reserve = 0.8;
     double           result = least;
     for (unsigned int i = 0; i < histories.size(); ++i)
       {

@@ -44,7 +44,8 @@ namespace Signorini
   /// The method by which contact is imposed, and how its surfaces are integrated.
   struct ContactSettings
   {
-    std::string method = "Lagrange multiplier";
+    std::string method       = "Lagrange multiplier";
+    bool        is_automatic = false; ///< nobody has chosen it
     std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>>
                         methods;               ///< all, each with its keys
     std::optional<Rule> integration;           ///< none: what suits the method
@@ -114,6 +115,9 @@ namespace Signorini
     KnownSolution<dim>          known;
     std::vector<ExpectedResult> expected;
 
+    /// What the program has chosen, and why; empty: the user has.
+    std::string choice;
+
     void
     declare(Section &section);
 
@@ -155,5 +159,10 @@ namespace Signorini
     /// The obstacle that is a pair's master, or null.
     const Obstacle<dim> *
     obstacle_of(const ContactPair<dim> &pair) const;
+
+  private:
+    /// What Method = auto leaves open. @param has_degree the user has chosen that
+    void
+    choose(bool has_degree);
   };
 } // namespace Signorini
