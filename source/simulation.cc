@@ -308,7 +308,7 @@ namespace Signorini
     TimerOutput::Scope scope(timer, "refinement");
     if (!mark(estimate))
       return false;
-    recorder->add_cycle(n_steps, accuracy);
+    recorder->add_cycle(n_steps, multigrid_cycles(), accuracy);
     reached.reset(); // it belongs to the mesh
     former_cycles  = 0;
     former_seconds = 0;

@@ -22,6 +22,7 @@ namespace Signorini
     CellErrors         result;
     result.energy.assign(n, 0.);
     result.products.assign(duals.size(), std::vector<double>(n, 0.));
+    result.energies_of_duals.assign(duals.size(), 0.);
     double energy = 0;
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -34,10 +35,18 @@ namespace Signorini
               const auto strain = compliance(material, at.deviation[0][q]);
               result.energy[i] += at.weights[q] * (at.deviation[0][q] * strain);
               for (unsigned int z = 0; z < duals.size(); ++z)
-                result.products[z][i] += at.weights[q] * (at.deviation[z + 1][q] * strain);
+                {
+                  const auto &of_dual = at.deviation[z + 1][q];
+                  result.products[z][i] += at.weights[q] * (of_dual * strain);
+                  result.energies_of_duals[z] +=
+                    at.weights[q] * (of_dual * compliance(material, of_dual));
+                }
               energy += at.weights[q] * (at.stress[0][q] * compliance(material, at.stress[0][q]));
             }
         }
+    Utilities::MPI::sum(result.energies_of_duals,
+                        triangulation.get_communicator(),
+                        result.energies_of_duals);
     result.energy_of_solution = Utilities::MPI::sum(energy, triangulation.get_communicator());
     return result;
   }

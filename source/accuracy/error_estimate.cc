@@ -1,4 +1,5 @@
 #include <signorini/accuracy/boundary_errors.h>
+#include <signorini/accuracy/contact_errors.h>
 #include <signorini/accuracy/error_estimate.h>
 
 #include <cmath>
@@ -83,7 +84,10 @@ namespace Signorini
         QuantityEstimate one;
         one.value          = functionals[i].value;
         one.is_regularised = functionals[i].is_regularised;
-        one.unresolved     = functionals[i].unresolved;
+        one.unresolved     = functionals[i].unresolved +
+                         undetermined_contact(snapshot, functionals[i], displacements[i]);
+        one.energy = result.energy;
+        one.most   = std::sqrt(energy * result.cells.energies_of_duals[i]);
         one.parts.discretisation =
           Utilities::MPI::sum(sum, comm) + (functionals[i].is_quadratic ? -energy / 2 : 0.);
         one.absolute       = Utilities::MPI::sum(absolute, comm);

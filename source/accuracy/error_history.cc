@@ -53,6 +53,11 @@ namespace Signorini
         const double share = size() == 1 ? 0.7 : size() == 2 ? 0.4 : 0.15;
         bar                = std::max(share * now.absolute + rest, 1.2 * by_changes());
       }
+    // Errors of cells may cancel in what recovery sees, and not in what it does not see, as the
+    // edge of contact within a face: until another mesh shows how the value changes.
+    if (size() == 1)
+      bar = std::max(
+        {bar, now.most / 3, now.is_regularised ? 0.25 * now.energy * std::abs(now.value) : 0.});
     return {now.value, bar + now.unresolved + model + rounding * std::abs(now.value)};
   }
 

@@ -22,16 +22,29 @@ namespace Signorini
     {
       std::vector<double> sums = std::vector<double>(1 + dim + dim * dim, 0.);
       double              edge = 0; ///< area of parts that the edge crosses
+      /// Negative lowest and highest coordinates.
+      std::vector<double> box = std::vector<double>(2 * dim, -std::numeric_limits<double>::max());
 
       void
       add(const double area, const Point<dim> &x)
       {
         sums[0] += area;
+        extend(x);
         for (unsigned int d = 0; d < dim; ++d)
           {
             sums[1 + d] += area * x[d];
             for (unsigned int e = 0; e < dim; ++e)
               sums[1 + dim + dim * d + e] += area * x[d] * x[e];
+          }
+      }
+
+      void
+      extend(const Point<dim> &x)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            box[d]       = std::max(box[d], -x[d]);
+            box[dim + d] = std::max(box[dim + d], x[d]);
           }
       }
 
@@ -41,6 +54,11 @@ namespace Signorini
         ContactPatch result;
         result.area = sums[0];
         result.edge = edge;
+        for (unsigned int d = 0; d < dim && result.area > 0; ++d)
+          {
+            result.from.push_back(0. - box[d]);
+            result.to.push_back(box[dim + d]);
+          }
         // Rings around the axis have no axes of their own.
         if (result.area <= 0 || model == Model::axisymmetric)
           return result;
@@ -92,6 +110,9 @@ namespace Signorini
             return;
           const double share = shares[&face - surface.slave_faces.data()];
           add_part(nodes, face, values, n_active == n, share, result);
+          if (n_active == n)
+            for (const unsigned int node : nodes)
+              result.extend(face.positions[node]);
           if (n_active == n)
             return;
           Moments<dim>          whole;
@@ -293,6 +314,7 @@ namespace Signorini
     const MPI_Comm comm    = s.elasticity.mesh().communicator();
     Utilities::MPI::sum(moments.sums, comm, moments.sums);
     moments.edge = Utilities::MPI::sum(moments.edge, comm);
+    Utilities::MPI::max(moments.box, comm, moments.box);
     return moments.patch(s.elasticity.model());
   }
 

@@ -36,6 +36,7 @@ namespace Signorini
                               {"nonlinear", last.parts.nonlinear},
                               {"algebraic", last.parts.algebraic}};
         one["absolute"]    = last.absolute;
+        one["most"]        = last.most;
         one["unresolved"]  = last.unresolved;
         one["regularised"] = last.is_regularised;
       }
@@ -62,7 +63,9 @@ namespace Signorini
         read.parts.nonlinear      = parts.at("nonlinear");
         read.parts.algebraic      = parts.at("algebraic");
         read.absolute             = one.at("absolute");
+        read.most                 = one.at("most");
         read.unresolved           = one.at("unresolved");
+        read.energy               = results.at("energy");
         read.is_regularised       = one.at("regularised");
         all.push_back(read);
       }

@@ -179,9 +179,12 @@ namespace Signorini
 
   template <int dim>
   void
-  Recorder<dim>::add_cycle(const unsigned int newton_iterations, const Json &accuracy)
+  Recorder<dim>::add_cycle(const unsigned int newton_iterations,
+                           const unsigned int multigrid_cycles,
+                           const Json        &accuracy)
   {
     results["cycles"].push_back({{"newton_iterations", newton_iterations},
+                                 {"multigrid_cycles", multigrid_cycles},
                                  {"dofs", results["dofs"]},
                                  {"seconds", clock.wall_time()},
                                  {"accuracy", accuracy}});

@@ -1,6 +1,7 @@
 #include <signorini/elasticity/reactions.h>
 #include <signorini/elasticity/rigid_pose.h>
 #include <signorini/fields/contact_patch.h>
+#include <signorini/fields/largest_stress.h>
 #include <signorini/fields/point_values.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/output/results.h>
@@ -186,6 +187,8 @@ namespace Signorini
           {"normal_force", force.normal_force},
           {"area", sums.patch.area},
           {"semi_axes", list(sums.patch.semi_axes)},
+          {"contact_from", list(sums.patch.from)},
+          {"contact_to", list(sums.patch.to)},
           {"points", sums.points},
           {"active_points", sums.active_points},
           {"separates", snapshot.pairs[pair].separates},
@@ -310,9 +313,17 @@ namespace Signorini
       return Json{{"force_balance", one.force.norm() / scale},
                   {"moment_balance", one.moment.norm() / (scale * mesh.size())}};
     };
+    const auto stresses = largest_stresses(s.elasticity, s.displacement);
+    const auto at_place = [&](const ValueAtPlace<dim> &one) {
+      return Json{{"value", one.value}, {"place", list(Tensor<1, dim>(one.place))}};
+    };
     for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
       {
-        bodies[mesh.body_name(body)] = balance(on_bodies[body]);
+        Json &of_body      = bodies[mesh.body_name(body)];
+        of_body            = balance(on_bodies[body]);
+        of_body["largest"] = {{"von_mises", at_place(stresses[body].von_mises)},
+                              {"shear", at_place(stresses[body].shear)},
+                              {"principal_stress", at_place(stresses[body].principal)}};
         sum += on_bodies[body];
       }
     Json results = {{"supports", supports},

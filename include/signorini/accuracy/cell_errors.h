@@ -12,7 +12,8 @@ namespace Signorini
     std::vector<double> energy; ///< square of the energy norm, (int e:sigma(e) dV)
     /// By quantity: the product of the errors of the solution and of the dual one in the energy.
     std::vector<std::vector<double>> products;
-    double                           energy_of_solution = 0; ///< int sigma:eps dV, on all ranks
+    std::vector<double> energies_of_duals;      ///< of their errors, likewise squares, on all ranks
+    double              energy_of_solution = 0; ///< int sigma:eps dV, on all ranks
   };
 
   /// By recovered stresses (RecoveredStress): with e the error of the solution and e_z that of a

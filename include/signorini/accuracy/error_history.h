@@ -31,6 +31,8 @@ namespace Signorini
     ErrorParts parts;
     double     absolute       = 0;     ///< the discretisation's, if errors of cells never cancelled
     double     unresolved     = 0;     ///< by what lies within a face, as the edge of contact does
+    double     energy         = 0;     ///< norm of the whole error, relative to the solution
+    double     most           = 0;     ///< of the discretisation, by Cauchy and Schwarz
     bool       is_regularised = false; ///< see Functional
   };
 

@@ -9,6 +9,8 @@ namespace Signorini
   {
     double area = 0;
     double edge = 0; ///< area of the faces that its edge crosses (2nd degree: of their quarters)
+    /// Corners of the box around it, along the axes; empty without contact.
+    std::vector<double> from, to;
     /// Of the ellipse (2D: the interval) with the same second moments, the largest first.
     std::vector<double> semi_axes;
   };

@@ -75,7 +75,7 @@ namespace Signorini
     add_contact_geometry(std::optional<double> change, bool updated);
     /// A solution on a mesh that is refined then.
     void
-    add_cycle(unsigned int newton_iterations, const Json &accuracy);
+    add_cycle(unsigned int newton_iterations, unsigned int multigrid_cycles, const Json &accuracy);
     /// The errors of the last load step. @param why the targets were not reached; empty: they were,
     /// or there are none
     void

@@ -1,0 +1,91 @@
+#include <signorini/elasticity/stress.h>
+#include <signorini/fields/largest_stress.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    void
+    raise(ValueAtPlace<dim> &largest, const double value, const Point<dim> &x)
+    {
+      if (value > largest.value)
+        largest = {value, x};
+    }
+
+    /// That of the rank with the largest value, the lowest of those.
+    template <int dim>
+    void
+    over_ranks(ValueAtPlace<dim> &one, const MPI_Comm comm)
+    {
+      const double       largest = Utilities::MPI::max(one.value, comm);
+      const unsigned int me      = Utilities::MPI::this_mpi_process(comm);
+      const unsigned int owner =
+        Utilities::MPI::min(one.value == largest ? me : numbers::invalid_unsigned_int, comm);
+      one.value = largest;
+      one.place = Utilities::MPI::broadcast(comm, one.place, owner);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<LargestStresses<dim>>
+  largest_stresses(const Elasticity<dim> &elasticity, const LA::Vector &displacement)
+  {
+    const Mesh<dim>     &mesh    = elasticity.mesh();
+    const LA::Vector     ghosted = elasticity.with_ghosts(displacement);
+    hp::QCollection<dim> rules;
+    for (const auto &fe : elasticity.finite_elements())
+      rules.push_back(QGauss<dim>(fe.degree));
+    hp::FEValues<dim>                all_values(mesh.mappings(),
+                                 elasticity.finite_elements(),
+                                 rules,
+                                 update_values | update_gradients | update_quadrature_points);
+    const FEValuesExtractors::Vector v(0);
+    std::vector<Tensor<1, dim>>      u;
+    std::vector<Tensor<2, dim>>      gradients;
+    LargestStresses<dim>             least;
+    for (auto *one : {&least.von_mises, &least.shear, &least.principal})
+      one->value = -std::numeric_limits<double>::max();
+    std::vector<LargestStresses<dim>> result(mesh.n_bodies(), least);
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          all_values.reinit(cell, cell->active_fe_index(), 0, cell->active_fe_index());
+          const FEValues<dim> &values = all_values.get_present_fe_values();
+          u.resize(values.n_quadrature_points);
+          gradients.resize(u.size());
+          values[v].get_function_values(ghosted, u);
+          values[v].get_function_gradients(ghosted, gradients);
+          LargestStresses<dim> &largest = result[cell->material_id()];
+          for (const unsigned int q : values.quadrature_point_indices())
+            {
+              const Point<dim> &x         = values.quadrature_point(q);
+              const auto        sigma     = elasticity.stress(*cell, gradients[q], u[q], x);
+              const auto        principal = eigenvalues(sigma); // the largest first
+              raise(largest.von_mises, von_mises(sigma), x);
+              raise(largest.shear, (principal[0] - principal[2]) / 2, x);
+              raise(largest.principal, principal[0], x);
+            }
+        }
+    for (LargestStresses<dim> &largest : result)
+      for (auto *one : {&largest.von_mises, &largest.shear, &largest.principal})
+        over_ranks(*one, mesh.communicator());
+    return result;
+  }
+
+
+
+  template std::vector<LargestStresses<2>>
+  largest_stresses(const Elasticity<2> &, const LA::Vector &);
+  template std::vector<LargestStresses<3>>
+  largest_stresses(const Elasticity<3> &, const LA::Vector &);
+} // namespace Signorini
