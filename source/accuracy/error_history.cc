@@ -43,7 +43,8 @@ namespace Signorini
     const double            rest = std::abs(now.parts.enforcement) + std::abs(now.parts.algebraic) +
                         std::abs(now.parts.nonlinear);
     const double correction = std::abs(now.parts.correction());
-    double       bar        = 1.3 * correction + 0.2 * now.absolute;
+    // Penalties and meshes often err in opposite directions, which is no reason to trust soft ones.
+    double bar = 1.3 * correction + 0.2 * now.absolute + 0.5 * std::abs(now.parts.enforcement);
     if (!now.is_regularised)
       bar = std::max(bar, 0.8 * by_changes());
     else
