@@ -193,8 +193,10 @@ namespace Signorini
 
 
   Functional
-  size_of(const std::vector<Functional> &components)
+  size_or_component(const QuantityName &name, const std::vector<Functional> &components)
   {
+    if (!name.component.empty())
+      return components[component_number(name.component)];
     double square = 0;
     for (const Functional &one : components)
       square += one.value * one.value;

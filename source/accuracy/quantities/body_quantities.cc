@@ -108,6 +108,13 @@ namespace Signorini
         ++i;
       return probes[i];
     }
+
+    template <int dim>
+    ProbeValue<dim>
+    value_at(const Snapshot<dim> &s, const Probe<dim> &probe)
+    {
+      return evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0];
+    }
   } // namespace
 
 
@@ -138,7 +145,7 @@ namespace Signorini
     std::vector<Functional> components;
     for (unsigned int d = 0; d < dim; ++d)
       components.push_back(along(d));
-    return size_of(components);
+    return size_or_component(name, components);
   }
 
 
@@ -162,8 +169,7 @@ namespace Signorini
         one.of_displacement.compress(VectorOperation::insert);
         components.push_back(one);
       }
-    return name.component.empty() ? size_of(components) :
-                                    components[component_number(name.component)];
+    return size_or_component(name, components);
   }
 
 
@@ -174,9 +180,8 @@ namespace Signorini
                      const Snapshot<dim>           &s,
                      const std::vector<Probe<dim>> &probes)
   {
-    const Probe<dim>    &probe = probe_named(probes, name.of);
-    const Tensor<1, dim> u =
-      evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0].displacement;
+    const Probe<dim>       &probe = probe_named(probes, name.of);
+    const Tensor<1, dim>    u     = value_at(s, probe).displacement;
     std::vector<Functional> components;
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -186,8 +191,7 @@ namespace Signorini
           probe_functional(s.elasticity, probe, Tensor<1, dim>(Point<dim>::unit_vector(d)), {});
         components.push_back(one);
       }
-    return name.component.empty() ? size_of(components) :
-                                    components[component_number(name.component)];
+    return size_or_component(name, components);
   }
 
 
@@ -202,10 +206,9 @@ namespace Signorini
     const unsigned int i     = component_number(name.component.substr(0, 1)),
                        j     = component_number(name.component.substr(1));
     SymmetricTensor<2, 3> which;
-    which[i][j]       = i == j ? 1 : 0.5; // counts twice
-    Functional result = zero_functional(s);
-    result.value =
-      evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0].stress[i][j];
+    which[i][j]            = i == j ? 1 : 0.5; // counts twice
+    Functional result      = zero_functional(s);
+    result.value           = value_at(s, probe).stress[i][j];
     result.of_displacement = probe_functional(s.elasticity, probe, Tensor<1, dim>(), which);
     return result;
   }
@@ -218,11 +221,10 @@ namespace Signorini
                   const Snapshot<dim>           &s,
                   const std::vector<Probe<dim>> &probes)
   {
-    const Probe<dim> &probe = probe_named(probes, name.of);
-    const auto        at =
-      evaluate_probes(s.elasticity, s.displacement, std::vector<Probe<dim>>{probe})[0];
-    Functional result = zero_functional(s);
-    result.value      = at.von_mises;
+    const Probe<dim> &probe  = probe_named(probes, name.of);
+    const auto        at     = value_at(s, probe);
+    Functional        result = zero_functional(s);
+    result.value             = at.von_mises;
     if (at.von_mises > 0)
       result.of_displacement = probe_functional(s.elasticity,
                                                 probe,

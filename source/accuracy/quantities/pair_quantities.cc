@@ -115,8 +115,7 @@ namespace Signorini
                  0. :
                  sign * s.contact.weight(i) * s.contact.geometry.normal[d](i);
       }));
-    return name.component.empty() ? size_of(components) :
-                                    components[component_number(name.component)];
+    return size_or_component(name, components);
   }
 
 

@@ -87,7 +87,8 @@ namespace Signorini
   unsigned int
   component_number(const std::string &component);
 
-  /// The size of a vector whose components are functionals: |F|, with the derivative F/|F| . F'.
+  /// What a name means by a vector whose components are functionals: one of them, or its size |F|,
+  /// with the derivative F/|F| . F'.
   Functional
-  size_of(const std::vector<Functional> &components);
+  size_or_component(const QuantityName &name, const std::vector<Functional> &components);
 } // namespace Signorini
