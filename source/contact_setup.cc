@@ -1,6 +1,4 @@
 #include <signorini/contact/discretisation/geometric_stiffness.h>
-#include <signorini/contact/geometry/deep_overlap.h>
-#include <signorini/contact/geometry/find_pairs.h>
 #include <signorini/contact/geometry/reach.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/contact_setup.h>
@@ -444,67 +442,9 @@ namespace Signorini
 
 
 
-  namespace
-  {
-    /// Two bodies whose boxes say that one may lie deeper in the other than pairs were looked for,
-    /// and which have none.
-    template <int dim>
-    void
-    warn_of_overlaps(const Mesh<dim>                     &mesh,
-                     const std::vector<ContactPair<dim>> &pairs,
-                     const double                         distance,
-                     ConditionalOStream                  &out)
-    {
-      const auto is_of = [&](const std::string &boundary, const unsigned int body) {
-        return boundary.rfind(mesh.body_name(body) + ".", 0) == 0;
-      };
-      for (unsigned int a = 0; a < mesh.n_bodies(); ++a)
-        for (unsigned int b = 0; b < a; ++b)
-          {
-            const double depth = common_depth(mesh.extent(a), mesh.extent(b));
-            const bool   any   = std::any_of(pairs.begin(), pairs.end(), [&](const auto &pair) {
-              return (is_of(pair.slave, a) && is_of(pair.master, b)) ||
-                     (is_of(pair.slave, b) && is_of(pair.master, a));
-            });
-            if (depth > distance && !any)
-              out << "  WARNING: " << mesh.body_name(b) << " and " << mesh.body_name(a)
-                  << ": one may lie up to " << depth << " deep in the other, but no surfaces of "
-                  << "theirs see each other within " << distance
-                  << "; if they overlap, name the pair, or set Contact pairs/auto/Search distance"
-                  << std::endl;
-          }
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  std::vector<ContactPair<dim>>
-  automatic_pairs(const Scene<dim> &scene, const Mesh<dim> &mesh, ConditionalOStream &out)
-  {
-    std::vector<double> moduli;
-    for (const Body<dim> &body : scene.bodies)
-      moduli.push_back(body.material.youngs_modulus);
-    const ContactPair<dim> &pattern  = scene.pairs.front();
-    const double            distance = pattern.search_distance > 0 ?
-                                         pattern.search_distance :
-                                         std::max(mesh.size() / 10, largest_closing(scene, mesh));
-    const auto              pairs    = find_pairs(mesh, scene.obstacles, moduli, pattern, distance);
-    if (pairs.empty())
-      out << "  WARNING: no surfaces see each other within " << distance
-          << "; name the Contact pairs, or set Contact pairs/auto/Search distance" << std::endl;
-    warn_of_overlaps(mesh, pairs, distance, out);
-    return pairs;
-  }
-
-
-
 #define INSTANTIATE(dim)                                                                           \
   template class ContactSetup<dim>;                                                                \
-  template double                        largest_closing(const Scene<dim> &, const Mesh<dim> &);   \
-  template std::vector<ContactPair<dim>> automatic_pairs(const Scene<dim> &,                       \
-                                                         const Mesh<dim> &,                        \
-                                                         ConditionalOStream &);
+  template double largest_closing(const Scene<dim> &, const Mesh<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -166,9 +166,4 @@ namespace Signorini
   template <int dim>
   double
   largest_closing(const Scene<dim> &scene, const Mesh<dim> &mesh);
-
-  /// The pairs that Names = auto stands for. Collective.
-  template <int dim>
-  std::vector<ContactPair<dim>>
-  automatic_pairs(const Scene<dim> &scene, const Mesh<dim> &mesh, dealii::ConditionalOStream &out);
 } // namespace Signorini

@@ -58,21 +58,6 @@ namespace Signorini
     /// Probes and expected results, before they cost a solution. Throws SceneError.
     void
     check_wanted();
-    /// Estimate the errors of the last solution, and refine the mesh. False if that is not needed,
-    /// or of no use: the last solution is on the last mesh.
-    bool
-    improve();
-    /// False if the next mesh cannot be had.
-    bool
-    mark(const ErrorEstimate &estimate);
-    void
-    report_errors();
-    /// Of the last load step.
-    void
-    estimate_result();
-    /// Of the last solution. Collective.
-    ErrorEstimate
-    estimate_errors();
     /// The end of the load history, on a mesh that is still to be refined.
     bool
     solve_for_estimate();
@@ -101,6 +86,24 @@ namespace Signorini
     compare_with_linear_solve();
     ExitCode
     finish(const NewtonReport &end);
+
+    // Errors, in simulation_accuracy.cc:
+
+    /// Estimate the errors of the last solution, and refine the mesh. False if that is not needed,
+    /// or of no use: the last solution is on the last mesh.
+    bool
+    improve();
+    /// False if the next mesh cannot be had.
+    bool
+    mark(const ErrorEstimate &estimate);
+    void
+    report_errors();
+    /// Of the last load step.
+    void
+    estimate_result();
+    /// Of the last solution. Collective.
+    ErrorEstimate
+    estimate_errors();
 
     // Checkpoints, in simulation_restart.cc:
 

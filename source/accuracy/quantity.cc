@@ -14,7 +14,8 @@ namespace Signorini
       pair,
       support,
       obstacle,
-      probe,
+      probe,         ///< a point in a body
+      surface_probe, ///< a point on a pair
       nothing
     };
 
@@ -30,8 +31,8 @@ namespace Signorini
       const char  *what;
       Of           of;
       ComponentsOf components;
-      Functional (*in_2d)(const QuantityName &, const Snapshot<2> &, const std::vector<Probe<2>> &);
-      Functional (*in_3d)(const QuantityName &, const Snapshot<3> &, const std::vector<Probe<3>> &);
+      Functional (*in_2d)(const QuantityName &, const Snapshot<2> &, const Probes<2> &);
+      Functional (*in_3d)(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
     };
 
     const std::vector<Kind> &
@@ -58,6 +59,7 @@ namespace Signorini
          probe_displacement<3>},
         {"stress", Of::probe, ComponentsOf::tensor, probe_stress<2>, probe_stress<3>},
         {"von Mises", Of::probe, ComponentsOf::none, probe_von_mises<2>, probe_von_mises<3>},
+        {"pressure", Of::surface_probe, ComponentsOf::none, probe_pressure<2>, probe_pressure<3>},
         {"energy", Of::nothing, ComponentsOf::none, energy<2>, energy<3>}};
       return all;
     }
@@ -91,7 +93,9 @@ namespace Signorini
                                                 kind.of == Of::support  ? " of SUPPORT" :
                                                 kind.of == Of::obstacle ? " of OBSTACLE" :
                                                 kind.of == Of::probe    ? " of PROBE" :
-                                                                          ""));
+                                                kind.of == Of::surface_probe ?
+                                                                       " of PROBE (on a pair)" :
+                                                                       ""));
       return join(all);
     }
   } // namespace
@@ -134,11 +138,13 @@ namespace Signorini
     const std::vector<std::string> &existing = kind->of == Of::pair     ? names.pairs :
                                                kind->of == Of::support  ? names.supports :
                                                kind->of == Of::obstacle ? names.obstacles :
-                                                                          names.probes;
+                                               kind->of == Of::probe    ? names.probes :
+                                                                          names.surface_probes;
     const std::string               what     = kind->of == Of::pair    ? "contact pair" :
                                                kind->of == Of::support ? "support" :
                                                kind->of == Of::obstacle ? "obstacle that moves freely" :
-                                                                          "probe";
+                                               kind->of == Of::probe ? "probe of one point in a body" :
+                                                                       "probe of one point on a pair";
     if (kind->of != Of::nothing &&
         std::find(existing.begin(), existing.end(), result.of) == existing.end())
       throw SceneError(place + ": '" + text + "': there is no " + what + " '" + result.of + "'" +
@@ -152,9 +158,7 @@ namespace Signorini
 
   template <>
   Functional
-  functional(const QuantityName          &name,
-             const Snapshot<2>           &snapshot,
-             const std::vector<Probe<2>> &probes)
+  functional(const QuantityName &name, const Snapshot<2> &snapshot, const Probes<2> &probes)
   {
     return find_kind(name.what)->in_2d(name, snapshot, probes);
   }
@@ -163,9 +167,7 @@ namespace Signorini
 
   template <>
   Functional
-  functional(const QuantityName          &name,
-             const Snapshot<3>           &snapshot,
-             const std::vector<Probe<3>> &probes)
+  functional(const QuantityName &name, const Snapshot<3> &snapshot, const Probes<3> &probes)
   {
     return find_kind(name.what)->in_3d(name, snapshot, probes);
   }

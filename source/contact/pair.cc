@@ -38,8 +38,16 @@ namespace Signorini
       "points that are farther apart at the start never touch; 0: chosen from the motion that is expected, "
       "and widened where bodies move farther [length]",
       non_negative);
+    section.add(
+      "Directions",
+      directions,
+      "along which the extent of the contact zone is reported, beside the axes: vectors, separated by "
+      "semicolons");
     if (!section.reading())
       return;
+    for (const dealii::Point<dim> &direction : directions)
+      if (direction.norm() == 0)
+        section.fail("Directions", "the zero vector has no direction");
     slave_place  = section.place_of("Slave");
     master_place = section.place_of("Master");
     if (interference.depends_on_place())

@@ -20,10 +20,20 @@ namespace Signorini
     template <int dim>
     struct Moments
     {
-      std::vector<double> sums = std::vector<double>(1 + dim + dim * dim, 0.);
-      double              edge = 0; ///< area of parts that the edge crosses
-      /// Negative lowest and highest coordinates.
-      std::vector<double> box = std::vector<double>(2 * dim, -std::numeric_limits<double>::max());
+      std::vector<double>         sums = std::vector<double>(1 + dim + dim * dim, 0.);
+      double                      edge = 0;   ///< area of parts that the edge crosses
+      std::vector<Tensor<1, dim>> directions; ///< the axes, then those of the pair
+      /// Along each, the negative lowest and the highest coordinate.
+      std::vector<double> box;
+
+      explicit Moments(const std::vector<Point<dim>> &more = {})
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          directions.push_back(Point<dim>::unit_vector(d));
+        for (const Point<dim> &direction : more)
+          directions.push_back(Tensor<1, dim>(direction / direction.norm()));
+        box.assign(2 * directions.size(), -std::numeric_limits<double>::max());
+      }
 
       void
       add(const double area, const Point<dim> &x)
@@ -41,10 +51,11 @@ namespace Signorini
       void
       extend(const Point<dim> &x)
       {
-        for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int i = 0; i < directions.size(); ++i)
           {
-            box[d]       = std::max(box[d], -x[d]);
-            box[dim + d] = std::max(box[dim + d], x[d]);
+            const double along = directions[i] * x;
+            box[2 * i]         = std::max(box[2 * i], -along);
+            box[2 * i + 1]     = std::max(box[2 * i + 1], along);
           }
       }
 
@@ -56,9 +67,11 @@ namespace Signorini
         result.edge = edge;
         for (unsigned int d = 0; d < dim && result.area > 0; ++d)
           {
-            result.from.push_back(0. - box[d]);
-            result.to.push_back(box[dim + d]);
+            result.from.push_back(0. - box[2 * d]);
+            result.to.push_back(box[2 * d + 1]);
           }
+        for (unsigned int i = dim; i < directions.size() && result.area > 0; ++i)
+          result.along.emplace_back(0. - box[2 * i], box[2 * i + 1]);
         // Rings around the axis have no axes of their own.
         if (result.area <= 0 || model == Model::axisymmetric)
           return result;
@@ -87,6 +100,7 @@ namespace Signorini
       Lattice(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
         : s(s)
         , surface(s.surfaces[pair])
+        , directions(s.pairs[pair].directions)
         , squares(s.elasticity.with_ghosts(squares_of(pressure)))
         , status(s.elasticity.with_ghosts(nodal_field(s, s.active, pair)))
       {}
@@ -96,7 +110,7 @@ namespace Signorini
       {
         const LA::Vector          level  = s.elasticity.with_ghosts(continued(slopes()));
         const std::vector<double> shares = covered_shares();
-        Moments<dim>              result;
+        Moments<dim>              result(directions);
         for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
           std::array<double, n> values;
           unsigned int          n_active = 0;
@@ -298,9 +312,10 @@ namespace Signorini
             }
       }
 
-      const Snapshot<dim>       &s;
-      const ContactSurface<dim> &surface;
-      const LA::Vector           squares, status; ///< with ghosts
+      const Snapshot<dim>           &s;
+      const ContactSurface<dim>     &surface;
+      const std::vector<Point<dim>> &directions;
+      const LA::Vector               squares, status; ///< with ghosts
     };
   } // namespace
 

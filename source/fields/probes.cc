@@ -2,8 +2,8 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/stress.h>
 #include <signorini/fields/probes.h>
+#include <signorini/fields/surface_probes.h>
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/section.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
@@ -14,21 +14,10 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 
 namespace Signorini
 {
   using namespace dealii;
-
-  template <int dim>
-  void
-  Probe<dim>::declare(Section &section)
-  {
-    section.add("Body", body, "the body that the point belongs to; empty: any");
-    section.add("Point", point, "coordinates of the undeformed body, separated by commas [length]");
-  }
-
-
 
   namespace
   {
@@ -148,19 +137,6 @@ namespace Signorini
                 }
           }
       return best;
-    }
-
-
-
-    template <int dim>
-    std::string
-    point_text(const Point<dim> &x)
-    {
-      std::ostringstream text;
-      text.precision(8);
-      for (unsigned int d = 0; d < dim; ++d)
-        text << (d == 0 ? "(" : ", ") << x[d];
-      return text.str() + ")";
     }
 
 
@@ -287,17 +263,56 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    template <int dim>
+    void
+    check_in_bodies(const Elasticity<dim>         &elasticity,
+                    const std::vector<Probe<dim>> &probes,
+                    const double                   tolerance)
+    {
+      const auto claims =
+        all_claims(own_places(elasticity, probes, tolerance), elasticity.mesh().communicator());
+      for (unsigned int i = 0; i < probes.size(); ++i)
+        if (claims[winner(claims, i)][i].distance > tolerance)
+          refuse(probes[i], elasticity.mesh());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  unsigned int
+  pair_of(const Probe<dim> &probe, const std::vector<ContactPair<dim>> &pairs)
+  {
+    std::vector<std::string> names;
+    for (const ContactPair<dim> &pair : pairs)
+      names.push_back(pair.name);
+    const auto found = std::find(names.begin(), names.end(), probe.pair);
+    if (found == names.end())
+      throw SceneError(probe.title() + "there is no contact pair '" + probe.pair + "'" +
+                       (names.empty() ? "" : "; the pairs are " + join(names)));
+    return found - names.begin();
+  }
+
+
+
   template <int dim>
   void
-  check_probes(const Elasticity<dim>         &elasticity,
-               const std::vector<Probe<dim>> &probes,
-               const double                   tolerance)
+  check_probes(const Elasticity<dim>               &elasticity,
+               const std::vector<ContactPair<dim>> &pairs,
+               const std::vector<Probe<dim>>       &probes,
+               const double                         tolerance)
   {
-    const auto claims =
-      all_claims(own_places(elasticity, probes, tolerance), elasticity.mesh().communicator());
-    for (unsigned int i = 0; i < probes.size(); ++i)
-      if (claims[winner(claims, i)][i].distance > tolerance)
-        refuse(probes[i], elasticity.mesh());
+    std::vector<Probe<dim>> in_bodies;
+    for (const Probe<dim> &probe : probes)
+      if (probe.is_on_pair())
+        check_on_surface(
+          elasticity, pairs[pair_of(probe, pairs)].slave, probe.points(), tolerance, probe.title());
+      else
+        for (const Probe<dim> &one : probe.single())
+          in_bodies.push_back(one);
+    check_in_bodies(elasticity, in_bodies, tolerance);
   }
 
 
@@ -389,12 +404,20 @@ namespace Signorini
 
 
 
-  template struct Probe<2>;
-  template struct Probe<3>;
+  template unsigned int
+  pair_of(const Probe<2> &, const std::vector<ContactPair<2>> &);
+  template unsigned int
+  pair_of(const Probe<3> &, const std::vector<ContactPair<3>> &);
   template void
-  check_probes(const Elasticity<2> &, const std::vector<Probe<2>> &, double);
+  check_probes(const Elasticity<2> &,
+               const std::vector<ContactPair<2>> &,
+               const std::vector<Probe<2>> &,
+               double);
   template void
-  check_probes(const Elasticity<3> &, const std::vector<Probe<3>> &, double);
+  check_probes(const Elasticity<3> &,
+               const std::vector<ContactPair<3>> &,
+               const std::vector<Probe<3>> &,
+               double);
   template LA::Vector
   probe_functional(const Elasticity<2> &,
                    const Probe<2> &,

@@ -4,6 +4,7 @@
 #include <signorini/fields/largest_stress.h>
 #include <signorini/fields/point_values.h>
 #include <signorini/fields/recovered_pressure.h>
+#include <signorini/output/json.h>
 #include <signorini/output/results.h>
 
 #include <deal.II/base/utilities.h>
@@ -21,23 +22,6 @@ namespace Signorini
 
   namespace
   {
-    template <typename Container>
-    Json
-    list(const Container &numbers)
-    {
-      Json result = Json::array();
-      for (const double x : numbers)
-        result.push_back(x);
-      return result;
-    }
-
-    template <int dim>
-    Json
-    list(const Tensor<1, dim> &t)
-    {
-      return list(std::vector<double>(&t[0], &t[0] + dim));
-    }
-
     template <int dim>
     Json
     list_of_moment(const Tensor<1, 3> &moment)
@@ -147,6 +131,21 @@ namespace Signorini
       return sums;
     }
 
+    template <int dim>
+    Json
+    extents(const ContactPair<dim> &pair, const ContactPatch &patch)
+    {
+      Json result = Json::array();
+      for (unsigned int i = 0; i < patch.along.size(); ++i)
+        {
+          const Tensor<1, dim> direction(pair.directions[i]);
+          result.push_back({{"direction", list(direction / direction.norm())},
+                            {"from", patch.along[i].first},
+                            {"to", patch.along[i].second}});
+        }
+      return result;
+    }
+
     /// How well the conditions of Hertz, Signorini and Moreau hold, thesis (11)-(13), at each
     /// contact point, where methods that sample at nodes need not fulfil them.
     template <int dim>
@@ -198,6 +197,9 @@ namespace Signorini
           {"max_tension", sums.tension},
           {"complementarity", sums.complementarity},
           {"at_points", conditions_at_points(snapshot, pair)}};
+        if (!snapshot.pairs[pair].directions.empty())
+          result[snapshot.pairs[pair].name]["contact_along"] =
+            extents(snapshot.pairs[pair], sums.patch);
       }
     return result;
   }
@@ -339,32 +341,6 @@ namespace Signorini
 
   template <int dim>
   Json
-  probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes)
-  {
-    Json result = Json::object();
-    for (const ProbeValue<dim> &probe :
-         evaluate_probes(snapshot.elasticity, snapshot.displacement, probes))
-      {
-        const auto                 &s         = probe.stress;
-        const std::array<double, 3> principal = eigenvalues(s); // the largest first
-        result[probe.name]                    = {{"displacement", list(probe.displacement)},
-                                                 {"stress",
-                                                  {{"xx", s[0][0]},
-                                                   {"yy", s[1][1]},
-                                                   {"zz", s[2][2]},
-                                                   {"xy", s[0][1]},
-                                                   {"yz", s[1][2]},
-                                                   {"xz", s[0][2]}}},
-                                                 {"principal_stress", list(principal)},
-                                                 {"von_mises", probe.von_mises}};
-      }
-    return result;
-  }
-
-
-
-  template <int dim>
-  Json
   shares_of_ranks(const Elasticity<dim>                  &elasticity,
                   const std::vector<ContactSurface<dim>> &surfaces)
   {
@@ -421,10 +397,6 @@ namespace Signorini
   pair_results(const Snapshot<2> &);
   template Json
   pair_results(const Snapshot<3> &);
-  template Json
-  probe_results(const Snapshot<2> &, const std::vector<Probe<2>> &);
-  template Json
-  probe_results(const Snapshot<3> &, const std::vector<Probe<3>> &);
   template Json
   force_results(const Snapshot<2> &, double);
   template Json

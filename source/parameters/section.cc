@@ -322,6 +322,8 @@ namespace Signorini
   INSTANTIATE(std::vector<double>)
   INSTANTIATE(std::vector<unsigned int>)
   INSTANTIATE(Point<2>)
+  INSTANTIATE(std::vector<Point<2>>)
+  INSTANTIATE(std::vector<Point<3>>)
   INSTANTIATE(Point<3>)
   INSTANTIATE(Expression<2>)
   INSTANTIATE(Expression<3>)

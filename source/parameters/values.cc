@@ -93,6 +93,18 @@ namespace Signorini
 
   template <int dim>
   std::string
+  to_text(const std::vector<Point<dim>> &values)
+  {
+    std::vector<std::string> words;
+    for (const Point<dim> &value : values)
+      words.push_back(to_text(value));
+    return join(words, "; ");
+  }
+
+
+
+  template <int dim>
+  std::string
   to_text(const Expression<dim> &value)
   {
     return value.formula();
@@ -171,6 +183,15 @@ namespace Signorini
   type_name(const Point<dim> &)
   {
     return std::to_string(dim) + " numbers";
+  }
+
+
+
+  template <int dim>
+  std::string
+  type_name(const std::vector<Point<dim>> &)
+  {
+    return "vectors";
   }
 
 
@@ -303,6 +324,20 @@ namespace Signorini
 
   template <int dim>
   void
+  from_text(const Formula &text, std::vector<Point<dim>> &value)
+  {
+    value.clear();
+    for (const std::string &part : split(text.text, ';'))
+      {
+        value.emplace_back();
+        from_text({part, text.definitions}, value.back());
+      }
+  }
+
+
+
+  template <int dim>
+  void
   from_text(const Formula &text, Expression<dim> &value)
   {
     value = Expression<dim>(text);
@@ -325,6 +360,8 @@ namespace Signorini
   template void        from_text(const Formula &, T &);
   INSTANTIATE(Point<2>)
   INSTANTIATE(Point<3>)
+  INSTANTIATE(std::vector<Point<2>>)
+  INSTANTIATE(std::vector<Point<3>>)
   INSTANTIATE(Expression<2>)
   INSTANTIATE(Expression<3>)
   INSTANTIATE(VectorExpression<2>)

@@ -33,7 +33,10 @@ namespace Signorini
                 "the run ends before this, with a checkpoint and exit code 5; 0: none [minutes of "
                 "wall time since the program was started]",
                 non_negative);
-    section.add_named("Probes", probes, "Points whose displacement and stress are reported.");
+    section.add_named(
+      "Probes",
+      probes,
+      "Points, or lines of points, whose values are reported: displacement and stress in bodies, pressure and gap on pairs.");
   }
 
 

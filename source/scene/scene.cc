@@ -483,7 +483,10 @@ namespace Signorini
   std::vector<QuantityName>
   Scene<dim>::quantities() const
   {
-    QuantityNames names{names_of(pairs), names_of(supports), {}, names_of(output.probes)};
+    QuantityNames names{names_of(pairs), names_of(supports), {}, {}, {}};
+    for (const Probe<dim> &probe : output.probes)
+      if (!probe.is_line())
+        (probe.is_on_pair() ? names.surface_probes : names.probes).push_back(probe.name);
     for (const Obstacle<dim> &obstacle : obstacles)
       if (obstacle.body.can_move())
         names.obstacles.push_back(obstacle.name);

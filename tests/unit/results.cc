@@ -140,8 +140,11 @@ namespace
     const auto below = [&](const std::string &part) {
       return path.empty() ? part : path + "/" + part;
     };
-    if (path == "cycles/N/accuracy") // the page says it once
+    // The page says it once.
+    if (path == "cycles/N/accuracy")
       return collect_paths(value, "accuracy", paths);
+    if (path == "load_steps/N/probes/PROBE/N")
+      return collect_paths(value, "load_steps/N/probes/PROBE", paths);
     const auto names = stands_for.find(path);
     if (value.is_object())
       for (const auto &[key, inner] : value.items())
@@ -213,11 +216,12 @@ namespace
     "0,2\nset Normal = 0,-1\nset Displacement = 0; free\nset Force = 0; -t\nend\nend\n"
     "subsection Supports\nset Names = base\nsubsection base\nset Boundaries = lower.bottom\nset "
     "Displacement = 0; 0\nend\nend\nsubsection Contact pairs\nset Names = joint, head\nsubsection "
-    "joint\nset Slave = upper.bottom\nset Master = lower.top\nend\nsubsection head\nset Slave = "
+    "joint\nset Directions = 1, 1\nset Slave = upper.bottom\nset Master = lower.top\nend\nsubsection head\nset Slave = "
     "upper.top\nset Master = plate\nend\nend\nsubsection Newton\nset Undetermined motions = "
     "hold\nend\nsubsection Load steps\nset Number = 2\nend\nsubsection Output\nsubsection "
-    "Probes\nset Names = middle\nsubsection middle\nset Body = lower\nset Point = 2, "
-    "0.5\nend\nend\nend\n";
+    "Probes\nset Names = middle, across\nsubsection middle\nset Body = lower\nset Point = 2, "
+    "0.5\nend\nsubsection across\nset Pair = joint\nset Point = 1, 1\nset End = 2, 1\nset Points = "
+    "3\nend\nend\nend\n";
 
   std::string
   replaced(std::string text, const std::string &old, const std::string &by)
@@ -248,8 +252,10 @@ namespace
       (flat ? "" : "subsection back\nset Type = symmetry\nset Boundaries = block.front\nend\n") +
       "end\nsubsection Contact pairs\nset Names = foot\nsubsection foot\nset Slave = block.bottom\n"
       "set Master = ground\nend\nend\nsubsection Output\nset Linear reference = yes\nsubsection "
-      "Probes\nset Names = middle\nsubsection middle\nset Point = " +
+      "Probes\nset Names = middle, under\nsubsection middle\nset Point = " +
       (flat ? "1, 0.5" : "1, 1, 0.5") +
+      "\nend\nsubsection under\nset Pair = foot\nset Points = 4\nset Point = " +
+      (flat ? "0, 0.1\nset End = 2, 0" : "0, 0, 0.1\nset End = 2, 1.5, 0") +
       "\nend\nend\nend\nsubsection Accuracy\nset Refinement cycles = 1\nend\nsubsection Known "
       "solution\nset Pressure = 1\nset Displacement = " +
       (flat ? "0.0025*x; -0.01*y" : "0.0025*x; 0.0025*y; -0.01*z") +
@@ -333,6 +339,18 @@ TEST_CASE_TEMPLATE("uniaxial stress as a tensor, by names, principal and as a tr
   for (unsigned int i = 0; i < 3; ++i)
     CHECK(probe["principal_stress"][i].template get<double>() ==
           doctest::Approx(i == 2 ? -1 : 0).epsilon(1e-8));
+
+  const Json &under = run.results["load_steps"].back()["probes"]["under"];
+  REQUIRE(under.size() == 4);
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      CHECK(under[i]["pressure"].template get<double>() == doctest::Approx(1).epsilon(1e-8));
+      CHECK(std::abs(under[i]["gap"].template get<double>()) < 1e-9);
+      CHECK(std::abs(under[i]["place"][dim - 1].template get<double>()) < 1e-12);
+      CHECK(under[i]["place"][0].template get<double>() == doctest::Approx(2. / 3 * i));
+      CHECK(under[i]["displacement"][0].template get<double>() ==
+            doctest::Approx(0.0025 * 2. / 3 * i).epsilon(1e-8));
+    }
 
   const std::vector<float> tensor    = values_of(out / "solution_0001.0.vtu", "stress"),
                            least     = values_of(out / "solution_0001.0.vtu", "principal_stress_3"),

@@ -21,7 +21,9 @@ namespace Signorini
   /// The names of what quantities can be of.
   struct QuantityNames
   {
-    std::vector<std::string> pairs, supports, obstacles, probes;
+    std::vector<std::string> pairs, supports, obstacles;
+    std::vector<std::string> probes;         ///< points in bodies
+    std::vector<std::string> surface_probes; ///< points on pairs
   };
 
   /// Throws SceneError, with `place` before the message, if there is no such quantity, or if the
@@ -52,7 +54,5 @@ namespace Signorini
   /// Collective.
   template <int dim>
   Functional
-  functional(const QuantityName            &name,
-             const Snapshot<dim>           &snapshot,
-             const std::vector<Probe<dim>> &probes);
+  functional(const QuantityName &name, const Snapshot<dim> &snapshot, const Probes<dim> &probes);
 } // namespace Signorini

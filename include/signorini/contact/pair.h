@@ -2,7 +2,10 @@
 
 #include <signorini/parameters/expression.h>
 
+#include <deal.II/base/point.h>
+
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
@@ -26,9 +29,10 @@ namespace Signorini
     bool            separates   = true;  ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
-    SideChoice      sides           = SideChoice::automatic;
-    bool            exchanged       = false; ///< the scene names the master as slave
-    bool            found = false; ///< by the program: the scene does not say that it will act
+    std::vector<dealii::Point<dim>> directions; ///< along which its extents are told
+    SideChoice                      sides     = SideChoice::automatic;
+    bool                            exchanged = false; ///< the scene names the master as slave
+    bool found = false; ///< by the program: the scene does not say that it will act
 
     void
     declare(Section &section);

@@ -2,6 +2,9 @@
 
 #include <signorini/fields/snapshot.h>
 
+#include <utility>
+#include <vector>
+
 namespace Signorini
 {
   /// Where one pair is in contact: a part of the slave.
@@ -11,6 +14,8 @@ namespace Signorini
     double edge = 0; ///< area of the faces that its edge crosses (2nd degree: of their quarters)
     /// Corners of the box around it, along the axes; empty without contact.
     std::vector<double> from, to;
+    /// Likewise along the directions of the pair: the lowest and highest x.d of unit vectors d.
+    std::vector<std::pair<double, double>> along;
     /// Of the ellipse (2D: the interval) with the same second moments, the largest first.
     std::vector<double> semi_axes;
   };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/contact/pair.h>
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/fields/probe.h>
 
@@ -20,21 +21,25 @@ namespace Signorini
     bool                          found     = false;
   };
 
-  /// Throws SceneError for a probe that lies outside of its body by more than that share of a cell
-  /// (on a mesh that is to be refined, curved surfaces move). Collective.
+  /// Throws SceneError for a point that lies outside of its body by more than that share of a cell
+  /// (on a mesh that is to be refined, curved surfaces move), or beside the slave of its pair, and
+  /// for names that are none. Collective.
   template <int dim>
   void
-  check_probes(const Elasticity<dim>         &elasticity,
-               const std::vector<Probe<dim>> &probes,
-               double                         tolerance);
+  check_probes(const Elasticity<dim>               &elasticity,
+               const std::vector<ContactPair<dim>> &pairs,
+               const std::vector<Probe<dim>>       &probes,
+               double                               tolerance);
 
-  /// What is allowed for a probe on the final mesh.
-  constexpr double probe_tolerance = 0.02;
+  /// The pair of a probe that is on one. Throws SceneError if there is none of that name.
+  template <int dim>
+  unsigned int
+  pair_of(const Probe<dim> &probe, const std::vector<ContactPair<dim>> &pairs);
 
-  /// Displacement and stress at each probe, the same on all ranks and independent of their number.
-  /// Cells that share the point give their mean; where bodies do, it is that of the first body. As
-  /// meshes of curved bodies leave out points near their true surface, a point may lie outside its
-  /// cell by 2 % of the cell. Throws SceneError for one that lies farther outside. Collective.
+  /// Displacement and stress at each probe, a point in a body, the same on all ranks and
+  /// independent of their number. Cells that share the point give their mean; where bodies do, it
+  /// is that of the first body. A point may lie outside its cell by probe_tolerance. Throws
+  /// SceneError for one that lies farther outside. Collective.
   /// @param displacement without ghosts
   template <int dim>
   std::vector<ProbeValue<dim>>

@@ -4,6 +4,7 @@
 #include <signorini/contact_setup.h>
 #include <signorini/exit_code.h>
 #include <signorini/output/directory.h>
+#include <signorini/output/probe_results.h>
 #include <signorini/output/results.h>
 #include <signorini/output/writer.h>
 #include <signorini/solve/linear_reference.h>

@@ -1,16 +1,10 @@
 #pragma once
 
-#include <signorini/fields/probes.h>
 #include <signorini/fields/snapshot.h>
-
-#include <nlohmann/json.hpp>
-
-#include <string>
+#include <signorini/output/json.h>
 
 namespace Signorini
 {
-  using Json = nlohmann::ordered_json;
-
   /// Per contact pair: force and moment (about the origin) on the slave, contact area, and how well
   /// the conditions (11)-(13) of the thesis hold. Forces act on the slave; pressure is positive in
   /// compression.
@@ -24,12 +18,6 @@ namespace Signorini
   template <int dim>
   Json
   force_results(const Snapshot<dim> &snapshot, double tolerance);
-
-  /// Displacement, stress in space by names ("xx", ...), principal stresses (the largest first) and
-  /// von Mises stress at each probe.
-  template <int dim>
-  Json
-  probe_results(const Snapshot<dim> &snapshot, const std::vector<Probe<dim>> &probes);
 
   /// Numbers of cells, of ghost cells and of faces to them, of degrees of freedom, slave faces and
   /// contact points of each rank. Collective.

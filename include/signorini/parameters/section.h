@@ -240,6 +240,9 @@ namespace Signorini
   from_text(const Formula &text, dealii::Point<dim> &value);
   template <int dim>
   void
+  from_text(const Formula &text, std::vector<dealii::Point<dim>> &value);
+  template <int dim>
+  void
   from_text(const Formula &text, Expression<dim> &value);
   template <int dim, int n_components>
   void

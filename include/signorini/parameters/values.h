@@ -32,6 +32,9 @@ namespace Signorini
   to_text(const dealii::Point<dim> &p);
   template <int dim>
   std::string
+  to_text(const std::vector<dealii::Point<dim>> &values);
+  template <int dim>
+  std::string
   to_text(const Expression<dim> &value);
   template <int dim, int n_components>
   std::string
@@ -56,6 +59,9 @@ namespace Signorini
   template <int dim>
   std::string
   type_name(const dealii::Point<dim> &);
+  template <int dim>
+  std::string
+  type_name(const std::vector<dealii::Point<dim>> &);
   template <int dim>
   std::string
   type_name(const Expression<dim> &);

@@ -100,16 +100,6 @@ namespace Signorini
     }
 
     template <int dim>
-    const Probe<dim> &
-    probe_named(const std::vector<Probe<dim>> &probes, const std::string &name)
-    {
-      unsigned int i = 0;
-      while (probes[i].name != name)
-        ++i;
-      return probes[i];
-    }
-
-    template <int dim>
     ProbeValue<dim>
     value_at(const Snapshot<dim> &s, const Probe<dim> &probe)
     {
@@ -121,7 +111,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  reaction(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  reaction(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
     const auto forces =
       reactions(s.elasticity,
@@ -152,7 +142,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  motion(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  motion(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
     const Elasticity<dim> &e    = s.elasticity;
     unsigned int           body = 0;
@@ -176,9 +166,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  probe_displacement(const QuantityName            &name,
-                     const Snapshot<dim>           &s,
-                     const std::vector<Probe<dim>> &probes)
+  probe_displacement(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
   {
     const Probe<dim>       &probe = probe_named(probes, name.of);
     const Tensor<1, dim>    u     = value_at(s, probe).displacement;
@@ -198,9 +186,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  probe_stress(const QuantityName            &name,
-               const Snapshot<dim>           &s,
-               const std::vector<Probe<dim>> &probes)
+  probe_stress(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
   {
     const Probe<dim>  &probe = probe_named(probes, name.of);
     const unsigned int i     = component_number(name.component.substr(0, 1)),
@@ -217,9 +203,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  probe_von_mises(const QuantityName            &name,
-                  const Snapshot<dim>           &s,
-                  const std::vector<Probe<dim>> &probes)
+  probe_von_mises(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
   {
     const Probe<dim> &probe  = probe_named(probes, name.of);
     const auto        at     = value_at(s, probe);
@@ -235,23 +219,13 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                                           \
-  template Functional reaction(const QuantityName &,                                               \
-                               const Snapshot<dim> &,                                              \
-                               const std::vector<Probe<dim>> &);                                   \
-  template Functional motion(const QuantityName &,                                                 \
-                             const Snapshot<dim> &,                                                \
-                             const std::vector<Probe<dim>> &);                                     \
-  template Functional probe_displacement(const QuantityName &,                                     \
-                                         const Snapshot<dim> &,                                    \
-                                         const std::vector<Probe<dim>> &);                         \
-  template Functional probe_stress(const QuantityName &,                                           \
-                                   const Snapshot<dim> &,                                          \
-                                   const std::vector<Probe<dim>> &);                               \
-  template Functional probe_von_mises(const QuantityName &,                                        \
-                                      const Snapshot<dim> &,                                       \
-                                      const std::vector<Probe<dim>> &);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
+#define INSTANTIATE(quantity)                                                                      \
+  template Functional quantity(const QuantityName &, const Snapshot<2> &, const Probes<2> &);      \
+  template Functional quantity(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
+  INSTANTIATE(reaction)
+  INSTANTIATE(motion)
+  INSTANTIATE(probe_displacement)
+  INSTANTIATE(probe_stress)
+  INSTANTIATE(probe_von_mises)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -12,7 +12,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  energy(const QuantityName &, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  energy(const QuantityName &, const Snapshot<dim> &s, const Probes<dim> &)
   {
     const Elasticity<dim>               &elasticity = s.elasticity;
     const LA::Vector                     ghosted    = elasticity.with_ghosts(s.displacement);
@@ -66,7 +66,7 @@ namespace Signorini
 
 
   template Functional
-  energy(const QuantityName &, const Snapshot<2> &, const std::vector<Probe<2>> &);
+  energy(const QuantityName &, const Snapshot<2> &, const Probes<2> &);
   template Functional
-  energy(const QuantityName &, const Snapshot<3> &, const std::vector<Probe<3>> &);
+  energy(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
 } // namespace Signorini

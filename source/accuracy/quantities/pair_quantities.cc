@@ -2,7 +2,9 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/probes.h>
 #include <signorini/fields/recovered_pressure.h>
+#include <signorini/fields/surface_probes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +105,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  pair_force(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  pair_force(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
     const unsigned int      pair = number_of_pair(s, name.of);
     const double            sign = s.pairs[pair].exchanged ? -1 : 1;
@@ -122,7 +124,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  normal_force(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  normal_force(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
     return weighted_pressure<dim>(s, number_of_pair(s, name.of), [&](const auto i) {
       return s.contact.weight(i);
@@ -133,9 +135,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  mean_pressure(const QuantityName            &name,
-                const Snapshot<dim>           &s,
-                const std::vector<Probe<dim>> &probes)
+  mean_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
   {
     Functional       result = normal_force(name, s, probes);
     const Functional area   = contact_area(name, s, probes);
@@ -153,11 +153,41 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// The mean over a face about a place, with weights that fall linearly.
+    template <int dim>
+    Functional
+    pressure_about(const Snapshot<dim> &s, const unsigned int pair, const Tensor<1, dim> &place)
+    {
+      constexpr unsigned int most_doublings = 10; // faces differ in size
+      const MPI_Comm         comm           = s.elasticity.mesh().communicator();
+      double                 size = Utilities::MPI::max(s.surfaces[pair].face_size, comm), area = 0;
+      Functional             result;
+      for (unsigned int i = 0; i < most_doublings && area == 0; ++i, size *= 2)
+        {
+          result = weighted_pressure<dim>(s, pair, [&](const auto row) {
+            Tensor<1, dim> x;
+            for (unsigned int d = 0; d < dim; ++d)
+              x[d] = s.contact.geometry.position[d](row);
+            const double share = std::max(0., 1 - (x - place).norm() / size);
+            area += share * s.contact.weight(row);
+            return share * s.contact.weight(row);
+          });
+          area   = Utilities::MPI::sum(area, comm);
+        }
+      if (area > 0)
+        result.of_pressure /= area;
+      result.is_regularised = true;
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Functional
-  largest_pressure(const QuantityName  &name,
-                   const Snapshot<dim> &s,
-                   const std::vector<Probe<dim>> &)
+  largest_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
     const unsigned int pair  = number_of_pair(s, name.of);
     const MPI_Comm     comm  = s.elasticity.mesh().communicator();
@@ -179,32 +209,20 @@ namespace Signorini
     const double everywhere = Utilities::MPI::max(largest, comm);
     row = Utilities::MPI::min(largest == everywhere ? row : numbers::invalid_dof_index, comm);
     Tensor<1, dim> place;
-    double         size = 0;
     if (s.pressure.in_local_range(row))
-      {
-        for (unsigned int d = 0; d < dim; ++d)
-          place[d] = s.contact.geometry.position[d](row);
-        // E/h at points: what of h is alike in all of them.
-        size = s.surfaces[pair].face_size;
-      }
-    place = Utilities::MPI::sum(place, comm);
-    size  = Utilities::MPI::sum(size, comm);
-
-    const bool is_nodal = samples_nodes(s.contact);
-    double     area     = 0;
-    Functional result   = weighted_pressure<dim>(s, pair, [&](const auto i) {
-      Tensor<1, dim> x;
       for (unsigned int d = 0; d < dim; ++d)
-        x[d] = s.contact.geometry.position[d](i);
-      const double share = is_nodal ? i == row : std::max(0., 1 - (x - place).norm() / size);
-      area += share * s.contact.weight(i);
-      return share * s.contact.weight(i);
-    });
-    area                = Utilities::MPI::sum(area, comm);
-    if (area > 0)
-      result.of_pressure /= area;
-    result.value          = Utilities::MPI::max(value, comm);
-    result.is_regularised = true;
+        place[d] = s.contact.geometry.position[d](row);
+    place = Utilities::MPI::sum(place, comm);
+
+    Functional result = pressure_about(s, pair, place);
+    if (samples_nodes(s.contact) && row != numbers::invalid_dof_index)
+      {
+        result.of_pressure = 0;
+        if (s.pressure.in_local_range(row))
+          result.of_pressure(row) = 1;
+        result.of_pressure.compress(VectorOperation::insert);
+      }
+    result.value = Utilities::MPI::max(value, comm);
     return result;
   }
 
@@ -212,7 +230,21 @@ namespace Signorini
 
   template <int dim>
   Functional
-  contact_area(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  probe_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
+  {
+    const Probe<dim>       &probe = probe_named(probes, name.of);
+    const unsigned int      pair  = pair_of(probe, s.pairs);
+    const SurfaceValue<dim> at = evaluate_on_slave(s, pair, {probe.point}, probe.title()).front();
+    Functional              result = pressure_about(s, pair, Tensor<1, dim>(at.place));
+    result.value                   = at.pressure;
+    return result;
+  }
+
+
+
+  template <int dim>
+  Functional
+  contact_area(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
     const unsigned int pair  = number_of_pair(s, name.of);
     const ContactPatch patch = patch_of(s, pair);
@@ -223,9 +255,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  half_width(const QuantityName            &name,
-             const Snapshot<dim>           &s,
-             const std::vector<Probe<dim>> &probes)
+  half_width(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
   {
     const unsigned int pair  = number_of_pair(s, name.of);
     const ContactPatch patch = patch_of(s, pair);
@@ -238,7 +268,7 @@ namespace Signorini
 
   template <int dim>
   Functional
-  contact_radius(const QuantityName &name, const Snapshot<dim> &s, const std::vector<Probe<dim>> &)
+  contact_radius(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
     const unsigned int pair  = number_of_pair(s, name.of);
     const ContactPatch patch = patch_of(s, pair);
@@ -247,29 +277,16 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                                           \
-  template Functional pair_force(const QuantityName &,                                             \
-                                 const Snapshot<dim> &,                                            \
-                                 const std::vector<Probe<dim>> &);                                 \
-  template Functional normal_force(const QuantityName &,                                           \
-                                   const Snapshot<dim> &,                                          \
-                                   const std::vector<Probe<dim>> &);                               \
-  template Functional mean_pressure(const QuantityName &,                                          \
-                                    const Snapshot<dim> &,                                         \
-                                    const std::vector<Probe<dim>> &);                              \
-  template Functional largest_pressure(const QuantityName &,                                       \
-                                       const Snapshot<dim> &,                                      \
-                                       const std::vector<Probe<dim>> &);                           \
-  template Functional contact_area(const QuantityName &,                                           \
-                                   const Snapshot<dim> &,                                          \
-                                   const std::vector<Probe<dim>> &);                               \
-  template Functional half_width(const QuantityName &,                                             \
-                                 const Snapshot<dim> &,                                            \
-                                 const std::vector<Probe<dim>> &);                                 \
-  template Functional contact_radius(const QuantityName &,                                         \
-                                     const Snapshot<dim> &,                                        \
-                                     const std::vector<Probe<dim>> &);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
+#define INSTANTIATE(quantity)                                                                      \
+  template Functional quantity(const QuantityName &, const Snapshot<2> &, const Probes<2> &);      \
+  template Functional quantity(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
+  INSTANTIATE(pair_force)
+  INSTANTIATE(normal_force)
+  INSTANTIATE(mean_pressure)
+  INSTANTIATE(largest_pressure)
+  INSTANTIATE(contact_area)
+  INSTANTIATE(half_width)
+  INSTANTIATE(contact_radius)
+  INSTANTIATE(probe_pressure)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -1,0 +1,183 @@
+#include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/contact/geometry/projection.h>
+#include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/probe.h>
+#include <signorini/fields/recovered_pressure.h>
+#include <signorini/fields/surface_probes.h>
+#include <signorini/mesh/extent.h>
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The place of a surface that is closest to a point.
+    template <int dim>
+    struct Foot
+    {
+      double         distance = std::numeric_limits<double>::infinity();
+      double         beside   = 0; ///< in allowed offsets along the face
+      unsigned int   face     = 0; ///< on this rank
+      Point<dim - 1> xi;
+      Point<dim>     place;
+    };
+
+    template <int dim>
+    Foot<dim>
+    closest(const BoundaryFaces<dim> &faces, const Point<dim> &x, const double tolerance)
+    {
+      Foot<dim> best;
+      for (unsigned int f = 0; f < faces.rest.size(); ++f)
+        {
+          const FacePatch<dim> &patch = faces.rest[f];
+          if (distance(x, patch.box()) >= best.distance)
+            continue;
+          const Projection<dim> at = project(x, patch);
+          if (at.distance >= best.distance)
+            continue;
+          // Above a convex edge between faces points are beside both.
+          const double allowed = tolerance * patch.diameter() + 0.5 * at.distance;
+          best = {at.distance, at.tangential_offset / allowed, f, at.xi, at.position};
+        }
+      return best;
+    }
+
+    /// Of each point, on the rank that has it; on the others they are far away.
+    template <int dim>
+    std::vector<Foot<dim>>
+    feet(const BoundaryFaces<dim>      &faces,
+         const std::vector<Point<dim>> &points,
+         const double                   tolerance,
+         const std::string             &which,
+         const MPI_Comm                 comm)
+    {
+      std::vector<Foot<dim>> own;
+      std::vector<double>    distances;
+      for (const Point<dim> &x : points)
+        {
+          own.push_back(closest(faces, x, tolerance));
+          distances.push_back(own.back().distance);
+        }
+      const auto         all  = Utilities::MPI::all_gather(comm, distances);
+      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      unsigned int       lost = points.size();
+      for (unsigned int i = 0; i < points.size(); ++i)
+        {
+          const auto best =
+            std::min_element(all.begin(), all.end(), [i](auto &a, auto &b) { return a[i] < b[i]; });
+          if (rank != best - all.begin())
+            own[i] = Foot<dim>();
+          else if (own[i].beside > 1)
+            lost = std::min(lost, i);
+        }
+      lost = Utilities::MPI::min(lost, comm);
+      if (lost < points.size())
+        throw SceneError(which + "the point " + point_text(points[lost]) +
+                         " is beside the slave's surface");
+      return own;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  check_on_surface(const Elasticity<dim>         &elasticity,
+                   const std::string             &boundary,
+                   const std::vector<Point<dim>> &points,
+                   const double                   tolerance,
+                   const std::string             &which)
+  {
+    feet(BoundaryFaces<dim>(elasticity, boundary),
+         points,
+         tolerance,
+         which,
+         elasticity.mesh().communicator());
+  }
+
+
+
+  template <int dim>
+  std::vector<SurfaceValue<dim>>
+  evaluate_on_slave(const Snapshot<dim>           &s,
+                    const unsigned int             pair,
+                    const std::vector<Point<dim>> &points,
+                    const std::string             &which)
+  {
+    const Elasticity<dim>   &elasticity = s.elasticity;
+    const MPI_Comm           comm       = elasticity.mesh().communicator();
+    const BoundaryFaces<dim> faces(elasticity, s.pairs[pair].slave);
+    const auto               own      = feet(faces, points, probe_tolerance, which, comm);
+    const LA::Vector         pressure = elasticity.with_ghosts(recovered_pressure(s, pair)),
+                     gap              = elasticity.with_ghosts(nodal_field(s, s.gap, pair)),
+                     coverage         = elasticity.with_ghosts(nodal_coverage(s, pair)),
+                     u                = elasticity.with_ghosts(s.displacement);
+
+    std::vector<SurfaceValue<dim>> result(points.size());
+    for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        SurfaceValue<dim> &value = result[i];
+        double             known = 0;
+        if (std::isfinite(own[i].distance))
+          {
+            const auto &[cell, f] = faces.faces[own[i].face];
+            FEValues<dim> values(elasticity.mesh().mapping(),
+                                 cell->get_fe(),
+                                 Quadrature<dim>(unit_point<dim>(f, own[i].xi)),
+                                 update_values);
+            values.reinit(cell);
+            const FEValuesExtractors::Scalar first(0); // nodal fields live there
+            std::vector<double>              one(1);
+            const auto                       scalar = [&](const LA::Vector &field) {
+              values[first].get_function_values(field, one);
+              return one[0];
+            };
+            std::vector<Tensor<1, dim>> moved(1);
+            values[FEValuesExtractors::Vector(0)].get_function_values(u, moved);
+            value = {own[i].place, moved[0], scalar(pressure), scalar(gap)};
+            known = scalar(coverage);
+          }
+        value.place        = Point<dim>(Utilities::MPI::sum(Tensor<1, dim>(value.place), comm));
+        value.displacement = Utilities::MPI::sum(value.displacement, comm);
+        value.pressure     = Utilities::MPI::sum(value.pressure, comm);
+        value.gap          = Utilities::MPI::sum(value.gap, comm);
+        if (Utilities::MPI::sum(known, comm) < 1 - 1e-6)
+          value.gap = std::numeric_limits<double>::quiet_NaN();
+      }
+    return result;
+  }
+
+
+
+  template void
+  check_on_surface(const Elasticity<2> &,
+                   const std::string &,
+                   const std::vector<Point<2>> &,
+                   double,
+                   const std::string &);
+  template void
+  check_on_surface(const Elasticity<3> &,
+                   const std::string &,
+                   const std::vector<Point<3>> &,
+                   double,
+                   const std::string &);
+  template std::vector<SurfaceValue<2>>
+  evaluate_on_slave(const Snapshot<2> &,
+                    unsigned int,
+                    const std::vector<Point<2>> &,
+                    const std::string &);
+  template std::vector<SurfaceValue<3>>
+  evaluate_on_slave(const Snapshot<3> &,
+                    unsigned int,
+                    const std::vector<Point<3>> &,
+                    const std::string &);
+} // namespace Signorini

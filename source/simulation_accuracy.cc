@@ -1,0 +1,176 @@
+#include <signorini/output/accuracy_results.h>
+#include <signorini/output/memory.h>
+#include <signorini/parameters/text.h>
+#include <signorini/simulation.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Will a mesh that is so much larger fit, if the memory of this machine's ranks grows as it?
+    /// Collective.
+    bool
+    has_memory_for(const double growth, const MPI_Comm comm)
+    {
+      constexpr double               usable = 0.9;
+      Utilities::System::MemoryStats stats;
+      Utilities::System::get_memory_stats(stats);
+      MPI_Comm node;
+      MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+      const double used = Utilities::MPI::sum(static_cast<double>(stats.VmRSS), node);
+      MPI_Comm_free(&node);
+      const double more = (growth - 1) * used; // kB
+      const bool   fits = more <= usable * available_memory();
+      return Utilities::MPI::min(int(fits), comm) == 1;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::improve()
+  {
+    const ErrorEstimate estimate = estimate_errors();
+    control.add(estimate.quantities);
+    has_estimate = true;
+    report_errors();
+    Json accuracy = accuracy_results(scene.goals, control, estimate);
+    if (scene.goals.has_targets())
+      {
+        tolerance   = control.tolerance(tolerance);
+        why_not_met = control.obstacle();
+        if (control.is_met(true) || !why_not_met.empty())
+          return false;
+        const double stiffening = control.stiffening();
+        scene.contact.stiffen(stiffening);
+        accuracy["stiffening"] = stiffening;
+        if (stiffening > 1)
+          out << "  penalties times " << short_text(stiffening) << std::endl;
+      }
+    TimerOutput::Scope scope(timer, "refinement");
+    if (!mark(estimate))
+      return false;
+    recorder->add_cycle(n_steps, multigrid_cycles(), accuracy);
+    reached.reset(); // it belongs to the mesh
+    former_cycles  = 0;
+    former_seconds = 0;
+    equilibrium->release();
+    refine(*mesh, *elasticity, {&state.displacement});
+    equilibrium->forget_mesh();
+    has_estimate = false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::mark(const ErrorEstimate &estimate)
+  {
+    const std::vector<double> indicators = control.indicators(estimate.cells, comm);
+    if (!scene.goals.has_targets())
+      {
+        mark_cells(scene.refinement, *mesh, indicators);
+        return true;
+      }
+    if (control.needs_mesh())
+      mark_share(scene.refinement, *mesh, indicators, control.share());
+    const double factor = growth(*mesh), now = clock.wall_time();
+    const double cells   = factor * mesh->triangulation().n_global_active_cells();
+    const double seconds = 1.3 * factor * (now - std::exchange(last_mesh_at, now)),
+                 limit   = 60 * scene.goals.time_limit;
+    if (cells > scene.refinement.maximum_cells)
+      why_not_met = "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
+    else if (limit > 0 && Utilities::MPI::max(now + seconds, comm) > limit)
+      why_not_met = "the next mesh would end after Accuracy/Time limit = " +
+                    short_text(scene.goals.time_limit, 3) + " minutes";
+    else if (!has_memory_for(factor, comm))
+      why_not_met = "the next mesh would not fit into the memory";
+    if (!why_not_met.empty())
+      {
+        clear_marks(*mesh);
+        return false;
+      }
+    out << "  next: about " << static_cast<unsigned int>(cells) << " cells, "
+        << short_text(seconds, 2) << " s" << std::endl;
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::report_errors()
+  {
+    if (control.quantities().empty())
+      return;
+    std::ostringstream text;
+    print_accuracy(scene.goals, control, text);
+    out << text.str() << std::flush;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::estimate_result()
+  {
+    const ErrorEstimate estimate = estimate_errors();
+    if (has_estimate)
+      control.replace_last(estimate.quantities);
+    else
+      control.add(estimate.quantities);
+    report_errors();
+    if (scene.goals.has_targets() && !control.is_met() && why_not_met.empty())
+      why_not_met = control.is_met(true) ?
+                      "the solver cannot do better" :
+                      "Accuracy/Refinement cycles = " + std::to_string(scene.most_cycles());
+    if (control.is_met())
+      why_not_met.clear();
+    recorder->add_accuracy(accuracy_results(scene.goals, control, estimate), control, why_not_met);
+  }
+
+
+
+  template <int dim>
+  ErrorEstimate
+  Simulation<dim>::estimate_errors()
+  {
+    const Snapshot<dim>       now = equilibrium->snapshot(0);
+    std::vector<Functional>   functionals;
+    std::vector<DualSolution> duals;
+    for (const QuantityName &name : scene.quantities())
+      {
+        functionals.push_back(functional(name, now, scene.output.probes));
+        duals.push_back(equilibrium->dual(functionals.back()));
+      }
+    TimerOutput::Scope scope(timer, "estimate");
+    const Predictor    predictor = scene.contact.chosen().predictor();
+    const bool         is_consistent =
+      predictor == Predictor::multiplier || predictor == Predictor::normal_stress;
+    return error_estimate(now,
+                          functionals,
+                          duals,
+                          is_consistent,
+                          equilibrium->follows() ? 0. : equilibrium->neglected().value_or(0.));
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template bool          Simulation<dim>::improve();                                               \
+  template bool          Simulation<dim>::mark(const ErrorEstimate &);                             \
+  template void          Simulation<dim>::report_errors();                                         \
+  template void          Simulation<dim>::estimate_result();                                       \
+  template ErrorEstimate Simulation<dim>::estimate_errors();
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini
