@@ -1,6 +1,9 @@
 #include <signorini/accuracy/contact_errors.h>
+#include <signorini/contact/discretisation/openings.h>
 #include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/recovered_pressure.h>
 #include <signorini/linear_algebra/row_view.h>
+#include <signorini/mesh/lagrange.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,9 +67,9 @@ namespace Signorini
         if (s.gap(i) <= closed && !can_move(s.contact.B_free, row))
           {
             // Where nothing is active the quantity's derivative may be zero.
-            const double by_pressure =
-              std::abs(s.contact.weight(i) * felt(i) + functional.of_pressure(i));
-            sum += by_pressure * std::max(mean[*pair], s.pressure(i));
+            const double direct = functional.lift.size() > 0 ? 0. : functional.of_pressure(i);
+            sum += std::abs(s.contact.weight(i) * felt(i) + direct) *
+                   std::max(mean[*pair], s.pressure(i));
           }
         ++row;
         ++pair;
@@ -76,6 +79,97 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// dJ/dp over the area, at nodes, with ghosts; but for what the lift stands for.
+    template <int dim>
+    LA::Vector
+    by_pressure(const Snapshot<dim> &s, const Functional &functional, const unsigned int pair)
+    {
+      LA::Vector density = functional.of_pressure;
+      if (functional.lift.size() > 0)
+        density = 0;
+      for (const auto i : density.locally_owned_elements())
+        density(i) = s.contact.weight(i) > 0 ? density(i) / s.contact.weight(i) : 0.;
+      density.compress(VectorOperation::insert);
+      return s.elasticity.with_ghosts(nodal_field(s, density, pair));
+    }
+
+    /// One at nodes that are held or stand for these, with ghosts.
+    template <int dim>
+    LA::Vector
+    about_held_nodes(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      LA::Vector result = s.elasticity.zero_vector();
+      for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+        for (unsigned int i = 0; i < face.nodes.size(); ++i)
+          if (face.held[i])
+            for (const unsigned int near : nearest_free(face, i))
+              {
+                result(face.nodes[i]) += 1;
+                result(face.nodes[near]) += 1;
+              }
+      result.compress(VectorOperation::add);
+      return s.elasticity.with_ghosts(result);
+    }
+
+    template <int dim>
+    void
+    add_held_contact(const Snapshot<dim> &s,
+                     const Functional    &functional,
+                     const LA::Vector    &z,
+                     const unsigned int   pair,
+                     std::vector<double> &of_cells)
+    {
+      const ContactSurface<dim>             &surface = s.surfaces[pair];
+      const LA::Vector                       near    = about_held_nodes(s, pair);
+      std::vector<const ContactPoint<dim> *> points;
+      for (const ContactPoint<dim> &point : surface.points)
+        {
+          const auto &nodes = surface.slave_faces[point.face].nodes;
+          if (std::any_of(nodes.begin(), nodes.end(), [&](const auto n) { return near(n) > 0; }))
+            points.push_back(&point);
+        }
+      const std::vector<double> opened  = openings(points, z);
+      const LA::Vector          density = by_pressure(s, functional, pair),
+                       pressure         = s.elasticity.with_ghosts(recovered_pressure(s, pair));
+      auto opening                      = opened.begin();
+      for (const ContactPoint<dim> *point : points)
+        {
+          const SlaveFace<dim>              &face = surface.slave_faces[point->face];
+          const LagrangePolynomials<dim - 1> shape(face.degree, point->xi);
+          double                             p = 0, felt = *opening++;
+          for (unsigned int i = 0; i < shape.size(); ++i)
+            {
+              p += shape.value(i) * pressure(face.nodes[i]);
+              felt += shape.value(i) * density(face.nodes[i]);
+            }
+          const auto cell = s.elasticity.mesh().triangulation().create_cell_iterator(face.cell);
+          of_cells[cell->active_cell_index()] += point->weight * p * felt;
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double>
+  held_contact_errors(const Snapshot<dim> &s, const Functional &functional, const LA::Vector &z)
+  {
+    std::vector<double> result(s.elasticity.mesh().triangulation().n_active_cells(), 0.);
+    if (!s.contact.empty() && samples_nodes(s.contact))
+      for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
+        if (s.surfaces[pair].has_held)
+          add_held_contact(s, functional, z, pair, result);
+    return result;
+  }
+
+
+
+  template std::vector<double>
+  held_contact_errors(const Snapshot<2> &, const Functional &, const LA::Vector &);
+  template std::vector<double>
+  held_contact_errors(const Snapshot<3> &, const Functional &, const LA::Vector &);
   template double
   undetermined_contact(const Snapshot<2> &, const Functional &, const LA::Vector &);
   template double

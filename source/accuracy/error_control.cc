@@ -182,7 +182,8 @@ namespace Signorini
   double
   ErrorControl::tolerance(const double present) const
   {
-    constexpr double tolerable = 0.03, least = 1e-12, most = 1e-3;
+    constexpr double tolerable = 0.03, least = 1e-12;
+    const double     most   = std::max(present, 10 * settings.tolerance);
     double           factor = std::numeric_limits<double>::max();
     for (unsigned int i = 0; i < histories.size(); ++i)
       {

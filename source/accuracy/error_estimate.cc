@@ -73,9 +73,10 @@ namespace Signorini
       {
         double               sum = 0, absolute = 0, geometry = 0;
         std::vector<double> &of_cells = result.cells.products[i];
+        const auto of_held = held_contact_errors(snapshot, functionals[i], displacements[i]);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
-            of_cells[cell] += boundaries.of_supports[i][cell];
+            of_cells[cell] += boundaries.of_supports[i][cell] + of_held[cell];
             sum += of_cells[cell];
             absolute += std::abs(of_cells[cell]);
             of_cells[cell] += boundaries.of_geometry[i][cell];

@@ -31,7 +31,8 @@ namespace Signorini
     section.add(
       "Tolerance",
       tolerance,
-      "of Newton's method on meshes that are still to be refined, if it is larger than Newton/Tolerance",
+      "of Newton's method on meshes that are still to be refined, if it is larger than Newton/Tolerance; with a Target error, "
+      "up to ten times that where the solver's part of the errors allows it",
       Range{0, 0.1});
     if (refine_fraction + coarsen_fraction > 1)
       section.fail("Refine fraction", "plus Coarsen fraction must not exceed 1");

@@ -1,7 +1,7 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/surface_gradient.h>
+#include <signorini/fields/surface_parts.h>
 
 #include <algorithm>
 #include <array>
@@ -111,7 +111,7 @@ namespace Signorini
         const LA::Vector          level  = s.elasticity.with_ghosts(continued(slopes()));
         const std::vector<double> shares = covered_shares();
         Moments<dim>              result(directions);
-        for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
+        for_each_part(surface.slave_faces, [&](const Part<dim> &nodes, const SlaveFace<dim> &face) {
           std::array<double, n> values;
           unsigned int          n_active = 0;
           for (unsigned int c = 0; c < n; ++c)
@@ -157,35 +157,24 @@ namespace Signorini
         return status(node) > 0.5;
       }
 
-      template <typename Visit>
-      void
-      for_parts(const Visit &visit) const
-      {
-        for (const SlaveFace<dim> &face : surface.slave_faces)
-          for (unsigned int j = 0; j < (dim == 3 ? face.degree : std::min(face.degree, 1u)); ++j)
-            for (unsigned int i = 0; i < face.degree; ++i)
-              {
-                std::array<unsigned int, n> nodes;
-                for (unsigned int c = 0; c < n; ++c)
-                  nodes[c] = i + c % 2 + (j + c / 2) * (face.degree + 1);
-                visit(nodes, face);
-              }
-      }
-
       /// Of the squares, at nodes of parts that are in contact as a whole: the mean over these, and
       /// last their number.
       std::vector<LA::Vector>
       slopes() const
       {
         std::vector<LA::Vector> result(dim + 1, s.elasticity.zero_vector());
-        for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
+        for_each_part(surface.slave_faces, [&](const Part<dim> &nodes, const SlaveFace<dim> &face) {
           for (const unsigned int i : nodes)
             if (!is_active(face.nodes[i]))
               return;
-          std::array<double, n> values;
+          std::array<double, n>         values;
+          std::array<Tensor<1, dim>, n> positions;
           for (unsigned int c = 0; c < n; ++c)
-            values[c] = squares(face.nodes[nodes[c]]);
-          const Tensor<1, dim> slope = slope_of(nodes, face, values);
+            {
+              values[c]    = squares(face.nodes[nodes[c]]);
+              positions[c] = face.positions[nodes[c]];
+            }
+          const Tensor<1, dim> slope = slope_of_part<dim>(positions, values);
           for (const unsigned int i : nodes)
             {
               for (unsigned int d = 0; d < dim; ++d)
@@ -201,30 +190,12 @@ namespace Signorini
         return with_ghosts;
       }
 
-      /// In the middle of a part.
-      static Tensor<1, dim>
-      slope_of(const std::array<unsigned int, n> &nodes,
-               const SlaveFace<dim>              &face,
-               const std::array<double, n>       &values)
-      {
-        Tensor<1, dim - 1>                  change;
-        std::array<Tensor<1, dim>, dim - 1> tangents;
-        for (unsigned int c = 0; c < n; ++c)
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            {
-              const double sign = ((c >> d) % 2 == 1 ? 1. : -1.) / (n / 2);
-              change[d] += sign * values[c];
-              tangents[d] += sign * Tensor<1, dim>(face.positions[nodes[c]]);
-            }
-        return surface_gradient<dim>(tangents, change);
-      }
-
       /// At open nodes beside nodes in contact; not above zero.
       LA::Vector
       continued(const std::vector<LA::Vector> &slopes) const
       {
         LA::Vector sum = s.elasticity.zero_vector(), count = sum;
-        for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
+        for_each_part(surface.slave_faces, [&](const Part<dim> &nodes, const SlaveFace<dim> &face) {
           for (const unsigned int open : nodes)
             if (!is_active(face.nodes[open]))
               for (const unsigned int i : nodes)
@@ -259,7 +230,7 @@ namespace Signorini
         std::vector<double>       shares(whole.size(), 0.);
         std::array<double, n>     ones;
         ones.fill(1.);
-        for_parts([&](const std::array<unsigned int, n> &nodes, const SlaveFace<dim> &face) {
+        for_each_part(surface.slave_faces, [&](const Part<dim> &nodes, const SlaveFace<dim> &face) {
           add_part(nodes, face, ones, true, 1., whole[&face - surface.slave_faces.data()]);
         });
         for (const ContactPoint<dim> &point : surface.points)
@@ -269,12 +240,12 @@ namespace Signorini
 
       /// What of a part has positive values, by samples.
       void
-      add_part(const std::array<unsigned int, n> &nodes,
-               const SlaveFace<dim>              &face,
-               const std::array<double, n>       &values,
-               const bool                         is_whole,
-               const double                       covered,
-               Moments<dim>                      &moments) const
+      add_part(const Part<dim>             &nodes,
+               const SlaveFace<dim>        &face,
+               const std::array<double, n> &values,
+               const bool                   is_whole,
+               const double                 covered,
+               Moments<dim>                &moments) const
       {
         // By Gauss points, or as many as the edge needs.
         const unsigned int m     = is_whole ? 2 : dim == 2 ? 200 : 16;

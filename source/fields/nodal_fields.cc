@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -83,6 +84,60 @@ namespace Signorini
 
 
   template <int dim>
+  std::vector<unsigned int>
+  nearest_free(const SlaveFace<dim> &face, const unsigned int held)
+  {
+    const unsigned int        stride = face.degree + 1;
+    unsigned int              least  = numbers::invalid_unsigned_int;
+    std::vector<unsigned int> result;
+    for (unsigned int i = 0; i < face.nodes.size(); ++i)
+      if (!face.held[i])
+        {
+          const int a                 = int(i % stride) - int(held % stride),
+                    b                 = int(i / stride) - int(held / stride);
+          const unsigned int distance = a * a + b * b;
+          if (distance < least)
+            result.clear();
+          if (distance <= least)
+            result.push_back(i);
+          least = std::min(least, distance);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  fill_held_nodes(const Snapshot<dim>      &s,
+                  const unsigned int        pair,
+                  const HeldNodeValue<dim> &value,
+                  LA::Vector               &field)
+  {
+    if (!s.surfaces[pair].has_held)
+      return;
+    LA::Vector sum = s.elasticity.zero_vector(), count = sum, free = sum;
+    for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+      for (unsigned int i = 0; i < face.nodes.size(); ++i)
+        if (face.held[i])
+          for (const unsigned int near : nearest_free(face, i))
+            {
+              sum(face.nodes[i]) += value(face, i, near);
+              count(face.nodes[i]) += 1;
+            }
+        else
+          free(face.nodes[i]) += 1;
+    for (LA::Vector *v : {&sum, &count, &free})
+      v->compress(VectorOperation::add);
+    for (const auto i : s.elasticity.owned())
+      if (count(i) > 0 && free(i) == 0)
+        field(i) = sum(i) / count(i);
+    field.compress(VectorOperation::insert);
+  }
+
+
+
+  template <int dim>
   types::global_dof_index
   first_row(const Snapshot<dim> &snapshot, const unsigned int pair)
   {
@@ -109,6 +164,17 @@ namespace Signorini
   {
     LA::Vector field = samples_nodes(snapshot.contact) ? from_nodes(snapshot, values, pair) :
                                                          from_points(snapshot, values, pair);
+    if (snapshot.surfaces[pair].has_held)
+      {
+        const LA::Vector now = snapshot.elasticity.with_ghosts(field);
+        fill_held_nodes<dim>(
+          snapshot,
+          pair,
+          [&](const SlaveFace<dim> &face, unsigned int, const unsigned int near) {
+            return now(face.nodes[near]);
+          },
+          field);
+      }
     snapshot.elasticity.hanging_nodes().distribute(field);
     return field;
   }
@@ -126,6 +192,14 @@ namespace Signorini
 
 
 
+  template std::vector<unsigned int>
+  nearest_free(const SlaveFace<2> &, unsigned int);
+  template std::vector<unsigned int>
+  nearest_free(const SlaveFace<3> &, unsigned int);
+  template void
+  fill_held_nodes(const Snapshot<2> &, unsigned int, const HeldNodeValue<2> &, LA::Vector &);
+  template void
+  fill_held_nodes(const Snapshot<3> &, unsigned int, const HeldNodeValue<3> &, LA::Vector &);
   template types::global_dof_index
   first_row(const Snapshot<2> &, unsigned int);
   template LA::Vector

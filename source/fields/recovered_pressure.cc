@@ -1,4 +1,5 @@
 #include <signorini/fields/face_vertices.h>
+#include <signorini/fields/held_pressure.h>
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/fields/surface_gradient.h>
@@ -370,9 +371,12 @@ namespace Signorini
     unsigned int degree = 0;
     for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
       degree = std::max(degree, face.degree);
-    if (Utilities::MPI::max(degree, s.elasticity.mesh().communicator()) < 2)
-      return nodal_field(s, s.pressure, pair);
-    return Recovery<dim>(s, pair).run();
+    const LA::Vector raw    = nodal_field(s, s.pressure, pair);
+    LA::Vector       result = Utilities::MPI::max(degree, s.elasticity.mesh().communicator()) < 2 ?
+                                raw :
+                                Recovery<dim>(s, pair).run();
+    extrapolate_to_held_nodes(s, pair, raw, result);
+    return result;
   }
 
 

@@ -3,6 +3,8 @@
 #include <signorini/accuracy/quantity.h>
 #include <signorini/solve/dual_solution.h>
 
+#include <vector>
+
 namespace Signorini
 {
   /// Contact points that cannot move, as a corner of the slave that a support holds too: the
@@ -14,4 +16,14 @@ namespace Signorini
   undetermined_contact(const Snapshot<dim> &snapshot,
                        const Functional    &functional,
                        const LA::Vector    &dual_displacement);
+
+  /// Exact minus computed, cell by cell, because nodes that a support holds have no pressure of
+  /// their own, and their neighbours stand for it: the sum of (B z + dJ/dp) p* dA over the faces
+  /// about such nodes, where the dual solution is not orthogonal to p*, the recovered pressure. Of
+  /// methods that sample at points: zero. Collective.
+  template <int dim>
+  std::vector<double>
+  held_contact_errors(const Snapshot<dim> &snapshot,
+                      const Functional    &functional,
+                      const LA::Vector    &dual_displacement);
 } // namespace Signorini

@@ -168,6 +168,7 @@ namespace Signorini
         set_shapes();
         surface.whole       = whole_faces(elasticity, slave);
         surface.slave_faces = slave_faces(elasticity, slave, surface.points);
+        surface.has_held    = Utilities::MPI::max(any_held(surface.slave_faces) ? 1 : 0, comm) > 0;
         return std::move(surface);
       }
 

@@ -9,29 +9,26 @@ namespace Signorini
 {
   using namespace dealii;
 
+  template <int dim>
+  bool
+  carries_pressure(const Elasticity<dim>        &elasticity,
+                   const types::global_dof_index first,
+                   const unsigned int            degree,
+                   const FacePatch<dim>         &face,
+                   const Point<dim - 1>         &xi)
+  {
+    const auto node = elasticity.held_nodes().find(first);
+    if (node != elasticity.held_nodes().end() &&
+        node->second.free_part(face.normal(xi)).norm() < 0.1)
+      return false;
+    return elasticity.model() != Model::axisymmetric || degree < 2 ||
+           face.position(xi)[0] >= 1e-10 * elasticity.lever();
+  }
+
+
+
   namespace
   {
-    /// True if the displacement of the node in direction n is prescribed, or nearly so.
-    template <int dim>
-    bool
-    is_prescribed(const Elasticity<dim>        &elasticity,
-                  const types::global_dof_index first,
-                  const Tensor<1, dim>         &n)
-    {
-      const auto node = elasticity.held_nodes().find(first);
-      return node != elasticity.held_nodes().end() && node->second.free_part(n).norm() < 0.1;
-    }
-
-    /// On the axis of an axisymmetric body, the function of a node of degree 2 has no area:
-    /// int N r dr = 0.
-    template <int dim>
-    bool
-    has_no_area(const Elasticity<dim> &elasticity, const unsigned int degree, const Point<dim> &x)
-    {
-      return elasticity.model() == Model::axisymmetric && degree == 2 &&
-             x[0] < 1e-10 * elasticity.lever();
-    }
-
     template <int dim>
     std::vector<FaceNode>
     face_nodes(const Elasticity<dim>   &elasticity,
@@ -49,8 +46,7 @@ namespace Signorini
           const auto xi = face_parameter<dim>(face, fe.base_element(0).unit_support_point(i));
           for (unsigned int d = 0; d < dim - 1; ++d)
             node.xi[d] = xi[d];
-          node.prescribed = is_prescribed(elasticity, node.index, patch.normal(xi)) ||
-                            has_no_area(elasticity, fe.degree, patch.position(xi));
+          node.prescribed = !carries_pressure(elasticity, node.index, fe.degree, patch, xi);
           nodes.push_back(node);
         }
       return nodes;
@@ -110,6 +106,18 @@ namespace Signorini
 
 
 
+  template bool
+  carries_pressure(const Elasticity<2> &,
+                   types::global_dof_index,
+                   unsigned int,
+                   const FacePatch<2> &,
+                   const Point<1> &);
+  template bool
+  carries_pressure(const Elasticity<3> &,
+                   types::global_dof_index,
+                   unsigned int,
+                   const FacePatch<3> &,
+                   const Point<2> &);
   template unsigned int
   set_pressure_functions(const Elasticity<2> &,
                          const ContactMethod &,

@@ -1,3 +1,4 @@
+#include <signorini/contact/discretisation/pressure_functions.h>
 #include <signorini/contact/discretisation/slave_faces.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -32,9 +33,24 @@ namespace Signorini
                   return a.second < b.second;
                 })->first);
               face.positions.push_back(slave.rest[point.face].position(xi));
+              face.held.push_back(
+                !carries_pressure(elasticity, face.nodes.back(), k, slave.patches[point.face], xi));
             }
+          if (std::find(face.held.begin(), face.held.end(), false) == face.held.end())
+            face.held.assign(face.nodes.size(), false); // all of them, or none
         }
     return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  any_held(const std::vector<SlaveFace<dim>> &faces)
+  {
+    return std::any_of(faces.begin(), faces.end(), [](const SlaveFace<dim> &face) {
+      return std::find(face.held.begin(), face.held.end(), true) != face.held.end();
+    });
   }
 
 
@@ -60,6 +76,7 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                                  \
+  template bool                                      any_held(const std::vector<SlaveFace<dim>> &);       \
   template std::vector<SlaveFace<dim>>               slave_faces(const Elasticity<dim> &,                 \
                                                                  const BoundaryFaces<dim> &,              \
                                                                  const std::vector<ContactPoint<dim>> &); \

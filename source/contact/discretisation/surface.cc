@@ -30,6 +30,7 @@ namespace Signorini
       surface.slave_faces.insert(surface.slave_faces.end(),
                                  other.slave_faces.begin(),
                                  other.slave_faces.end());
+      surface.has_held = surface.has_held || other.has_held;
       surface.faces += other.faces;
       surface.is_apart = surface.is_apart && other.is_apart;
     }

@@ -5,6 +5,17 @@
 
 namespace Signorini
 {
+  /// False for a node of a slave face whose displacement along the normal is prescribed, or nearly
+  /// so, and for one of degree 2 on the axis, whose function has no area (int N r dr = 0).
+  /// @param first degree of freedom of the node
+  template <int dim>
+  bool
+  carries_pressure(const Elasticity<dim>          &elasticity,
+                   dealii::types::global_dof_index first,
+                   unsigned int                    degree,
+                   const FacePatch<dim>           &face,
+                   const dealii::Point<dim - 1>   &xi);
+
   /// Sets the functions of the pressure at the points of a surface (`shape` and `interpolation`).
   /// Nodes that cannot move along the normal carry none if the pressure is an unknown of its own;
   /// their neighbours take over. Returns the number of faces that can carry none at all.

@@ -15,6 +15,10 @@ namespace Signorini
               const BoundaryFaces<dim>             &slave,
               const std::vector<ContactPoint<dim>> &points);
 
+  template <int dim>
+  bool
+  any_held(const std::vector<SlaveFace<dim>> &faces);
+
   /// (shape functions, area) at Gauss points of all faces at rest, see ContactSurface::whole.
   template <int dim>
   std::vector<std::pair<SparseRow, double>>

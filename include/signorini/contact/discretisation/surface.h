@@ -89,6 +89,7 @@ namespace Signorini
     unsigned int                                 degree = 0; ///< 0: the face has no points
     std::vector<dealii::types::global_dof_index> nodes;      ///< first degrees of freedom
     std::vector<dealii::Point<dim>>              positions;
+    std::vector<bool> held; ///< nodes without a pressure of their own, see carries_pressure()
   };
 
   /// The contact points of one pair on this rank (of locally owned slave faces) that have a
@@ -100,7 +101,8 @@ namespace Signorini
     /// (shape, weight) at points of whole slave faces, with or without partners: what the nodes
     /// would have if the master were everywhere.
     std::vector<std::pair<SparseRow, double>> whole;
-    std::vector<SlaveFace<dim>>               slave_faces; ///< by their numbers
+    std::vector<SlaveFace<dim>>               slave_faces;      ///< by their numbers
+    bool                                      has_held = false; ///< any node, on any rank
     SearchStatistics                          statistics;
     unsigned int                              faces = 0;
     unsigned int own_faces     = 0;     ///< without those of the master of unbiased methods
