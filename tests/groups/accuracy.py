@@ -84,6 +84,15 @@ def without_limit(test):
     test.check(results["verdict"]["outcome"] == "warned", results["verdict"]["outcome"])
 
 
+def on_the_axis(test):
+    """Of degree 2 the node there has no area: its pressure is what the others say."""
+    for sets in (method("Lagrange multiplier"), method("Nitsche")):
+        results = test.results(SCENES / SPHERE[0], ["Mesh/Degree=2", "Output/Probes/Names=axis", "Output/Probes/axis/Pair=contact",
+                                                    "Output/Probes/axis/Point=0,0"] + sets)
+        pressure = results["load_steps"][-1]["probes"]["axis"]["pressure"]
+        test.check(abs(pressure - 470.1859) <= 2e-3 * 470.1859, f"{pressure} instead of 470.1859")
+
+
 def no_time(test):
     results = test.results(SCENES / PUNCH[0], wanted(PUNCH[1], "Accuracy/Target error=1e-4", "Accuracy/Time limit=1e-4"))
     found = results["accuracy"]["quantities"][PUNCH[1]]
@@ -110,6 +119,8 @@ def cases():
     yield Case("accuracy", "solver/saddle point", unsolved(["Solver/Preconditioner=block triangular"]))
     yield Case("accuracy", "punch/direct", estimated(PUNCH, 1, 1.25, 1, "Solver/Preconditioner=direct", *method("Nitsche", Theta=0)))
     yield Case("accuracy", "rings", estimated(RINGS, 0.9, 1.3, 2), ranks=2)
+    yield Case("accuracy", "held corner", estimated(FREE_BOUNDARY, 0.6, 1.2, 2, "Mesh/Degree=2"), ranks=2)
+    yield Case("accuracy", "axis", on_the_axis)
     yield Case("accuracy", "soft penalty", soft_penalty, ranks=2)
     yield Case("accuracy", "target/punch", aimed_at(PUNCH, 2e-3, 12000, 2), ranks=2)
     yield Case("accuracy", "target/degree 2", aimed_at(PUNCH, 2e-4, 30000, 2, "Mesh/Degree=2"), ranks=2)
