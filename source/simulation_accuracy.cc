@@ -99,7 +99,8 @@ namespace Signorini
         return false;
       }
     out << "  next: about " << static_cast<unsigned int>(cells) << " cells, "
-        << short_text(seconds, 2) << " s" << std::endl;
+        << short_text(seconds, 2) << " s, errors of the mesh times "
+        << short_text(control.expected_reduction()) << std::endl;
     return true;
   }
 

@@ -3,7 +3,6 @@
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/linear_algebra/row_view.h>
-#include <signorini/mesh/lagrange.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,16 +135,11 @@ namespace Signorini
       auto opening                      = opened.begin();
       for (const ContactPoint<dim> *point : points)
         {
-          const SlaveFace<dim>              &face = surface.slave_faces[point->face];
-          const LagrangePolynomials<dim - 1> shape(face.degree, point->xi);
-          double                             p = 0, felt = *opening++;
-          for (unsigned int i = 0; i < shape.size(); ++i)
-            {
-              p += shape.value(i) * pressure(face.nodes[i]);
-              felt += shape.value(i) * density(face.nodes[i]);
-            }
-          const auto cell = s.elasticity.mesh().triangulation().create_cell_iterator(face.cell);
-          of_cells[cell->active_cell_index()] += point->weight * p * felt;
+          const double felt = *opening++ + value_at(surface, *point, density);
+          const auto   cell = s.elasticity.mesh().triangulation().create_cell_iterator(
+            surface.slave_faces[point->face].cell);
+          of_cells[cell->active_cell_index()] +=
+            point->weight * value_at(surface, *point, pressure) * felt;
         }
     }
   } // namespace

@@ -141,11 +141,26 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// A cell of degree one that is halved has a quarter of its error left, others less.
+    constexpr double left = 0.25;
+  } // namespace
+
+
+
+  double
+  ErrorControl::expected_reduction() const
+  {
+    return needs_mesh() ? 1 - (1 - left) * share() : 1;
+  }
+
+
+
   double
   ErrorControl::share() const
   {
-    // A cell of degree one that is halved has a quarter of its error left, others less.
-    constexpr double least = 0.1, most = 0.75, left = 0.25, reserve = 0.8;
+    constexpr double least = 0.1, most = 0.75, reserve = 0.8;
     double           result = least;
     for (unsigned int i = 0; i < histories.size(); ++i)
       {

@@ -1,7 +1,9 @@
 #include <signorini/accuracy/known_solution.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/stress.h>
+#include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/point_values.h>
+#include <signorini/fields/recovered_pressure.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -126,22 +128,29 @@ namespace Signorini
     }
 
     template <int dim>
-    double
-    pressure_error(const Snapshot<dim> &s, const Expression<dim> &exact)
+    void
+    add_pressure_errors(const Snapshot<dim>   &s,
+                        const Expression<dim> &exact,
+                        SolutionErrors        &errors)
     {
-      Squares l2;
+      Squares at_points, recovered;
       for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
         {
-          const std::vector<double> pressure = point_values(s, pair).pressure;
-          const auto               &points   = s.surfaces[pair].points;
-          for (unsigned int q = 0; q < points.size(); ++q)
+          const std::vector<double>  pressure = point_values(s, pair).pressure;
+          const LA::Vector           nodal = s.elasticity.with_ghosts(recovered_pressure(s, pair));
+          const ContactSurface<dim> &surface = s.surfaces[pair];
+          auto                       own     = pressure.begin();
+          for (const ContactPoint<dim> &point : surface.points)
             {
-              const double wanted = exact.value(points[q].position, s.time);
-              const double error  = pressure[q] - wanted;
-              l2.add(points[q].weight, error * error, wanted * wanted);
+              const double wanted = exact.value(point.position, s.time);
+              at_points.add(point.weight, std::pow(*own++ - wanted, 2), wanted * wanted);
+              recovered.add(point.weight,
+                            std::pow(value_at(surface, point, nodal) - wanted, 2),
+                            wanted * wanted);
             }
         }
-      return l2.relative(s.elasticity.mesh().communicator());
+      errors.pressure           = at_points.relative(s.elasticity.mesh().communicator());
+      errors.recovered_pressure = recovered.relative(s.elasticity.mesh().communicator());
     }
   } // namespace
 
@@ -155,7 +164,7 @@ namespace Signorini
     if (!exact.displacement.empty())
       add_displacement_errors(snapshot, exact.displacement, result);
     if (!exact.pressure.empty())
-      result.pressure = pressure_error(snapshot, Expression<dim>(exact.pressure));
+      add_pressure_errors(snapshot, Expression<dim>(exact.pressure), result);
     return result;
   }
 

@@ -1,4 +1,5 @@
 #include <signorini/fields/nodal_fields.h>
+#include <signorini/mesh/lagrange.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -182,6 +183,22 @@ namespace Signorini
 
 
   template <int dim>
+  double
+  value_at(const ContactSurface<dim> &surface,
+           const ContactPoint<dim>   &point,
+           const LA::Vector          &field)
+  {
+    const SlaveFace<dim>              &face = surface.slave_faces[point.face];
+    const LagrangePolynomials<dim - 1> shape(face.degree, point.xi);
+    double                             value = 0;
+    for (unsigned int i = 0; i < shape.size(); ++i)
+      value += shape.value(i) * field(face.nodes[i]);
+    return value;
+  }
+
+
+
+  template <int dim>
   LA::Vector
   nodal_coverage(const Snapshot<dim> &snapshot, const unsigned int pair)
   {
@@ -192,6 +209,10 @@ namespace Signorini
 
 
 
+  template double
+  value_at(const ContactSurface<2> &, const ContactPoint<2> &, const LA::Vector &);
+  template double
+  value_at(const ContactSurface<3> &, const ContactPoint<3> &, const LA::Vector &);
   template std::vector<unsigned int>
   nearest_free(const SlaveFace<2> &, unsigned int);
   template std::vector<unsigned int>

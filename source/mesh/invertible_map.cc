@@ -48,6 +48,7 @@ namespace Signorini
           throw SceneError("the transformation '" + F.text() + "' has no value at " + text(X));
         X_size = std::max(X_size, X.distance(points[0]));
         x_size = std::max(x_size, pairs.back().image.norm());
+        middle += X / double(points.size());
       }
     std::sort(pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) {
       return a.image[0] < b.image[0];
@@ -161,15 +162,16 @@ namespace Signorini
 
 
   template <int dim>
-  Point<dim>
-  InvertibleMap<dim>::inverse(const Point<dim> &x) const
+  std::optional<Point<dim>>
+  InvertibleMap<dim>::solve(const Point<dim> &x, Point<dim> X) const
   {
-    const Pair    &start    = nearest(x);
-    Point<dim>     X        = start.X;
-    Tensor<1, dim> residual = x - start.image;
+    Tensor<1, dim> residual = x - value(X);
     for (unsigned int step = 0; step < 50 && residual.norm() > 1e-14 * x_size; ++step)
       {
-        const Tensor<1, dim> direction = invert(gradient(X)) * residual;
+        const Tensor<2, dim> slope = gradient(X);
+        if (!(std::abs(determinant(slope)) > 0))
+          break;
+        const Tensor<1, dim> direction = invert(slope) * residual;
         // Shorten the step until it helps; at the level of rounding, none does.
         double         factor = 1;
         Tensor<1, dim> next   = x - value(X + direction);
@@ -183,13 +185,26 @@ namespace Signorini
         X += factor * direction;
         residual = next;
       }
-    if (residual.norm() > 1e-11 * x_size)
-      throw std::runtime_error(
-        "The transformation '" + F.text() +
-        "' cannot be inverted: no point near the mesh goes to " + text(x) +
-        ". Is it one to one, also a little outside of the mesh? A finer coarse "
-        "mesh may help.");
-    return X;
+    return residual.norm() > 1e-11 * x_size ? std::optional<Point<dim>>() : X;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  InvertibleMap<dim>::inverse(const Point<dim> &x) const
+  {
+    // The map may be singular at a point of the rim, as where a corner becomes part of a circle:
+    // then from a bit inside.
+    const Point<dim> &start = nearest(x).X;
+    for (const double share : {0., 0.02, 0.1, 0.3})
+      if (const auto X = solve(x, start + share * (middle - start)))
+        return *X;
+    throw std::runtime_error(
+      "The transformation '" + F.text() + "' cannot be inverted: no point near the mesh goes to " +
+      text(x) +
+      ". Is it one to one, also a little outside of the mesh? A finer coarse "
+      "mesh may help.");
   }
 
 

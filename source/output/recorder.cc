@@ -54,7 +54,10 @@ namespace Signorini
         one["errors"]["energy"]       = deviation.energy;
       }
     if (!scene.known.pressure.empty())
-      one["errors"]["pressure"] = deviation.pressure;
+      {
+        one["errors"]["pressure"]           = deviation.pressure;
+        one["errors"]["recovered_pressure"] = deviation.recovered_pressure;
+      }
     return one;
   }
 

@@ -410,6 +410,21 @@ TEST_CASE("transformations that cannot be are refused")
 
 
 
+TEST_CASE("a square mapped to a quarter of a disc is inverted near the corner that becomes smooth")
+{
+  const std::vector<Point<2>> corners = {Point<2>(0, 0),
+                                         Point<2>(10, 0),
+                                         Point<2>(0, 10),
+                                         Point<2>(10, 10)};
+  const InvertibleMap<2>      map(VectorExpression<2>("x*sqrt(1 - y^2/200); y*sqrt(1 - x^2/200)"),
+                             corners);
+  for (const double x : {8.855, 9.7, 9.99})
+    for (const double y : {8.5, 9.9})
+      CHECK(map.inverse(map.value(Point<2>(x, y))).distance(Point<2>(x, y)) < 1e-6);
+}
+
+
+
 TEST_CASE("file: an octant of a ball with an exact sphere")
 {
   check_mesh<3>("file",

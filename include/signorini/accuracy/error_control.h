@@ -48,6 +48,10 @@ namespace Signorini
     double
     share() const;
 
+    /// By what the errors of the mesh should fall if it is refined by that share.
+    double
+    expected_reduction() const;
+
     /// By what penalties should be multiplied, so that they do not dominate; 1: they do not.
     double
     stiffening() const;

@@ -24,9 +24,10 @@ namespace Signorini
   /// where it is not known.
   struct SolutionErrors
   {
-    double displacement = 0; ///< in L2
-    double energy       = 0; ///< (int sigma(e):eps(e) dV)^1/2
-    double pressure     = 0; ///< in L2 on the slave surfaces where they have a partner
+    double displacement       = 0; ///< in L2
+    double energy             = 0; ///< (int sigma(e):eps(e) dV)^1/2
+    double pressure           = 0; ///< in L2 on the slave surfaces where they have a partner
+    double recovered_pressure = 0; ///< of what is reported, see recovered_pressure()
   };
 
   /// Collective.

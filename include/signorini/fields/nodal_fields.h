@@ -47,6 +47,14 @@ namespace Signorini
   LA::Vector
   nodal_field(const Snapshot<dim> &snapshot, const LA::Vector &values, unsigned int pair);
 
+  /// A nodal field at a point of the surface.
+  /// @param field with ghosts
+  template <int dim>
+  double
+  value_at(const ContactSurface<dim> &surface,
+           const ContactPoint<dim>   &point,
+           const LA::Vector          &field);
+
   /// One at nodes that nodal_field() gives a value, below one elsewhere (zero but at hanging
   /// nodes).
   template <int dim>

@@ -5,6 +5,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <vector>
 
 namespace Signorini
@@ -44,8 +45,13 @@ namespace Signorini
     const Pair &
     nearest(const dealii::Point<dim> &x) const;
 
+    /// From there by Newton's method; nothing if it fails.
+    std::optional<dealii::Point<dim>>
+    solve(const dealii::Point<dim> &x, dealii::Point<dim> start) const;
+
     VectorExpression<dim> F;
-    std::vector<Pair>     pairs; ///< in the order of the first coordinate of the image
+    dealii::Point<dim>    middle; ///< of the points
+    std::vector<Pair>     pairs;  ///< in the order of the first coordinate of the image
     double                X_size = 0, x_size = 0;
   };
 } // namespace Signorini
