@@ -1,11 +1,13 @@
 #include <signorini/accuracy/contact_errors.h>
 #include <signorini/contact/discretisation/openings.h>
 #include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/point_values.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/linear_algebra/row_view.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -146,6 +148,72 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// Nodes in contact and others.
+    template <int dim>
+    bool
+    is_crossed_by_edge(const SlaveFace<dim> &face, const LA::Vector &status)
+    {
+      const auto n = std::count_if(face.nodes.begin(), face.nodes.end(), [&](const auto node) {
+        return status(node) > 0.5;
+      });
+      return n > 0 && n < static_cast<int>(face.nodes.size());
+    }
+
+    template <int dim>
+    void
+    add_unresolved_contact(const Snapshot<dim> &s,
+                           const Functional    &functional,
+                           const LA::Vector    &z,
+                           const unsigned int   pair,
+                           std::vector<double> &of_cells)
+    {
+      // Half of the standard deviation of a place that may be anywhere on a face.
+      const double share = 0.5 / std::sqrt(12.);
+
+      const ContactSurface<dim>             &surface = s.surfaces[pair];
+      std::vector<const ContactPoint<dim> *> points;
+      for (const ContactPoint<dim> &point : surface.points)
+        points.push_back(&point);
+      const std::vector<double> opened   = openings(points, z),
+                                pressure = point_values(s, pair).pressure;
+      const LA::Vector density           = by_pressure(s, functional, pair),
+                       status            = s.elasticity.with_ghosts(nodal_field(s, s.active, pair));
+      for (unsigned int first = 0, last = 0; first < points.size(); first = last)
+        {
+          double force = 0, low = std::numeric_limits<double>::max(), high = -low;
+          for (; last < points.size() && points[last]->face == points[first]->face; ++last)
+            {
+              const double felt = opened[last] + value_at(surface, *points[last], density);
+              force += points[last]->weight * std::abs(pressure[last]);
+              low  = std::min(low, felt);
+              high = std::max(high, felt);
+            }
+          const SlaveFace<dim> &face = surface.slave_faces[points[first]->face];
+          if (!is_crossed_by_edge(face, status))
+            continue;
+          const auto cell = s.elasticity.mesh().triangulation().create_cell_iterator(face.cell);
+          of_cells[cell->active_cell_index()] += share * force * (high - low);
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double>
+  unresolved_contact(const Snapshot<dim> &s, const Functional &functional, const LA::Vector &z)
+  {
+    std::vector<double> result(s.elasticity.mesh().triangulation().n_active_cells(), 0.);
+    if (!s.contact.empty())
+      for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
+        add_unresolved_contact(s, functional, z, pair, result);
+    return result;
+  }
+
+
+
   template <int dim>
   std::vector<double>
   held_contact_errors(const Snapshot<dim> &s, const Functional &functional, const LA::Vector &z)
@@ -160,6 +228,10 @@ namespace Signorini
 
 
 
+  template std::vector<double>
+  unresolved_contact(const Snapshot<2> &, const Functional &, const LA::Vector &);
+  template std::vector<double>
+  unresolved_contact(const Snapshot<3> &, const Functional &, const LA::Vector &);
   template std::vector<double>
   held_contact_errors(const Snapshot<2> &, const Functional &, const LA::Vector &);
   template std::vector<double>

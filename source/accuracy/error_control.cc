@@ -43,6 +43,14 @@ namespace Signorini
 
 
 
+  double
+  ErrorControl::aim(const unsigned int i) const
+  {
+    return 0.98 * allowed(i);
+  }
+
+
+
   bool
   ErrorControl::is_met(const bool without_solver) const
   {
@@ -51,7 +59,7 @@ namespace Signorini
         ErrorHistory history = histories[i];
         if (without_solver)
           history = history.without_solver();
-        if (history.last_with_bar().bar > allowed(i))
+        if (history.last_with_bar().bar > (without_solver ? aim(i) : allowed(i)))
           return false;
       }
     return goals.has_targets();
@@ -95,7 +103,7 @@ namespace Signorini
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
         ErrorHistory history = histories[i].without_solver().without_enforcement();
-        if (history.last_with_bar().bar > allowed(i))
+        if (history.last_with_bar().bar > aim(i))
           return true;
       }
     return !goals.has_targets();
@@ -122,7 +130,7 @@ namespace Signorini
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
         const ValueWithBar bar = histories[i].last_with_bar();
-        if (goals.has_targets() && bar.bar <= allowed(i))
+        if (goals.has_targets() && bar.bar <= aim(i))
           continue;
         const double sum = sum_of(cells.products[i]), energy = sum_of(cells.energy);
         if (sum <= 0)

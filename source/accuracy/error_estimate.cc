@@ -71,9 +71,10 @@ namespace Signorini
                       boundary_errors(snapshot.elasticity, snapshot.displacement, displacements);
     for (unsigned int i = 0; i < duals.size(); ++i)
       {
-        double               sum = 0, absolute = 0, geometry = 0;
+        double               sum = 0, absolute = 0, geometry = 0, edges = 0;
         std::vector<double> &of_cells = result.cells.products[i];
-        const auto of_held = held_contact_errors(snapshot, functionals[i], displacements[i]);
+        const auto of_held  = held_contact_errors(snapshot, functionals[i], displacements[i]);
+        const auto of_edges = unresolved_contact(snapshot, functionals[i], displacements[i]);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
             of_cells[cell] += boundaries.of_supports[i][cell] + of_held[cell];
@@ -81,11 +82,13 @@ namespace Signorini
             absolute += std::abs(of_cells[cell]);
             of_cells[cell] += boundaries.of_geometry[i][cell];
             geometry += boundaries.of_geometry[i][cell];
+            of_cells[cell] += std::copysign(of_edges[cell], of_cells[cell]);
+            edges += of_edges[cell];
           }
         QuantityEstimate one;
         one.value          = functionals[i].value;
         one.is_regularised = functionals[i].is_regularised;
-        one.unresolved     = functionals[i].unresolved +
+        one.unresolved     = functionals[i].unresolved + Utilities::MPI::sum(edges, comm) +
                          undetermined_contact(snapshot, functionals[i], displacements[i]);
         one.energy = result.energy;
         one.most   = std::sqrt(energy * result.cells.energies_of_duals[i]);

@@ -17,6 +17,15 @@ namespace Signorini
                        const Functional    &functional,
                        const LA::Vector    &dual_displacement);
 
+  /// Where the edge of contact crosses a face, nobody knows where on it the force acts: half of the
+  /// standard deviation of (B z + dJ/dp) there times the force, of the cells of such faces. Small
+  /// of zones of many faces. Collective.
+  template <int dim>
+  std::vector<double>
+  unresolved_contact(const Snapshot<dim> &snapshot,
+                     const Functional    &functional,
+                     const LA::Vector    &dual_displacement);
+
   /// Exact minus computed, cell by cell, because nodes that a support holds have no pressure of
   /// their own, and their neighbours stand for it: the sum of (B z + dJ/dp) p* dA over the faces
   /// about such nodes, where the dual solution is not orthogonal to p*, the recovered pressure. Of

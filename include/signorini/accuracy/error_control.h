@@ -68,6 +68,10 @@ namespace Signorini
   private:
     double
     allowed(unsigned int i) const;
+
+    /// A bit less, before the last solution, which may change the bar.
+    double
+    aim(unsigned int i) const;
     double
     allowed_of_mesh(unsigned int i) const;
 
