@@ -51,12 +51,13 @@ namespace Signorini
       std::vector<LA::Vector>
       summed(std::vector<LA::Vector> sums) const
       {
+        std::vector<LA::Vector> result;
         for (LA::Vector &v : sums)
           {
             v.compress(VectorOperation::add);
-            v = s.elasticity.with_ghosts(v);
+            result.push_back(s.elasticity.with_ghosts(v));
           }
-        return sums;
+        return result;
       }
 
       /// int psi x dA, and last int psi dA.
