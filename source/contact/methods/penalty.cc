@@ -38,9 +38,7 @@ namespace Signorini
   void
   Penalty::check(const Integration &integration, const unsigned int degree) const
   {
-    constexpr double largest_factor = 10; // peaks of 3 % seen with it in Hertz contact, 8 % with 30
-    const bool is_soft = !penalty_factor.is_absolute() && penalty_factor.factor <= largest_factor;
-    if (weighting == Weighting::mortar || integration.rule == Rule::nodes || is_soft)
+    if (weighting == Weighting::mortar || integration.rule == Rule::nodes || is_soft())
       return;
     const bool segments = integration.rule == Rule::segments;
     if (segments || integration.n_points > degree + 1)

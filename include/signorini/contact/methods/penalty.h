@@ -40,10 +40,12 @@ namespace Signorini
     double
     penalty(const PenaltyScale &scale) const override;
 
+    /// Segments, if the displacement can follow: by few points of faces that do not match,
+    /// pressures swing more than by many, the more so beside hanging nodes.
     Rule
     usual_integration() const override
     {
-      return weighting == Weighting::mortar ? Rule::segments : Rule::quadrature;
+      return weighting == Weighting::mortar || is_soft() ? Rule::segments : Rule::quadrature;
     }
 
     void
@@ -51,6 +53,14 @@ namespace Signorini
 
 
   private:
+    /// Soft enough for more points of a face than it has nodes.
+    bool
+    is_soft() const
+    {
+      constexpr double largest = 10; // peaks of 3 % seen with it in Hertz contact, 8 % with 30
+      return !penalty_factor.is_absolute() && penalty_factor.factor <= largest;
+    }
+
     PenaltyFactor penalty_factor;
     double        growth    = 0;
     Weighting     weighting = Weighting::mortar;
