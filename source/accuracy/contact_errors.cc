@@ -144,12 +144,7 @@ namespace Signorini
             point->weight * value_at(surface, *point, pressure) * felt;
         }
     }
-  } // namespace
 
-
-
-  namespace
-  {
     /// Nodes in contact and others.
     template <int dim>
     bool
@@ -172,14 +167,19 @@ namespace Signorini
       // Half of the standard deviation of a place that may be anywhere on a face.
       const double share = 0.5 / std::sqrt(12.);
 
-      const ContactSurface<dim>             &surface = s.surfaces[pair];
-      std::vector<const ContactPoint<dim> *> points;
-      for (const ContactPoint<dim> &point : surface.points)
-        points.push_back(&point);
-      const std::vector<double> opened   = openings(points, z),
-                                pressure = point_values(s, pair).pressure;
-      const LA::Vector density           = by_pressure(s, functional, pair),
-                       status            = s.elasticity.with_ghosts(nodal_field(s, s.active, pair));
+      const ContactSurface<dim> &surface = s.surfaces[pair];
+      const LA::Vector           status  = s.elasticity.with_ghosts(nodal_field(s, s.active, pair));
+      const std::vector<double>  all_pressures = point_values(s, pair).pressure;
+      std::vector<const ContactPoint<dim> *> points; // of crossed faces
+      std::vector<double>                    pressure;
+      for (unsigned int q = 0; q < surface.points.size(); ++q)
+        if (is_crossed_by_edge(surface.slave_faces[surface.points[q].face], status))
+          {
+            points.push_back(&surface.points[q]);
+            pressure.push_back(all_pressures[q]);
+          }
+      const std::vector<double> opened  = openings(points, z);
+      const LA::Vector          density = by_pressure(s, functional, pair);
       for (unsigned int first = 0, last = 0; first < points.size(); first = last)
         {
           double force = 0, low = std::numeric_limits<double>::max(), high = -low;
@@ -190,10 +190,8 @@ namespace Signorini
               low  = std::min(low, felt);
               high = std::max(high, felt);
             }
-          const SlaveFace<dim> &face = surface.slave_faces[points[first]->face];
-          if (!is_crossed_by_edge(face, status))
-            continue;
-          const auto cell = s.elasticity.mesh().triangulation().create_cell_iterator(face.cell);
+          const auto cell = s.elasticity.mesh().triangulation().create_cell_iterator(
+            surface.slave_faces[points[first]->face].cell);
           of_cells[cell->active_cell_index()] += share * force * (high - low);
         }
     }

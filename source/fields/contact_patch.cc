@@ -26,7 +26,11 @@ namespace Signorini
       /// Along each, the negative lowest and the highest coordinate.
       std::vector<double> box;
 
-      explicit Moments(const std::vector<Point<dim>> &more = {})
+      /// Of the area alone.
+      Moments() = default;
+
+      /// @param more directions
+      explicit Moments(const std::vector<Point<dim>> &more)
       {
         for (unsigned int d = 0; d < dim; ++d)
           directions.push_back(Point<dim>::unit_vector(d));

@@ -214,10 +214,11 @@ namespace Signorini
         place[d] = s.contact.geometry.position[d](row);
     place = Utilities::MPI::sum(place, comm);
 
-    Functional result = pressure_about(s, pair, place);
-    if (samples_nodes(s.contact) && row != numbers::invalid_dof_index)
+    const bool is_nodal = samples_nodes(s.contact) && row != numbers::invalid_dof_index;
+    Functional result   = is_nodal ? zero_functional(s) : pressure_about(s, pair, place);
+    if (is_nodal)
       {
-        result.of_pressure = 0;
+        result.is_regularised = true;
         if (s.pressure.in_local_range(row))
           result.of_pressure(row) = 1;
         result.of_pressure.compress(VectorOperation::insert);
