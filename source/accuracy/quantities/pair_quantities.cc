@@ -181,6 +181,25 @@ namespace Signorini
       result.is_regularised = true;
       return result;
     }
+
+    /// Is the node at that place on a face with one that carries no pressure? Its own then stands
+    /// for both, which a dual solution for this node alone does not know.
+    template <int dim>
+    bool
+    is_beside_held(const Snapshot<dim> &s, const unsigned int pair, const Tensor<1, dim> &place)
+    {
+      bool is_beside = false;
+      for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
+        {
+          const bool is_near =
+            std::any_of(face.positions.begin(), face.positions.end(), [&](const Point<dim> &node) {
+              return (node - place).norm() < 1e-10 * s.elasticity.mesh().size();
+            });
+          is_beside |=
+            is_near && std::find(face.held.begin(), face.held.end(), true) != face.held.end();
+        }
+      return Utilities::MPI::max(is_beside ? 1 : 0, s.elasticity.mesh().communicator()) == 1;
+    }
   } // namespace
 
 
@@ -214,8 +233,9 @@ namespace Signorini
         place[d] = s.contact.geometry.position[d](row);
     place = Utilities::MPI::sum(place, comm);
 
-    const bool is_nodal = samples_nodes(s.contact) && row != numbers::invalid_dof_index;
-    Functional result   = is_nodal ? zero_functional(s) : pressure_about(s, pair, place);
+    const bool is_nodal = samples_nodes(s.contact) && row != numbers::invalid_dof_index &&
+                          !is_beside_held(s, pair, place);
+    Functional result = is_nodal ? zero_functional(s) : pressure_about(s, pair, place);
     if (is_nodal)
       {
         result.is_regularised = true;
