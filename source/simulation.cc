@@ -162,6 +162,8 @@ namespace Signorini
   {
     {
       TimerOutput::Scope scope(timer, "mesh");
+      if (former)
+        restore_degrees();
       mesh = make_mesh(scene, comm);
       if (scene.auto_pairs)
         {
@@ -178,16 +180,25 @@ namespace Signorini
     elasticity = make_elasticity(scene, *mesh);
     elasticity->setup();
     state.displacement = elasticity->zero_vector();
-    contact            = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, out);
-    equilibrium =
-      std::make_unique<Equilibrium<dim>>(scene, *elasticity, *contact, state, timer, out, [this] {
-        return watch();
-      });
+    set_up_contact();
     if (former)
       restore_state();
 
     if (elasticity->has_free_motions() && scene.output.linear_reference)
       throw SceneError("Output/Linear reference: without contact nothing holds the bodies");
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::set_up_contact()
+  {
+    contact = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, out);
+    equilibrium =
+      std::make_unique<Equilibrium<dim>>(scene, *elasticity, *contact, state, timer, out, [this] {
+        return watch();
+      });
   }
 
 

@@ -1,3 +1,5 @@
+#include <signorini/accuracy/enrichment.h>
+#include <signorini/body_setup.h>
 #include <signorini/output/accuracy_results.h>
 #include <signorini/output/memory.h>
 #include <signorini/parameters/text.h>
@@ -28,6 +30,16 @@ namespace Signorini
       const double more = (growth - 1) * used; // kB
       const bool   fits = more <= usable * available_memory();
       return Utilities::MPI::min(int(fits), comm) == 1;
+    }
+
+    template <int dim>
+    std::string
+    names_of(const std::vector<unsigned int> &numbers, const std::vector<Body<dim>> &bodies)
+    {
+      std::string result;
+      for (const unsigned int body : numbers)
+        result += (result.empty() ? "" : ", ") + bodies[body].name;
+      return result;
     }
   } // namespace
 
@@ -62,8 +74,13 @@ namespace Signorini
     former_cycles  = 0;
     former_seconds = 0;
     equilibrium->release();
-    refine(*mesh, *elasticity, {&state.displacement});
-    equilibrium->forget_mesh();
+    if (next_quadratic.empty())
+      {
+        refine(*mesh, *elasticity, {&state.displacement});
+        equilibrium->forget_mesh();
+      }
+    else
+      enrich(std::exchange(next_quadratic, {}));
     has_estimate = false;
     return true;
   }
@@ -81,11 +98,15 @@ namespace Signorini
         return true;
       }
     if (control.needs_mesh())
+      next_quadratic = bodies_to_enrich(*mesh, indicators, scene.open_degrees(), control.excess());
+    if (control.needs_mesh() && next_quadratic.empty())
       mark_share(scene.refinement, *mesh, indicators, control.share());
-    const double factor = growth(*mesh), now = clock.wall_time();
-    const double cells   = factor * mesh->triangulation().n_global_active_cells();
-    const double seconds = 1.3 * factor * (now - std::exchange(last_mesh_at, now)),
-                 limit   = 60 * scene.goals.time_limit;
+    const double of_cells = growth(*mesh),
+                 factor   = of_cells * growth_of_enrichment(*mesh, next_quadratic),
+                 now      = clock.wall_time();
+    const double cells    = of_cells * mesh->triangulation().n_global_active_cells();
+    const double seconds  = 1.3 * factor * (now - std::exchange(last_mesh_at, now)),
+                 limit    = 60 * scene.goals.time_limit;
     if (cells > scene.refinement.maximum_cells)
       why_not_met = "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
     else if (limit > 0 && Utilities::MPI::max(now + seconds, comm) > limit)
@@ -98,10 +119,37 @@ namespace Signorini
         clear_marks(*mesh);
         return false;
       }
-    out << "  next: about " << static_cast<unsigned int>(cells) << " cells, "
-        << short_text(seconds, 2) << " s, errors of the mesh times "
-        << short_text(control.expected_reduction()) << std::endl;
+    out << "  next: ";
+    if (next_quadratic.empty())
+      out << "about " << static_cast<unsigned int>(cells) << " cells, errors of the mesh times "
+          << short_text(control.expected_reduction());
+    else
+      out << "degree 2 for " << names_of(next_quadratic, scene.bodies);
+    out << ", " << short_text(seconds, 2) << " s" << std::endl;
     return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::enrich(const std::vector<unsigned int> &bodies)
+  {
+    for (const unsigned int body : bodies)
+      scene.bodies[body].degree = 2;
+    mesh->set_degrees(scene.degrees());
+    auto richer = make_elasticity(scene, *mesh);
+    richer->setup();
+    State      carried   = state;
+    const Json known     = contact->memory();
+    const bool follows   = equilibrium->follows();
+    carried.displacement = enriched(*elasticity, state.displacement, *richer);
+    equilibrium.reset();
+    contact.reset();
+    elasticity = std::move(richer);
+    set_up_contact();
+    contact->remember(known);
+    equilibrium->set_state(carried, follows);
   }
 
 
@@ -168,6 +216,7 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                                           \
   template bool          Simulation<dim>::improve();                                               \
   template bool          Simulation<dim>::mark(const ErrorEstimate &);                             \
+  template void          Simulation<dim>::enrich(const std::vector<unsigned int> &);               \
   template void          Simulation<dim>::report_errors();                                         \
   template void          Simulation<dim>::estimate_result();                                       \
   template ErrorEstimate Simulation<dim>::estimate_errors();

@@ -105,6 +105,19 @@ namespace Signorini
 
   template <int dim>
   void
+  Simulation<dim>::restore_degrees()
+  {
+    const std::vector<unsigned int> degrees = former->head.at("degrees");
+    const std::vector<bool>         is_open = scene.open_degrees();
+    for (unsigned int body = 0; body < is_open.size(); ++body)
+      if (is_open[body] && degrees.at(body) > scene.degree)
+        scene.bodies[body].degree = degrees[body];
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::restore_mesh()
   {
     restore_cells(*mesh, joined(former->parts).displacement);
@@ -164,6 +177,7 @@ namespace Signorini
                  {"state_time", state.time},
                  {"follows", equilibrium->follows()},
                  {"tolerance", tolerance},
+                 {"degrees", scene.degrees()},
                  {"multigrid_cycles", multigrid_cycles()},
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
                  {"pairs", contact->memory()}};
@@ -240,6 +254,7 @@ namespace Signorini
   template std::optional<ExitCode> Simulation<dim>::code_of_finished_run() const;                  \
   template bool                    Simulation<dim>::is_over() const;                               \
   template void                    Simulation<dim>::find_checkpoint();                             \
+  template void                    Simulation<dim>::restore_degrees();                             \
   template void                    Simulation<dim>::restore_mesh();                                \
   template void                    Simulation<dim>::restore_state();                               \
   template void                    Simulation<dim>::reach();                                       \

@@ -53,6 +53,9 @@ namespace Signorini
     solve_scene();
     void
     set_up();
+    /// Of the bodies as they are now.
+    void
+    set_up_contact();
     void
     report_set_up();
     /// Probes and expected results, before they cost a solution. Throws SceneError.
@@ -93,9 +96,12 @@ namespace Signorini
     /// or of no use: the last solution is on the last mesh.
     bool
     improve();
-    /// False if the next mesh cannot be had.
+    /// Which cells are refined, or which bodies enriched. False if the next mesh cannot be had.
     bool
     mark(const ErrorEstimate &estimate);
+    /// Degree 2 for these bodies, on the same mesh.
+    void
+    enrich(const std::vector<unsigned int> &bodies);
     void
     report_errors();
     /// Of the last load step.
@@ -112,6 +118,8 @@ namespace Signorini
     code_of_finished_run() const;
     void
     find_checkpoint();
+    void
+    restore_degrees();
     /// The mesh as it was.
     void
     restore_mesh();
@@ -152,6 +160,7 @@ namespace Signorini
     double                             tolerance; ///< of Newton's method on the next mesh
     bool                               has_estimate = false; ///< of this mesh
     double                             last_mesh_at = 0;     ///< seconds: when it was estimated
+    std::vector<unsigned int>          next_quadratic;       ///< bodies, on the next mesh
     std::string                        why_not_met; ///< the targets; empty: no reason is known
     unsigned int former_cycles  = 0;                ///< of multigrid on this mesh, before a restart
     double       former_seconds = 0;                ///< likewise

@@ -166,20 +166,25 @@ namespace Signorini
 
 
   double
-  ErrorControl::share() const
+  ErrorControl::excess() const
   {
-    constexpr double least = 0.1, most = 0.75, reserve = 0.8;
-    double           result = least;
+    double result = 0;
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
         const double bar =
           histories[i].last_with_bar().bar - std::abs(histories[i].last().parts.model);
-        if (bar <= 0)
-          continue;
-        const double wanted = reserve * allowed_of_mesh(i) / bar;
-        result              = std::max(result, (1 - wanted) / (1 - left));
+        result = std::max(result, bar / allowed_of_mesh(i));
       }
-    return std::min(result, most);
+    return result;
+  }
+
+
+
+  double
+  ErrorControl::share() const
+  {
+    constexpr double least = 0.1, most = 0.75, reserve = 0.8;
+    return std::clamp((1 - reserve / excess()) / (1 - left), least, most);
   }
 
 

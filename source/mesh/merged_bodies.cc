@@ -68,15 +68,15 @@ namespace Signorini
     for (const auto &[name, body] : bodies)
       {
         my_least_levels.push_back(merges_cells ? body.generator->possible_merges() : 0);
-        CoarseMesh<dim> one       = body.generator->generate_merged(my_least_levels.back());
-        bool            is_curved = body.generator->curved();
-        const double    size      = diagonal_of(one.vertices);
+        CoarseMesh<dim> one        = body.generator->generate_merged(my_least_levels.back());
+        bool            has_curves = body.generator->curved();
+        const double    size       = diagonal_of(one.vertices);
         if (!body.transformation.empty())
-          is_curved = transform(one, is_curved, body.transformation);
+          has_curves = transform(one, has_curves, body.transformation);
         const double growth = diagonal_of(one.vertices) / size;
-        degree_of_body.push_back(is_curved ? body.degree : 1);
-        degree = std::max(degree, degree_of_body.back());
-        if (is_curved)
+        is_curved.push_back(has_curves);
+        degree_of_body.push_back(has_curves ? body.degree : 1);
+        if (has_curves)
           degree_of_surfaces = 4;
 
         my_temperature.append(one.cells, body.generator->temperature());

@@ -96,6 +96,28 @@ namespace Signorini
 
 
   template <int dim>
+  void
+  Mesh<dim>::map_cells()
+  {
+    degree      = *std::max_element(degree_of_body.begin(), degree_of_body.end());
+    my_mappings = hp::MappingCollection<dim>(CellMapping<dim>(degree, degree_of_body));
+  }
+
+
+
+  template <int dim>
+  void
+  Mesh<dim>::set_degrees(const std::vector<unsigned int> &degrees)
+  {
+    for (unsigned int body = 0; body < degrees.size(); ++body)
+      if (is_curved[body])
+        degree_of_body[body] = degrees[body];
+    map_cells();
+  }
+
+
+
+  template <int dim>
   Mesh<dim>::Mesh(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
                   const MeshSettings<dim>                                  &settings,
                   const std::vector<std::pair<std::string, std::string>>   &contact_surfaces,
@@ -105,10 +127,11 @@ namespace Signorini
     const CoarseMesh<dim> coarse       = merge(bodies, is_refinable);
     if (settings.geometry_degree > 0)
       {
-        degree = degree_of_surfaces = settings.geometry_degree;
-        degree_of_body.assign(bodies.size(), degree);
+        degree_of_surfaces = settings.geometry_degree;
+        degree_of_body.assign(bodies.size(), settings.geometry_degree);
+        is_curved.assign(bodies.size(), false);
       }
-    my_mappings.push_back(CellMapping<dim>(degree, degree_of_body));
+    map_cells();
     my_surface_mappings.push_back(MappingQ<dim>(degree_of_surfaces));
     find_pieces(coarse);
     check_slaves_and_masters(contact_surfaces);

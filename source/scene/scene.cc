@@ -235,22 +235,17 @@ namespace Signorini
 
 
   // By the curves of doc/accuracy.md: with multipliers nothing is left to choose and nothing
-  // overlaps, at the price of the others; quadratic elements reach one percent as soon as linear
-  // ones, and then each digit more for less.
+  // overlaps, at the price of the others.
   template <int dim>
   void
   Scene<dim>::choose(const bool has_degree)
   {
-    constexpr double fine = 1e-2;
-    choice                = contact.method + ", which needs no parameter and leaves no gap";
+    choice = contact.method + ", which needs no parameter and leaves no gap";
     if (has_degree)
       return;
-    const auto least  = std::min_element(goals.targets.begin(), goals.targets.end());
-    const bool is_low = least == goals.targets.end() || *least > fine;
-    degree            = is_low ? 1 : 2;
-    choice += !goals.has_targets() ? "; degree 1, since there is no Target error" :
-              is_low               ? "; degree 1, the quicker one for errors above 1 %" :
-                                     "; degree 2, the quicker one for errors of 1 % and less";
+    raises_degree = goals.has_targets();
+    choice += raises_degree ? "; degree 1, of bodies far from the target 2" :
+                              "; degree 1, since there is no Target error";
   }
 
 
@@ -505,6 +500,18 @@ namespace Signorini
     std::vector<unsigned int> result;
     for (const Body<dim> &body : bodies)
       result.push_back(body.degree > 0 ? body.degree : degree);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<bool>
+  Scene<dim>::open_degrees() const
+  {
+    std::vector<bool> result;
+    for (const Body<dim> &body : bodies)
+      result.push_back(raises_degree && body.degree == 0);
     return result;
   }
 

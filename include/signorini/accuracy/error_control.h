@@ -48,6 +48,10 @@ namespace Signorini
     double
     share() const;
 
+    /// The largest bar of what finer meshes help, over what the target leaves for it.
+    double
+    excess() const;
+
     /// By what the errors of the mesh should fall if it is refined by that share.
     double
     expected_reduction() const;

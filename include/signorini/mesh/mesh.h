@@ -110,6 +110,11 @@ namespace Signorini
       return my_mappings[0];
     }
 
+    /// The displacement has other degrees now, one a body: the cells of curved ones follow, if the
+    /// scene does not say what they are.
+    void
+    set_degrees(const std::vector<unsigned int> &degrees);
+
     /// The true shape of the boundaries, up to a polynomial of degree surface_degree(): gaps,
     /// normals and loads are those of the surfaces that generators and files describe, not of the
     /// cells.
@@ -238,6 +243,10 @@ namespace Signorini
     void
     measure();
 
+    /// Makes mapping() of degree_of_body.
+    void
+    map_cells();
+
     void
     find_pieces(const CoarseMesh<dim> &coarse);
     /// The ids by which cells know their coarse cells: p4est has an order of its own.
@@ -260,6 +269,7 @@ namespace Signorini
     CoarseField<dim>                                       my_temperature;
     unsigned int                                           degree = 1, degree_of_surfaces = 1;
     std::vector<unsigned int>                              degree_of_body; ///< of its cells
+    std::vector<bool>                                      is_curved; ///< body, with cells to match
     std::vector<unsigned int>                              my_least_levels;
     std::vector<dealii::BoundingBox<dim>>                  extents; ///< of the bodies
     dealii::BoundingBox<dim>                               whole_extent;

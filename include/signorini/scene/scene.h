@@ -104,7 +104,8 @@ namespace Signorini
     std::vector<ContactPair<dim>> pairs;
     bool auto_pairs = false; ///< to be found: the one pair says what they have in common
     MeshSettings<dim>           mesh;
-    unsigned int                degree = 1; ///< of bodies that do not say theirs
+    unsigned int                degree        = 1;     ///< of bodies that do not say theirs
+    bool                        raises_degree = false; ///< of these, where that helps a target
     ContactSettings             contact;
     Goals                       goals;
     RefinementSettings          refinement;
@@ -144,6 +145,10 @@ namespace Signorini
     /// Of the displacement, one a body.
     std::vector<unsigned int>
     degrees() const;
+
+    /// Bodies of degree 1 that may become quadratic for a target's sake.
+    std::vector<bool>
+    open_degrees() const;
 
     /// Of the body that a boundary BODY.BOUNDARY belongs to; of obstacles 0.
     unsigned int
