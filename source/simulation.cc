@@ -260,6 +260,7 @@ namespace Signorini
                                    "load_steps",
                                    "cells",
                                    "dofs",
+                                   "degrees",
                                    "multiplier_dofs",
                                    "contact_faces",
                                    "contact_candidates",

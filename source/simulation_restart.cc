@@ -110,7 +110,7 @@ namespace Signorini
     const std::vector<unsigned int> degrees = former->head.at("degrees");
     const std::vector<bool>         is_open = scene.open_degrees();
     for (unsigned int body = 0; body < is_open.size(); ++body)
-      if (is_open[body] && degrees.at(body) > scene.degree)
+      if (is_open[body] && degrees.at(body) > 1)
         scene.bodies[body].degree = degrees[body];
   }
 

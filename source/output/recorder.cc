@@ -316,9 +316,11 @@ namespace Signorini
   void
   Recorder<dim>::add_sizes(const Elasticity<dim> &elasticity, const ContactSetup<dim> &contact)
   {
-    const GapOperator &gaps    = contact.gap_operator();
-    results["cells"]           = elasticity.mesh().triangulation().n_global_active_cells();
-    results["dofs"]            = elasticity.dof_handler().n_dofs();
+    const GapOperator &gaps = contact.gap_operator();
+    results["cells"]        = elasticity.mesh().triangulation().n_global_active_cells();
+    results["dofs"]         = elasticity.dof_handler().n_dofs();
+    for (unsigned int body = 0; body < scene.bodies.size(); ++body)
+      results["degrees"][scene.bodies[body].name] = scene.degrees()[body];
     results["multiplier_dofs"] = scene.contact.chosen().has_multipliers() ? gaps.weight.size() : 0;
     results["left_out"]        = contact.left_out();
     unsigned int faces = 0, candidates = 0;

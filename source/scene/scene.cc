@@ -202,10 +202,12 @@ namespace Signorini
       [&](Section &s) {
         mesh.declare(s);
         has_degree = s.reading() && s.is_set("Degree");
-        s.add("Degree",
-              degree,
-              "polynomial degree of the displacement, of bodies that do not set theirs",
-              Range{1, 2});
+        s.add(
+          "Degree",
+          degree,
+          "polynomial degree of the displacement, of bodies that do not set theirs; 0: 1, and 2 for those for which "
+          "an Accuracy/Target error makes that pay",
+          Range{0, 2});
       });
     section.add_section("Contact method",
                         "One line switches the method; the others' sections are ignored.",
@@ -243,9 +245,9 @@ namespace Signorini
     choice = contact.method + ", which needs no parameter and leaves no gap";
     if (has_degree)
       return;
-    raises_degree = goals.has_targets();
-    choice += raises_degree ? "; degree 1, of bodies far from the target 2" :
-                              "; degree 1, since there is no Target error";
+    degree = 0;
+    choice += goals.has_targets() ? "; degree 1, or 2 where bodies are far from the target" :
+                                    "; degree 1, since there is no Target error";
   }
 
 
@@ -499,7 +501,7 @@ namespace Signorini
   {
     std::vector<unsigned int> result;
     for (const Body<dim> &body : bodies)
-      result.push_back(body.degree > 0 ? body.degree : degree);
+      result.push_back(body.degree > 0 ? body.degree : std::max(degree, 1u));
     return result;
   }
 
@@ -511,7 +513,7 @@ namespace Signorini
   {
     std::vector<bool> result;
     for (const Body<dim> &body : bodies)
-      result.push_back(raises_degree && body.degree == 0);
+      result.push_back(goals.has_targets() && degree + body.degree == 0);
     return result;
   }
 
@@ -524,7 +526,7 @@ namespace Signorini
     const auto dot = surface.find('.');
     for (const Body<dim> &body : bodies)
       if (dot != std::string::npos && body.name == surface.substr(0, dot))
-        return body.degree > 0 ? body.degree : degree;
+        return body.degree > 0 ? body.degree : std::max(degree, 1u);
     return 0;
   }
 

@@ -76,6 +76,19 @@ def aimed_at(known, target, most_dofs, ranks, *sets):
     return body
 
 
+def quadratic_where_it_pays(test):
+    """Method = auto starts with degree 1, and raises that of the body that the error comes from alone."""
+    scene, quantity, exact = SPHERE
+    soft = ["Bodies/Names=block, pad", "Bodies/pad/Mesh=box", "Bodies/pad/Corners=30,0 : 31,1", "Bodies/pad/Young's modulus=1",
+            "Bodies/pad/Poisson's ratio=0", "Supports/Names=sides, pad", "Supports/pad/Boundaries=pad.bottom",
+            "Supports/pad/Displacement=0; 0"]
+    results = test.results(SCENES / scene, wanted(quantity, "Accuracy/Target error=2e-3", "Contact method/Method=auto") + soft, 2)
+    reached(test, results, quantity, exact)
+    test.check(results["degrees"] == {"block": 2, "pad": 1}, f"the degrees are {results['degrees']}")
+    rough = test.results(SCENES / scene, wanted(quantity, "Accuracy/Target error=5e-2", "Contact method/Method=auto"))
+    test.check(rough["degrees"] == {"block": 1}, f"the degrees are {rough['degrees']}")
+
+
 def without_limit(test):
     quantity = "largest pressure of contact"
     results = test.results(SCENES / PUNCH[0], wanted(quantity, "Accuracy/Target error=1e-2"))
@@ -137,6 +150,7 @@ def cases():
         yield Case("accuracy", f"tip/{short(name)}", tip_on_one_face(method(name)), ranks=2)
     yield Case("accuracy", "soft penalty", soft_penalty, ranks=2)
     yield Case("accuracy", "target/punch", aimed_at(PUNCH, 2e-3, 12000, 2), ranks=2)
+    yield Case("accuracy", "target/degrees", quadratic_where_it_pays, ranks=2)
     yield Case("accuracy", "target/degree 2", aimed_at(PUNCH, 2e-4, 30000, 2, "Mesh/Degree=2"), ranks=2)
     yield Case("accuracy", "target/rings", aimed_at(RINGS, 2e-3, 3000, 1))
     yield Case("accuracy", "target/free boundary", aimed_at(FREE_BOUNDARY, 2e-3, 8000, 1))

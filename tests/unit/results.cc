@@ -123,6 +123,7 @@ namespace
   const std::map<std::string, std::string> stands_for = {{"load_steps/N/pairs", "PAIR"},
                                                          {"load_steps/N/supports", "SUPPORT"},
                                                          {"load_steps/N/obstacles", "OBSTACLE"},
+                                                         {"degrees", "BODY"},
                                                          {"load_steps/N/bodies", "BODY"},
                                                          {"load_steps/N/probes", "PROBE"},
                                                          {"preflight/bodies", "BODY"},

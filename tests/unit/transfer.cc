@@ -1,6 +1,7 @@
 // What is carried over from mesh to mesh and from run to run, and where meshes are refined.
 
 #include <signorini/accuracy/cell_errors.h>
+#include <signorini/accuracy/enrichment.h>
 #include <signorini/accuracy/refinement.h>
 #include <signorini/body_setup.h>
 #include <signorini/checkpoint/cells.h>
@@ -202,6 +203,69 @@ namespace
                           interpolant(after, polynomial<dim>)) == 0);
   }
 } // namespace
+
+
+
+namespace
+{
+  /// Bodies of degree 1 and 2 on an adaptive mesh: both get degree 2.
+  template <int dim>
+  void
+  check_enrichment()
+  {
+    CAPTURE(dim);
+    SmallScene<dim> scene(degrees_one_and_two<dim>());
+    LA::Vector      bent = scene.rough_field(1, 0.4);
+    mark_by_estimate(*scene.mesh, *scene.elasticity, bent);
+    refine(*scene.mesh, *scene.elasticity, {&bent});
+    const LA::Vector poor = interpolant(scene, polynomial<dim>);
+    CHECK(growth_of_enrichment(*scene.mesh, {}) == 1);
+    CHECK(growth_of_enrichment(*scene.mesh, {0, 1}) == std::pow(2, dim));
+
+    const auto before            = std::move(scene.elasticity);
+    scene.scene.bodies[0].degree = 2;
+    scene.mesh->set_degrees(scene.scene.degrees());
+    scene.elasticity = make_elasticity(scene.scene, *scene.mesh);
+    scene.elasticity->setup();
+    CHECK(scene.elasticity->dof_handler().n_dofs() > before->dof_handler().n_dofs());
+    CHECK(difference<dim>(enriched(*before, poor, *scene.elasticity),
+                          interpolant(scene, polynomial<dim>)) < 1e-14);
+  }
+
+  /// Only bodies that matter, and only where smaller cells would take more.
+  template <int dim>
+  void
+  check_choice(const double enough)
+  {
+    CAPTURE(dim);
+    const SmallScene<dim> scene(degrees_one_and_two<dim>());
+    const auto           &triangulation = scene.mesh->triangulation();
+    std::vector<double>   indicators(triangulation.n_active_cells(), 0.);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        indicators[cell->active_cell_index()] = cell->material_id() == 0 ? 1. : 1e-4;
+    using Bodies = std::vector<unsigned int>;
+    CHECK(bodies_to_enrich(*scene.mesh, indicators, {true, true}, 1.1 * enough) == Bodies{0});
+    CHECK(bodies_to_enrich(*scene.mesh, indicators, {false, true}, 1.1 * enough) == Bodies{});
+    CHECK(bodies_to_enrich(*scene.mesh, indicators, {true, true}, 0.9 * enough) == Bodies{});
+  }
+} // namespace
+
+
+
+TEST_CASE("displacements are carried over to quadratic elements")
+{
+  check_enrichment<2>();
+  check_enrichment<3>();
+}
+
+
+
+TEST_CASE("bodies become quadratic where the target is far")
+{
+  check_choice<2>(8);
+  check_choice<3>(std::pow(16., 2. / 3));
+}
 
 
 

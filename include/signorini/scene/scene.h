@@ -104,8 +104,7 @@ namespace Signorini
     std::vector<ContactPair<dim>> pairs;
     bool auto_pairs = false; ///< to be found: the one pair says what they have in common
     MeshSettings<dim>           mesh;
-    unsigned int                degree        = 1;     ///< of bodies that do not say theirs
-    bool                        raises_degree = false; ///< of these, where that helps a target
+    unsigned int                degree = 1; ///< of bodies that do not say theirs; 0: by the target
     ContactSettings             contact;
     Goals                       goals;
     RefinementSettings          refinement;

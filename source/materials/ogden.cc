@@ -1,0 +1,34 @@
+#include <signorini/materials/ogden.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  Ogden::Ogden(const double lambda, std::vector<std::pair<double, double>> terms)
+    : lambda(lambda)
+    , terms(std::move(terms))
+  {}
+
+
+
+  StretchEnergy::Derivatives
+  Ogden::derivatives(const std::array<double, 3> &e) const
+  {
+    const double volume = e[0] + e[1] + e[2];
+    Derivatives  w;
+    w.value = lambda / 2 * volume * volume;
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        w.first[a] = lambda * volume;
+        w.second[a].fill(lambda);
+        for (const auto &[mu, alpha] : terms)
+          {
+            const double power = std::exp(alpha * e[a]);
+            w.value += mu / alpha * (power - 1) - mu * e[a];
+            w.first[a] += mu * (power - 1);
+            w.second[a][a] += mu * alpha * power;
+          }
+      }
+    return w;
+  }
+} // namespace Signorini

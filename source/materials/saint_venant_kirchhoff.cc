@@ -1,0 +1,24 @@
+#include <signorini/materials/saint_venant_kirchhoff.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  SaintVenantKirchhoff::SaintVenantKirchhoff(const double lambda, const double mu)
+    : lambda(lambda)
+    , mu(mu)
+  {}
+
+
+
+  HyperelasticState
+  SaintVenantKirchhoff::at(const SymmetricTensor<2, 3> &C) const
+  {
+    const SymmetricTensor<2, 3> one = unit_symmetric_tensor<3>(), strain = 0.5 * (C - one);
+    HyperelasticState           state;
+    state.stress  = lambda * trace(strain) * one + 2 * mu * strain;
+    state.energy  = 0.5 * (state.stress * strain);
+    state.tangent = lambda * outer_product(one, one) + 2 * mu * identity_tensor<3>();
+    return state;
+  }
+} // namespace Signorini

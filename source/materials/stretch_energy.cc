@@ -1,0 +1,57 @@
+#include <signorini/materials/stretch_energy.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  // With c = l^2 and s = W'/c, the principal values of S: along two axes
+  // 2 ds_a/dc_b = W''_ab/(c_a c_b) - 2 delta_ab W'_a/c_a^2, and between them
+  // 2 (s_b - s_a)/(c_b - c_a), whose limit for equal ones is half the difference of the former
+  // (Simo and Taylor, Comput. Methods Appl. Mech. Engrg. 85 (1991) 273).
+  HyperelasticState
+  StretchEnergy::at(const SymmetricTensor<2, 3> &C) const
+  {
+    // Below, the quotient has lost as many digits as the limit has wrong, which is of second order.
+    constexpr double nearly_equal = 1e-5;
+    const auto       axes = eigenvectors(C, SymmetricTensorEigenvectorMethod::ql_implicit_shifts);
+    std::array<double, 3>       c{}, logs{}, s{};
+    std::array<Tensor<1, 3>, 3> axis;
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        c[a]    = axes[a].first;
+        axis[a] = axes[a].second;
+        logs[a] = std::log(c[a]) / 2;
+      }
+    const Derivatives w = derivatives(logs);
+    for (unsigned int a = 0; a < 3; ++a)
+      s[a] = w.first[a] / c[a];
+    const auto along = [&](const unsigned int a, const unsigned int b) {
+      return w.second[a][b] / (c[a] * c[b]) - (a == b ? 2 * s[a] / c[a] : 0.);
+    };
+
+    HyperelasticState state;
+    state.energy = w.value;
+    std::array<SymmetricTensor<2, 3>, 3> product;
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        product[a] = symmetrize(outer_product(axis[a], axis[a]));
+        state.stress += s[a] * product[a];
+      }
+    for (unsigned int a = 0; a < 3; ++a)
+      for (unsigned int b = 0; b < 3; ++b)
+        {
+          state.tangent += along(a, b) * outer_product(product[a], product[b]);
+          if (b <= a)
+            continue;
+          const double                difference = c[b] - c[a];
+          const double                shear      = std::abs(difference) > nearly_equal * c[a] ?
+                                                     (s[b] - s[a]) / difference :
+                                                     (along(a, a) + along(b, b) - 2 * along(a, b)) / 4;
+          const SymmetricTensor<2, 3> mixed      = 2 * symmetrize(outer_product(axis[a], axis[b]));
+          state.tangent += shear * outer_product(mixed, mixed);
+        }
+    return state;
+  }
+} // namespace Signorini
