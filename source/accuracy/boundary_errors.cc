@@ -69,7 +69,7 @@ namespace Signorini
       reinit(const Cell &cell, const unsigned int face)
       {
         const auto i = cell->active_fe_index();
-        values.reinit(cell, face, i, i, i);
+        values.reinit(cell, face, i, 0, i); // one mapping for all
         return values.get_present_fe_values();
       }
       /// u_D - u_h where that is prescribed, at each point.
