@@ -2,6 +2,7 @@
 #include <signorini/equilibrium.h>
 #include <signorini/matrix_free/make_stiffness.h>
 #include <signorini/parameters/text.h>
+#include <signorini/solve/finite_bodies.h>
 
 #include <cmath>
 
@@ -24,6 +25,7 @@ namespace Signorini
     , timer(timer)
     , out(out)
     , watch(std::move(watch))
+    , my_follows(elasticity.is_finite())
   {
     clock.reset();
   }
@@ -214,6 +216,7 @@ namespace Signorini
   Equilibrium<dim>::solve_from_state(const double t, const double tolerance)
   {
     elasticity.set_time(t);
+    left = state.displacement;
     elasticity.distribute(state.displacement);
     steps_before.clear();
     if (my_follows && t == state.time)
@@ -221,6 +224,11 @@ namespace Signorini
     if (my_follows)
       {
         placed = state.displacement;
+        if (elasticity.is_finite()) // what supports move alone would fold surfaces
+          {
+            placed = left;
+            elasticity.set_rigid_motion(elasticity.rigid_motion(state.displacement), placed);
+          }
         build_contact();
       }
     // What the surfaces will change anyway need not be known to the last digit.
@@ -324,10 +332,12 @@ namespace Signorini
     clock.start();
     {
       TimerOutput::Scope scope(timer, "assembly");
-      LA::Vector         f = elasticity.load();
+      LA::Vector         f = elasticity.is_finite() ? elasticity.dead_load() : elasticity.load();
       if (placed.size() > 0)
         elasticity.turn_moments(elasticity.rigid_motion(placed), f);
       bodies->set_load(std::move(f));
+      if (left.size() > 0)
+        bodies->start_from(std::exchange(left, LA::Vector()));
     }
     elasticity.distribute(state.displacement);
     contact.set_time(t);
@@ -349,7 +359,7 @@ namespace Signorini
     FreeMotions free_motions = make_free_motions(); // may search farther
     clock.start();
     if (!hierarchies)
-      hierarchies.emplace(scene.solver, bodies->stiffness(), elasticity);
+      hierarchies.emplace(solver_settings(), bodies->stiffness(), elasticity);
     contact.turn_forces(pressure);
     NewtonSettings settings = scene.newton;
     settings.tolerance      = tolerance;
@@ -367,18 +377,37 @@ namespace Signorini
 
 
   template <int dim>
+  LinearSolverSettings
+  Equilibrium<dim>::solver_settings() const
+  {
+    LinearSolverSettings result = scene.solver;
+    if (elasticity.is_finite()) // coarser spaces know the stiffness at rest alone
+      result.coarsening = Coarsening::algebraic;
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   Equilibrium<dim>::assemble()
   {
     clock.start();
     TimerOutput::Scope scope(timer, "assembly");
-    bodies.emplace(make_stiffness(choose_form(scene.solver.stiffness_form,
-                                              scene.solver.needs_matrix(),
-                                              elasticity),
-                                  elasticity),
-                   elasticity.stabilising_springs(),
-                   elasticity.constraints(),
-                   bodies_of_dofs(elasticity));
+    if (elasticity.is_finite())
+      {
+        elasticity.assemble();
+        bodies = std::make_unique<FiniteBodies<dim>>(elasticity, bodies_of_dofs(elasticity));
+      }
+    else
+      bodies =
+        std::make_unique<LinearBodies>(make_stiffness(choose_form(scene.solver.stiffness_form,
+                                                                  scene.solver.needs_matrix(),
+                                                                  elasticity),
+                                                      elasticity),
+                                       elasticity.stabilising_springs(),
+                                       elasticity.constraints(),
+                                       bodies_of_dofs(elasticity));
     clock.stop();
   }
 

@@ -127,6 +127,9 @@ namespace Signorini
     solve_with_candidates(double t, double tolerance);
     void
     make_solver(double tolerance);
+    /// Those of the scene, as far as bodies allow for them.
+    LinearSolverSettings
+    solver_settings() const;
     void
     assemble();
     FreeMotions
@@ -153,11 +156,12 @@ namespace Signorini
 
     LA::Vector            pressure, active, gap; ///< state.contact at the rows of the gap operator
     LA::Vector            placed;                ///< displacement of surfaces; empty: at rest
+    LA::Vector            left;                  ///< the last solution, until the next has begun
     bool                  my_follows = false;
     std::optional<double> my_neglected;
 
     // On this mesh:
-    std::optional<LinearBodies>    bodies; ///< once they are assembled
+    std::unique_ptr<Bodies>        bodies; ///< once they are assembled
     std::optional<BodiesHierarchy> hierarchies;
     std::unique_ptr<ContactSolver> solver; ///< for contact as it was found last
 

@@ -1,18 +1,8 @@
 #include <signorini/elasticity/boundary_conditions.h>
-#include <signorini/elasticity/material.h>
 #include <signorini/parameters/section.h>
 
 namespace Signorini
 {
-  void
-  Material::declare(Section &section)
-  {
-    section.add_required("Young's modulus", youngs_modulus, "E [stress]", positive);
-    section.add_required("Poisson's ratio", poissons_ratio, "nu [-]", Range{-1, 0.5, false, false});
-  }
-
-
-
   void
   NodeChoice::declare(Section &section, const unsigned int dim, const std::string &what)
   {

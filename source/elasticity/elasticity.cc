@@ -1,4 +1,5 @@
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/deformation.h>
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/elasticity/kernel.h>
 #include <signorini/elasticity/rigid_pose.h>
@@ -127,7 +128,21 @@ namespace Signorini
   Elasticity<dim>::load() const
   {
     LA::Vector f = this->zero_vector();
-    add_cells(f);
+    add_cells(f, true);
+    add_rigid_bodies(f);
+    f.compress(VectorOperation::add);
+    this->constraints().set_zero(f);
+    return f;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  Elasticity<dim>::dead_load() const
+  {
+    LA::Vector f = this->zero_vector();
+    add_cells(f, false);
     add_rigid_bodies(f);
     f.compress(VectorOperation::add);
     this->constraints().set_zero(f);
@@ -138,7 +153,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Elasticity<dim>::add_cells(LA::Vector &f) const
+  Elasticity<dim>::add_cells(LA::Vector &f, const bool lifts) const
   {
     const AffineConstraints<double> &constraints = this->constraints();
     const hp::FECollection<dim>     &elements    = this->finite_elements();
@@ -155,9 +170,10 @@ namespace Signorini
           const Material &material = materials[cell->material_id()];
           const bool      acts     = load_kernel.assemble(cell, cell_load);
           const bool      loaded   = thermal_load.add(cell, material, cell_load) || acts;
-          const bool      moved    = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
-            return constraints.is_inhomogeneously_constrained(i);
-          });
+          const bool      moved =
+            lifts && std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+              return constraints.is_inhomogeneously_constrained(i);
+            });
           // Only these few cells need their matrix again: K of the others stays untouched.
           if (moved)
             kernel.assemble(cell, material, cell_matrix);
@@ -220,6 +236,10 @@ namespace Signorini
                           const Point<dim>        &x) const
   {
     const Material &material = materials[cell.material_id()];
+    if (material.energy)
+      return cauchy_stress(this->model(),
+                           *material.energy,
+                           deformation_gradient(this->model(), gradient, u, x));
     if (!thermal_strain.expands(cell.material_id()))
       return Signorini::stress(material, strain(this->model(), material, gradient, u, x));
     return Signorini::stress(

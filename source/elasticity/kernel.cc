@@ -1,7 +1,6 @@
 #include <signorini/elasticity/kernel.h>
 #include <signorini/elasticity/not_finite.h>
-
-#include <deal.II/base/quadrature_lib.h>
+#include <signorini/elasticity/scalar_elements.h>
 
 namespace Signorini
 {
@@ -9,26 +8,6 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    hp::FECollection<dim>
-    scalar(const hp::FECollection<dim> &elements)
-    {
-      hp::FECollection<dim> result;
-      for (const auto &fe : elements)
-        result.push_back(fe.base_element(0));
-      return result;
-    }
-
-    template <int dim, int rule_dim>
-    hp::QCollection<rule_dim>
-    gauss(const hp::FECollection<dim> &elements, const unsigned int beyond_degree)
-    {
-      hp::QCollection<rule_dim> result;
-      for (const auto &fe : elements)
-        result.push_back(QGauss<rule_dim>(fe.degree + beyond_degree));
-      return result;
-    }
-
     template <int dim>
     const FEValues<dim> &
     reinit(hp::FEValues<dim> &values, const typename DoFHandler<dim>::active_cell_iterator &cell)
@@ -58,24 +37,15 @@ namespace Signorini
                                         const hp::FECollection<dim> &elements,
                                         const Model                  model)
     : model(model)
-    , scalar_elements(scalar(elements))
+    , scalars(scalar_elements(elements))
     , all_values(mesh.mappings(),
-                 scalar_elements,
-                 gauss<dim, dim>(elements, 1),
+                 scalars,
+                 gauss_rules(elements, 1),
                  update_gradients | update_JxW_values |
                    (model == Model::axisymmetric ? update_values | update_quadrature_points :
                                                    update_default))
-  {
-    for (const auto &fe : elements)
-      {
-        dofs_of_nodes.emplace_back(fe.n_dofs_per_cell());
-        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-          {
-            const auto [component, node]                 = fe.system_to_component_index(i);
-            dofs_of_nodes.back()[node * dim + component] = i;
-          }
-      }
-  }
+    , dofs(dofs_of_nodes(elements))
+  {}
 
 
 
@@ -87,7 +57,7 @@ namespace Signorini
   {
     const FEValues<dim> &values = reinit(all_values, cell);
     const double         lambda = in_plane_lambda(model, material), mu = material.mu();
-    const auto          &dof = dofs_of_nodes[cell->active_fe_index()];
+    const auto          &dof = dofs[cell->active_fe_index()];
     const unsigned int   n   = dof.size() / dim;
     weights                  = values.get_JxW_values();
     if (model == Model::axisymmetric)
@@ -168,14 +138,14 @@ namespace Signorini
     : model(model)
     , t(t)
     , nodal_forces(mesh, loads)
-    , scalar_elements(scalar(elements))
+    , scalars(scalar_elements(elements))
     , all_values(mesh.surface_mappings(),
-                 scalar_elements,
-                 gauss<dim, dim>(elements, 2),
+                 scalars,
+                 gauss_rules(elements, 2),
                  update_values | update_quadrature_points | update_JxW_values)
     , all_face_values(mesh.surface_mappings(),
-                      scalar_elements,
-                      gauss<dim, dim - 1>(elements, 2),
+                      scalars,
+                      gauss_rules<dim, dim - 1>(elements, 2),
                       update_values | update_quadrature_points | update_normal_vectors |
                         update_JxW_values)
   {

@@ -1,4 +1,5 @@
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/deformation_kernel.h>
 #include <signorini/elasticity/kernel.h>
 #include <signorini/elasticity/reactions.h>
 
@@ -18,6 +19,7 @@ namespace Signorini
       ForcesOfCell(const Elasticity<dim> &e)
         : elasticity(e)
         , kernel(e.mesh(), e.finite_elements(), e.model())
+        , of_deformation(e.mesh(), e.finite_elements(), e.model())
         , thermal_load(e.mesh(), e.finite_elements(), e.thermal(), e.model())
       {}
 
@@ -29,11 +31,16 @@ namespace Signorini
                Vector<double>                                       &cell_load)
       {
         const Material &material = elasticity.material(cell->material_id());
-        kernel.assemble(cell, material, matrix);
-        values.reinit(matrix.n());
-        force.reinit(matrix.m());
+        values.reinit(cell->get_fe().n_dofs_per_cell());
         cell->get_dof_values(ghosted, values);
-        matrix.vmult(force, values);
+        if (material.energy)
+          of_deformation.assemble(cell, *material.energy, values, force);
+        else
+          {
+            kernel.assemble(cell, material, matrix);
+            force.reinit(matrix.m());
+            matrix.vmult(force, values);
+          }
         thermal_load.add(cell, material, cell_load);
         force -= cell_load;
         return force;
@@ -42,6 +49,7 @@ namespace Signorini
     private:
       const Elasticity<dim> &elasticity;
       StiffnessKernel<dim>   kernel;
+      DeformationKernel<dim> of_deformation;
       ThermalLoad<dim>       thermal_load;
       FullMatrix<double>     matrix;
       Vector<double>         values, force;

@@ -238,7 +238,7 @@ namespace Signorini
           add_part(nodes, face, ones, true, 1., whole[&face - surface.slave_faces.data()]);
         });
         for (const ContactPoint<dim> &point : surface.points)
-          shares[point.face] += point.weight / whole[point.face].sums[0];
+          shares[point.face] += point.weight * point.stretch / whole[point.face].sums[0];
         return shares;
       }
 

@@ -18,7 +18,7 @@ namespace Signorini
         for (unsigned int q = 0; q < points.size(); ++q, ++row)
           {
             values.gap.push_back(s.gap(row));
-            values.pressure.push_back(s.pressure(row));
+            values.pressure.push_back(s.pressure(row) / points[q].stretch);
           }
         return values;
       }
@@ -38,7 +38,7 @@ namespace Signorini
              point.interpolation.empty() ? point.shape : point.interpolation)
           pressure += value * p(node);
         values.gap.push_back(gap);
-        values.pressure.push_back(pressure);
+        values.pressure.push_back(pressure / point.stretch);
       }
     return values;
   }

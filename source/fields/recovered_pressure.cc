@@ -3,6 +3,7 @@
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/fields/surface_gradient.h>
+#include <signorini/fields/surface_stretch.h>
 #include <signorini/mesh/lagrange.h>
 
 #include <array>
@@ -376,6 +377,7 @@ namespace Signorini
                                 raw :
                                 Recovery<dim>(s, pair).run();
     extrapolate_to_held_nodes(s, pair, raw, result);
+    to_present_areas(s, pair, result);
     return result;
   }
 

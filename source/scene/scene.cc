@@ -1,3 +1,4 @@
+#include <signorini/elasticity/material_law.h>
 #include <signorini/parameters/section.h>
 #include <signorini/scene/descriptions.h>
 #include <signorini/scene/scene.h>
@@ -174,6 +175,12 @@ namespace Signorini
       dim == 2 ? "axisymmetric: x is the radius, y the axis, and forces are those of the whole "
                  "circumference; else forces are per thickness" :
                  "what the mesh stands for");
+    section.add_choice(
+      "Deformation",
+      deformation,
+      {{"small", Deformation::small}, {"finite", Deformation::finite}},
+      "of bodies: strains and rotations are small beside one; or of any amount, with the Law of each body, "
+      "and contact on the surfaces as they are now");
     section.add("Title", title, "");
 
     section.add_definitions("Definitions",
@@ -181,6 +188,9 @@ namespace Signorini
                             "Names that stand for numbers or formulas, in all that follows: "
                             "set R = 8, set r = sqrt(x^2+y^2), set gap = r^2/(2*R)");
     section.add_named("Bodies", bodies, "Elastic bodies: a mesh and a material each.");
+    if (section.reading() && deformation == Deformation::finite)
+      for (Body<dim> &body : bodies)
+        body.material.energy = law_of(body.material).make(body.material);
     section.add_named("Obstacles", obstacles, "Rigid surfaces; they are never meshed.");
     section.add_named("Supports", supports, "Prescribed displacements.");
     section.add_named("Loads", loads, "Tractions, pressures, body forces.");
@@ -437,6 +447,8 @@ namespace Signorini
     check_axisymmetric(*this);
     check_integration();
     check_contrast(bodies);
+    if (deformation == Deformation::finite)
+      check_finite();
     if (!auto_pairs)
       quantities();
     if (mesh.distribution == Distribution::METIS && most_cycles() > 0)
@@ -445,6 +457,36 @@ namespace Signorini
                           "there is an Accuracy/Target error" :
                           "Accuracy/Refinement cycles = " + std::to_string(refinement.cycles)) +
                        "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::check_finite() const
+  {
+    const auto refuse = [](const std::string &key, const std::string &why) {
+      throw SceneError(key + ": " + why + " with Deformation = finite");
+    };
+    if (contact.chosen().predictor() == Predictor::normal_stress)
+      refuse("Contact method/Method = " + contact.method,
+             "is not there; take Lagrange multiplier, penalty, augmented or perturbed Lagrangian");
+    if (contact.geometry == ContactGeometry::reference)
+      refuse("Contact method/Contact geometry = reference", "surfaces are not where they were");
+    for (const Load<dim> &load : loads)
+      if (!load.boundaries.empty() && load.pressure.formula() != "0")
+        refuse(
+          "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
+          "pressures that follow the surface are not there yet; take a Traction, which is dead,");
+    for (const Body<dim> &body : bodies)
+      if (body.expansion.given())
+        refuse("Bodies/" + body.name + "/Thermal expansion", "is not there");
+    if (!goals.quantities.empty())
+      refuse("Accuracy/Quantity = " + goals.quantities.front(), "errors are not estimated");
+    if (output.linear_reference)
+      refuse("Output/Linear reference = yes", "nothing is linear");
+    if (solver.stiffness_form == StiffnessForm::matrix_free)
+      refuse("Solver/Operator = matrix-free", "tangents are assembled");
   }
 
 

@@ -153,9 +153,10 @@ namespace Signorini
     stage.damping = strategy.is_cautious() && has_energy(system) ?
                       best_step(system, law, r, {stage.gap, stage.stress, p}, x.block(0)) :
                       1.;
+    stage.damping *= bodies.longest_step(u, x.block(0));
     u.add(stage.damping, x.block(0));
     if (system.is_saddle_point())
-      p += x.block(1);
+      p.add(stage.damping, x.block(1));
     const auto driven = system.free_motions().driven(r, 1e-8 * balance.scale());
     if (!driven.empty() && !system.free_motions().close(u, r))
       {

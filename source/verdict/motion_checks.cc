@@ -93,6 +93,9 @@ namespace Signorini
     motion.cure =
       "look at its supports, at what holds it by contact, and at the pairs' initial gaps";
 
+    if (now.elasticity.is_finite())
+      return {motion};
+
     Finding strain = worst(now, largest, &Extremes::gradient, 1);
     strain.check   = "displacement gradient";
     strain.limit   = small;

@@ -31,6 +31,12 @@ namespace
       matrix.copy_from(elasticity.stiffness());
     }
 
+    void
+    set_load(LA::Vector load) override
+    {
+      f = std::move(load);
+    }
+
     LA::Vector
     forces(const LA::Vector &u) const
     {
@@ -91,7 +97,7 @@ namespace
   private:
     const Elasticity<2>            &elasticity;
     const double                    c;
-    const LA::Vector                f;
+    LA::Vector                      f;
     const std::vector<unsigned int> body;
     LA::SparseMatrix                matrix;
     AssembledStiffness              K;

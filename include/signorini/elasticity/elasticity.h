@@ -67,13 +67,25 @@ namespace Signorini
     LA::Vector
     load() const;
 
+    /// The loads alone, as they act on bodies that deform by any amount: dead ones. Zero at
+    /// constrained degrees of freedom. Throws SceneError where a load is not a number. Collective.
+    LA::Vector
+    dead_load() const;
+
+    /// Do bodies deform by any amount, by the energies of their materials?
+    bool
+    is_finite() const
+    {
+      return !materials.empty() && materials.front().energy;
+    }
+
     /// In such a load, moments that act on rigid bodies that have turned so far, see
     /// RigidPose::on_rotations(). Collective.
     void
     turn_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const;
 
     /// The stress in space, without the thermal strain, at a point x of a locally owned or ghost
-    /// cell.
+    /// cell; Cauchy's of large deformation.
     /// @param gradient of the displacement: [component][derivative]
     /// @param u the displacement at x
     dealii::SymmetricTensor<2, 3>
@@ -137,8 +149,9 @@ namespace Signorini
     }
 
   private:
+    /// @param lifts with the forces of prescribed displacements
     void
-    add_cells(LA::Vector &f) const;
+    add_cells(LA::Vector &f, bool lifts) const;
     void
     add_rigid_bodies(LA::Vector &f) const;
     double

@@ -40,12 +40,10 @@ namespace Signorini
 
     const Model model;
     // The gradients of the scalar element serve all components; the values refer to it.
-    const dealii::hp::FECollection<dim> scalar_elements;
-    dealii::hp::FEValues<dim>           all_values;
-    std::vector<double>                 weights; ///< of the quadrature points
-    /// Of each element, which finds them by searching only: that of component d of node i is at
-    /// dim i + d.
-    std::vector<std::vector<unsigned int>> dofs_of_nodes;
+    const dealii::hp::FECollection<dim>          scalars;
+    dealii::hp::FEValues<dim>                    all_values;
+    std::vector<double>                          weights; ///< of the quadrature points
+    const std::vector<std::vector<unsigned int>> dofs;    ///< see dofs_of_nodes()
   };
 
   /// Load vector of one cell: body forces, tractions and pressures, thesis (39), and forces at
@@ -98,7 +96,7 @@ namespace Signorini
     const Model                         model;
     const double                        t;
     const NodalForces<dim>              nodal_forces;
-    const dealii::hp::FECollection<dim> scalar_elements; ///< the values refer to it
+    const dealii::hp::FECollection<dim> scalars; ///< the values refer to it
     dealii::hp::FEValues<dim>           all_values;
     dealii::hp::FEFaceValues<dim>       all_face_values;
 

@@ -87,11 +87,19 @@ namespace Signorini
     declare(Section &section);
   };
 
+  /// How much bodies may deform.
+  enum class Deformation
+  {
+    small, ///< strains and rotations are small beside one
+    finite ///< any amount, thesis (1)-(20)
+  };
+
   /// All that the user said, in the order of the scene file, which is the order of the data.
   template <int dim>
   struct Scene
   {
-    std::string model = model_names<dim>().front();
+    std::string model       = model_names<dim>().front();
+    Deformation deformation = Deformation::small;
     std::string title;
     std::string name;  ///< of the scene file, without folder and .prm
     RawSection  given; ///< what was read
@@ -165,6 +173,10 @@ namespace Signorini
     obstacle_of(const ContactPair<dim> &pair) const;
 
   private:
+    /// What goes with Deformation = finite alone, or not with it. Throws SceneError.
+    void
+    check_finite() const;
+
     /// What Method = auto leaves open. @param has_degree the user has chosen that
     void
     choose(bool has_degree);

@@ -16,6 +16,17 @@ namespace Signorini
   public:
     virtual ~Bodies() = default;
 
+    /// What acts on the bodies from now on. @param f as load_of() of the same kind of bodies
+    virtual void
+    set_load(LA::Vector f) = 0;
+
+    /// The next displacement differs from this one, which was a solution, by new values of
+    /// constraints: where that is too far for Newton's method, residual() and linearise() extend it
+    /// by the linearisation there, once.
+    virtual void
+    start_from(const LA::Vector & /*u*/)
+    {}
+
     /// f - F(u): the loads of now minus the forces of deformation. Constrained components mean
     /// nothing.
     virtual LA::Vector
@@ -30,6 +41,14 @@ namespace Signorini
     /// has changed. Collective.
     virtual void
     linearise(const LA::Vector &u) = 0;
+
+    /// The largest share, up to 1, of a step du from u that Newton's method may take. Throws
+    /// SolverFailure if there is none. Collective.
+    virtual double
+    longest_step(const LA::Vector & /*u*/, const LA::Vector & /*du*/) const
+    {
+      return 1;
+    }
 
     /// dF/du, with springs against free motions (see FreeMotions), which F has not.
     virtual const Stiffness &
@@ -56,7 +75,7 @@ namespace Signorini
 
     /// @param f with prescribed displacements eliminated, Elasticity::load()
     void
-    set_load(LA::Vector f);
+    set_load(LA::Vector f) override;
 
     LA::Vector
     residual(const LA::Vector &u) const override;

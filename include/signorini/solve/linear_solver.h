@@ -2,22 +2,15 @@
 
 #include <signorini/solve/linear_solver_settings.h>
 #include <signorini/solve/preconditioner.h>
+#include <signorini/solve/solver_failure.h>
 
 #include <deal.II/base/timer.h>
 
 #include <functional>
 #include <memory>
-#include <stdexcept>
 
 namespace Signorini
 {
-  /// The solution could not be found. All ranks throw it alike.
-  class SolverFailure : public std::runtime_error
-  {
-  public:
-    using std::runtime_error::runtime_error;
-  };
-
   /// The multigrid hierarchy of the bodies' stiffness: made when it is first asked for, and anew
   /// when the stiffness has changed. Outlives contact that is looked for again.
   class BodiesHierarchy

@@ -93,6 +93,20 @@ namespace Signorini
       point.bound          = share * own_bound;
     }
 
+    /// Area now per area at rest.
+    template <int dim>
+    double
+    stretch(const Model           model,
+            const FacePatch<dim> &now,
+            const FacePatch<dim> &rest,
+            const Point<dim - 1> &xi)
+    {
+      const double along = now.jacobian(xi) / rest.jacobian(xi), radius = rest.position(xi)[0];
+      return model == Model::axisymmetric && radius > 1e-10 * std::abs(rest.position(xi)[1]) ?
+               along * now.position(xi)[0] / radius :
+               along;
+    }
+
     /// Of the circle that a point stands for, or 1. That of a node is the mean over its shape
     /// function, of degree k: on the axis, too, it stands for an area.
     template <int dim>
@@ -180,6 +194,8 @@ namespace Signorini
           contact_point(slave.patches[paired.face], rest, paired, face_stiffness, trace));
         ContactPoint<dim> &point = result.back();
         point.depth              = face_depth;
+        if (elasticity.is_finite())
+          point.stretch = stretch(elasticity.model(), slave.patches[paired.face], rest, paired.xi);
         point.weight *=
           circumference(elasticity, rest, paired.xi, integration, cell->get_fe().degree);
         if (!gaps_at_rest.empty())

@@ -32,7 +32,8 @@ namespace Signorini
                 std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
                   return a.second < b.second;
                 })->first);
-              face.positions.push_back(slave.rest[point.face].position(xi));
+              face.positions.push_back(
+                (elasticity.is_finite() ? slave.patches : slave.rest)[point.face].position(xi));
               face.held.push_back(
                 !carries_pressure(elasticity, face.nodes.back(), k, slave.patches[point.face], xi));
             }

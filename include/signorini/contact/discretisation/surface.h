@@ -21,13 +21,14 @@ namespace Signorini
   template <int dim>
   struct ContactPoint
   {
-    dealii::Point<dim>     position; ///< at rest
-    dealii::Tensor<1, dim> normal;   ///< unit, out of the master, where it is now
-    double                 weight;   ///< area that the point stands for
-    double                 facing;   ///< minus the product of both surfaces' unit normals
-    double                 gap;      ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
-    double             closing = 0;  ///< by which it is less where the surfaces are now; at rest 0
-    double             drift   = 0;  ///< to be added there: g = row . d + gap + drift about it
+    dealii::Point<dim>     position;    ///< at rest
+    dealii::Tensor<1, dim> normal;      ///< unit, out of the master, where it is now
+    double                 weight;      ///< area at rest that the point stands for
+    double                 stretch = 1; ///< area now per area at rest, of large deformation
+    double                 facing;      ///< minus the product of both surfaces' unit normals
+    double                 gap;         ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
+    double             closing = 0; ///< by which it is less where the surfaces are now; at rest 0
+    double             drift   = 0; ///< to be added there: g = row . d + gap + drift about it
     dealii::Point<dim> master_position; ///< of the partner at rest; not of obstacles
     double             stiffness;       ///< E/h of slave and master in series [force/length^3]
     double             depth;           ///< of the slave's cell behind the face: h
@@ -88,7 +89,7 @@ namespace Signorini
     unsigned int                                 face   = 0; ///< of the cell
     unsigned int                                 degree = 0; ///< 0: the face has no points
     std::vector<dealii::types::global_dof_index> nodes;      ///< first degrees of freedom
-    std::vector<dealii::Point<dim>>              positions;
+    std::vector<dealii::Point<dim>> positions; ///< at rest; of large deformation as they are now
     std::vector<bool> held; ///< nodes without a pressure of their own, see carries_pressure()
   };
 

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <signorini/elasticity/deformation.h>
+#include <signorini/mesh/mesh.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+namespace Signorini
+{
+  /// Forces of one cell that is deformed by any amount, int P : Grad v dV with P = F S, thesis (3),
+  /// over the cell at rest; and how they change with its displacement,
+  /// int Grad v : (dP/dF) : Grad du dV with dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK.
+  template <int dim>
+  class DeformationKernel
+  {
+  public:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    /// @param elements that cells have, by their index
+    DeformationKernel(const Mesh<dim>                     &mesh,
+                      const dealii::hp::FECollection<dim> &elements,
+                      Model                                model);
+
+    /// Returns false, and leaves nothing that means anything, where the cell is folded: det F <= 0.
+    /// @param u the displacement at the degrees of freedom of the cell
+    /// @param forces takes the size of the cell
+    /// @param tangent likewise; null: not wanted
+    bool
+    assemble(const Cell                   &cell,
+             const Hyperelastic           &law,
+             const dealii::Vector<double> &u,
+             dealii::Vector<double>       &forces,
+             dealii::FullMatrix<double>   *tangent = nullptr);
+
+    /// det F at the points of integration; valid until the next call.
+    const std::vector<double> &
+    volume_ratios(const Cell &cell, const dealii::Vector<double> &u);
+
+  private:
+    /// Of a tensor that acts on gradients: those in the plane or in space, row by row, then the
+    /// hoop's if there is one.
+    static constexpr unsigned int most_components = dim * dim + (dim == 2 ? 1 : 0);
+    using Components                              = std::array<double, most_components>;
+    using Tangent                                 = std::array<Components, most_components>;
+
+    void
+    reinit(const Cell &cell);
+    dealii::Tensor<2, 3>
+    gradient(unsigned int q, const dealii::Vector<double> &u) const;
+    /// Of the displacement of component d at node i.
+    Components
+    gradient_of(unsigned int q, unsigned int i, unsigned int d) const;
+    Tangent
+    derivative(const dealii::Tensor<2, 3> &F, const HyperelasticState &state) const;
+
+    const Model                                  model;
+    const unsigned int                           n_components;
+    const dealii::hp::FECollection<dim>          elements; ///< scalar: the values refer to them
+    dealii::hp::FEValues<dim>                    all_values;
+    const std::vector<std::vector<unsigned int>> all_dofs; ///< see dofs_of_nodes()
+
+    // Of the present cell:
+    const dealii::FEValues<dim>     *values = nullptr;
+    const std::vector<unsigned int> *dofs   = nullptr;
+    std::vector<double>              ratios;
+    dealii::FullMatrix<double>       stressed; ///< derivatives by gradients, a row a function
+  };
+} // namespace Signorini

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/hp/q_collection.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// Of vector-valued elements the one that all components have.
+  template <int dim>
+  dealii::hp::FECollection<dim>
+  scalar_elements(const dealii::hp::FECollection<dim> &elements)
+  {
+    dealii::hp::FECollection<dim> result;
+    for (const auto &fe : elements)
+      result.push_back(fe.base_element(0));
+    return result;
+  }
+
+  /// Gauss points of each, so many more a direction than its degree.
+  template <int dim, int rule_dim = dim>
+  dealii::hp::QCollection<rule_dim>
+  gauss_rules(const dealii::hp::FECollection<dim> &elements, const unsigned int beyond_degree)
+  {
+    dealii::hp::QCollection<rule_dim> result;
+    for (const auto &fe : elements)
+      result.push_back(dealii::QGauss<rule_dim>(fe.degree + beyond_degree));
+    return result;
+  }
+
+  /// Of each element the degrees of freedom node by node, which it finds by searching only: that of
+  /// component d of node i is at dim i + d.
+  template <int dim>
+  std::vector<std::vector<unsigned int>>
+  dofs_of_nodes(const dealii::hp::FECollection<dim> &elements)
+  {
+    std::vector<std::vector<unsigned int>> result;
+    for (const auto &fe : elements)
+      {
+        result.emplace_back(fe.n_dofs_per_cell());
+        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+          {
+            const auto [component, node]          = fe.system_to_component_index(i);
+            result.back()[node * dim + component] = i;
+          }
+      }
+    return result;
+  }
+} // namespace Signorini

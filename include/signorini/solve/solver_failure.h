@@ -1,0 +1,13 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace Signorini
+{
+  /// The solution could not be found. All ranks throw it alike.
+  class SolverFailure : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+} // namespace Signorini

@@ -1,0 +1,86 @@
+#include <signorini/elasticity/deformation.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Tensor<2, 3>
+  deformation_gradient(const Model           model,
+                       const Tensor<2, dim> &gradient,
+                       const Tensor<1, dim> &u,
+                       const Point<dim>     &X)
+  {
+    Tensor<2, 3> F = unit_symmetric_tensor<3>();
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        F[i][j] += gradient[i][j];
+    if (model == Model::axisymmetric)
+      F[2][2] += X[0] > 1e-10 * std::abs(X[1]) ? u[0] / X[0] : gradient[0][0];
+    return F;
+  }
+
+
+
+  namespace
+  {
+    /// The state with S_zz = 0, by Newton's method for the logarithm of C_zz.
+    HyperelasticState
+    without_thickness_stress(const Hyperelastic &law, SymmetricTensor<2, 3> &C)
+    {
+      constexpr unsigned int most   = 100;
+      constexpr double       enough = 1e-14, longest = 0.5;
+      for (unsigned int i = 0; i < most; ++i)
+        {
+          const HyperelasticState state = law.at(C);
+          const double            slope = state.tangent[2][2][2][2] / 2 * C[2][2];
+          if (std::abs(state.stress[2][2]) <= enough * std::abs(slope))
+            return state;
+          if (!(slope > 0))
+            break;
+          C[2][2] *= std::exp(std::min(longest, std::max(-longest, -state.stress[2][2] / slope)));
+        }
+      throw std::domain_error("the sheet has no thickness that leaves it free of stress across");
+    }
+  } // namespace
+
+
+
+  HyperelasticState
+  hyperelastic_state(const Model model, const Hyperelastic &law, Tensor<2, 3> &F)
+  {
+    SymmetricTensor<2, 3> C = symmetrize(transpose(F) * F);
+    if (model != Model::plane_stress)
+      return law.at(C);
+    HyperelasticState           state  = without_thickness_stress(law, C);
+    const SymmetricTensor<4, 3> T      = state.tangent;
+    const double                across = T[2][2][2][2];
+    F[2][2]                            = std::sqrt(C[2][2]);
+    state.stress[2][2]                 = 0;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = i; j < 3; ++j)
+        for (unsigned int k = 0; k < 3; ++k)
+          for (unsigned int l = k; l < 3; ++l)
+            state.tangent[i][j][k][l] = T[i][j][k][l] - T[i][j][2][2] * T[2][2][k][l] / across;
+    return state;
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  cauchy_stress(const Model model, const Hyperelastic &law, Tensor<2, 3> F)
+  {
+    const HyperelasticState state = hyperelastic_state(model, law, F);
+    return symmetrize(F * Tensor<2, 3>(state.stress) * transpose(F)) / determinant(F);
+  }
+
+
+
+  template Tensor<2, 3>
+  deformation_gradient(Model, const Tensor<2, 2> &, const Tensor<1, 2> &, const Point<2> &);
+  template Tensor<2, 3>
+  deformation_gradient(Model, const Tensor<2, 3> &, const Tensor<1, 3> &, const Point<3> &);
+} // namespace Signorini

@@ -1,0 +1,203 @@
+#include <signorini/elasticity/cell_nodes.h>
+#include <signorini/linear_algebra/diagonal.h>
+#include <signorini/solve/finite_bodies.h>
+#include <signorini/solve/solver_failure.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  FiniteBodies<dim>::FiniteBodies(const Elasticity<dim>    &elasticity,
+                                  std::vector<unsigned int> body_of_dof)
+    : elasticity(elasticity)
+    , bodies(std::move(body_of_dof))
+    , my_stiffness(K)
+    , f(elasticity.zero_vector())
+    , kernel(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
+  {
+    K.reinit(elasticity.stiffness());
+    K.copy_from(elasticity.stiffness());
+  }
+
+
+
+  template <int dim>
+  void
+  FiniteBodies<dim>::set_load(LA::Vector load)
+  {
+    f = std::move(load);
+  }
+
+
+
+  template <int dim>
+  void
+  FiniteBodies<dim>::start_from(const LA::Vector &u)
+  {
+    origin = u;
+  }
+
+
+
+  template <int dim>
+  void
+  FiniteBodies<dim>::for_cells(
+    const std::function<void(const Cell &, const std::vector<types::global_dof_index> &)> &visit)
+    const
+  {
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          read_indices<dim>(cell, indices);
+          visit(cell, indices);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  FiniteBodies<dim>::check_folds(const std::string &body_here) const
+  {
+    for (const std::string &body : Utilities::MPI::all_gather(K.get_mpi_communicator(), body_here))
+      if (!body.empty())
+        throw SolverFailure("cells of " + body + " would fold; load in smaller steps");
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  FiniteBodies<dim>::forces(const LA::Vector &u) const
+  {
+    const bool       extends    = origin.size() > 0;
+    const LA::Vector at         = elasticity.with_ghosts(extends ? origin : u),
+                     change     = extends ? elasticity.with_ghosts(u) : LA::Vector();
+    LA::Vector         balanced = elasticity.zero_vector(), all = balanced;
+    Vector<double>     values, others, of_cell;
+    FullMatrix<double> tangent;
+    std::string        folded;
+    for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
+      const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
+      values.reinit(indices.size());
+      cell->get_dof_values(at, values);
+      if (!kernel.assemble(cell, law, values, of_cell, extends ? &tangent : nullptr))
+        folded = elasticity.mesh().body_name(cell->material_id());
+      else if (extends)
+        {
+          others.reinit(indices.size());
+          cell->get_dof_values(change, others);
+          others -= values;
+          tangent.vmult_add(of_cell, others);
+        }
+      elasticity.constraints().distribute_local_to_global(of_cell, indices, balanced);
+      elasticity.hanging_nodes().distribute_local_to_global(of_cell, indices, all);
+    });
+    balanced.compress(VectorOperation::add);
+    all.compress(VectorOperation::add);
+    check_folds(folded);
+    double squares = 0;
+    for (const auto i : all.locally_owned_elements())
+      if (elasticity.constraints().is_constrained(i))
+        squares += all(i) * all(i);
+    reaction = std::sqrt(Utilities::MPI::sum(squares, K.get_mpi_communicator()));
+    return balanced;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  FiniteBodies<dim>::residual(const LA::Vector &u) const
+  {
+    LA::Vector r = forces(u);
+    r.sadd(-1, 1, f);
+    return r;
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteBodies<dim>::load_size() const
+  {
+    return std::max(f.l2_norm(), reaction);
+  }
+
+
+
+  template <int dim>
+  void
+  FiniteBodies<dim>::linearise(const LA::Vector &u)
+  {
+    const LA::Vector there = origin.size() > 0 ? origin : u;
+    origin                 = LA::Vector();
+    if (linearised.size() > 0)
+      {
+        LA::Vector change = there;
+        change -= linearised;
+        if (change.linfty_norm() == 0)
+          return;
+      }
+    const LA::Vector   at = elasticity.with_ghosts(there);
+    Vector<double>     values, of_cell;
+    FullMatrix<double> tangent;
+    std::string        folded;
+    K = 0;
+    for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
+      values.reinit(indices.size());
+      cell->get_dof_values(at, values);
+      const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
+      if (!kernel.assemble(cell, law, values, of_cell, &tangent))
+        folded = elasticity.mesh().body_name(cell->material_id());
+      else
+        elasticity.constraints().distribute_local_to_global(tangent, indices, K);
+    });
+    K.compress(VectorOperation::add);
+    check_folds(folded);
+    LA::add_to_diagonal(K, elasticity.diagonal_terms());
+    linearised = there;
+    my_stiffness.has_changed();
+  }
+
+
+
+  template <int dim>
+  double
+  FiniteBodies<dim>::longest_step(const LA::Vector &u, const LA::Vector &du) const
+  {
+    constexpr unsigned int most  = 6;
+    constexpr double       least = 0.1; // of what the volume was before
+    double                 step  = 1;
+    for (unsigned int i = 0; i < most; ++i, step /= 2)
+      {
+        LA::Vector next = u;
+        next.add(step, du);
+        const LA::Vector now = elasticity.with_ghosts(u), then = elasticity.with_ghosts(next);
+        Vector<double>   values;
+        bool             folds = false;
+        for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
+          values.reinit(indices.size());
+          cell->get_dof_values(now, values);
+          const std::vector<double> before = kernel.volume_ratios(cell, values);
+          cell->get_dof_values(then, values);
+          const std::vector<double> &after = kernel.volume_ratios(cell, values);
+          for (unsigned int q = 0; q < after.size(); ++q)
+            folds = folds || !(after[q] > least * std::clamp(before[q], least, 1.));
+        });
+        if (Utilities::MPI::max(folds ? 1 : 0, K.get_mpi_communicator()) == 0)
+          return step;
+      }
+    throw SolverFailure("cells would fold, however short the step; load in smaller steps");
+  }
+
+
+
+  template class FiniteBodies<2>;
+  template class FiniteBodies<3>;
+} // namespace Signorini
