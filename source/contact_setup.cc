@@ -304,7 +304,8 @@ namespace Signorini
   bool
   ContactSetup<dim>::has_settled(const LA::Vector &u) const
   {
-    constexpr double          small      = 0.02; // in face sizes
+    // In face sizes; results of large deformation must not know from where it was reached.
+    const double              small      = elasticity.is_finite() ? 1e-5 : 0.02;
     const std::vector<double> approaches = approaches_since(since_built(u));
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
       if (approaches[i] > small * my_surfaces[i].face_size)

@@ -273,9 +273,10 @@ namespace Signorini
   bool
   Equilibrium<dim>::follow_surfaces(const double t, const double tolerance, const bool is_placed)
   {
-    constexpr unsigned int most = 20, most_rules = 5;
-    const double           enough = std::max(tolerance, scene.newton.of_geometry);
-    double                 before = 0; // what was out of balance when surfaces were placed last
+    constexpr unsigned int most       = 20;
+    const unsigned int     most_rules = elasticity.is_finite() ? 15 : 5;
+    const double           enough     = std::max(tolerance, scene.newton.of_geometry);
+    double                 before     = 0; // what was out of balance when surfaces were placed last
     for (unsigned int n = 1; n <= most; ++n)
       {
         const bool keep_rule = n > 1 && (n > most_rules || contact.has_settled(state.displacement));
@@ -299,8 +300,10 @@ namespace Signorini
       }
     my_report.converged = false;
     my_report.reason =
-      "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load "
-      "steps/Number), or take Contact method/Contact geometry = reference";
+      "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load steps/Number)" +
+      std::string(elasticity.is_finite() ?
+                    ", or integrate by segments (Contact method/Integration)" :
+                    ", or take Contact method/Contact geometry = reference");
     return false;
   }
 

@@ -4,6 +4,7 @@
 #include <signorini/elasticity/reactions.h>
 
 #include <algorithm>
+#include <array>
 
 namespace Signorini
 {
@@ -62,8 +63,9 @@ namespace Signorini
     class Sums
     {
     public:
-      Sums(const Elasticity<dim> &elasticity)
+      Sums(const Elasticity<dim> &elasticity, const LA::Vector &u)
         : elasticity(elasticity)
+        , displacement(elasticity.with_ghosts(u))
         , axisymmetric(elasticity.model() == Model::axisymmetric)
         , nodes_of(elasticity.mesh(), elasticity.finite_elements())
       {
@@ -74,7 +76,7 @@ namespace Signorini
       /// The loads, and what is left of internal forces minus loads on the cells where they or
       /// supports are, hanging nodes resolved.
       LA::Vector
-      add_loads(const LA::Vector &u);
+      add_loads();
 
       void
       add_supports(const LA::Vector &residual);
@@ -85,14 +87,22 @@ namespace Signorini
     private:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
+      /// Of a node at x, for moments: of large deformation where it is now.
+      /// @param indices of its degrees of freedom
+      template <typename Indices>
+      Point<dim>
+      place(const Point<dim> &x, const Indices &indices) const;
       void
-      add_load(const Cell &cell, const Vector<double> &cell_load);
+      add_load(const Cell                                 &cell,
+               const std::vector<types::global_dof_index> &indices,
+               const Vector<double>                       &cell_load);
       void
       add_support(const HeldNode<dim> &node, const Tensor<1, dim> &force);
       void
       sum_over_ranks(Resultant<dim> &resultant) const;
 
       const Elasticity<dim> &elasticity;
+      const LA::Vector       displacement; ///< with ghosts
       const bool             axisymmetric;
       CellNodes<dim>         nodes_of;
       Reactions<dim>         result;
@@ -101,18 +111,38 @@ namespace Signorini
 
 
     template <int dim>
-    void
-    Sums<dim>::add_load(const Cell &cell, const Vector<double> &cell_load)
+    template <typename Indices>
+    Point<dim>
+    Sums<dim>::place(const Point<dim> &x, const Indices &indices) const
     {
+      Point<dim> result = x;
+      if (elasticity.is_finite())
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] += displacement(indices[d]);
+      return result;
+    }
+
+
+
+    template <int dim>
+    void
+    Sums<dim>::add_load(const Cell                                 &cell,
+                        const std::vector<types::global_dof_index> &indices,
+                        const Vector<double>                       &cell_load)
+    {
+      const FiniteElement<dim>      &fe    = cell->get_fe();
       const std::vector<Point<dim>> &nodes = nodes_of(cell);
       for (unsigned int i = 0; i < nodes.size(); ++i)
         {
-          const unsigned int component = cell->get_fe().system_to_component_index(i).first;
+          const auto [component, node] = fe.system_to_component_index(i);
           if (axisymmetric && component == 0)
             continue; // the circumference is in balance
           Tensor<1, dim> force;
-          force[component]   = cell_load[i];
-          const auto at_node = resultant_of(nodes[i], force);
+          force[component] = cell_load[i];
+          std::array<types::global_dof_index, dim> of_node;
+          for (unsigned int d = 0; d < dim; ++d)
+            of_node[d] = indices[fe.component_to_system_index(d, node)];
+          const auto at_node = resultant_of(place(nodes[i], of_node), force);
           result.load += at_node;
           result.bodies[cell->material_id()] += at_node;
         }
@@ -122,12 +152,11 @@ namespace Signorini
 
     template <int dim>
     LA::Vector
-    Sums<dim>::add_loads(const LA::Vector &u)
+    Sums<dim>::add_loads()
     {
-      const LA::Vector ghosted  = elasticity.with_ghosts(u);
-      LA::Vector       residual = elasticity.zero_vector();
-      ForcesOfCell     forces(elasticity);
-      LoadKernel<dim>  load_kernel(elasticity.mesh(),
+      LA::Vector      residual = elasticity.zero_vector();
+      ForcesOfCell    forces(elasticity);
+      LoadKernel<dim> load_kernel(elasticity.mesh(),
                                   elasticity.finite_elements(),
                                   elasticity.model(),
                                   elasticity.loads(),
@@ -144,10 +173,10 @@ namespace Signorini
               return elasticity.constraints().is_constrained(i);
             });
             if (loaded)
-              add_load(cell, cell_load);
+              add_load(cell, indices, cell_load);
             if (loaded || supported)
               elasticity.hanging_nodes().distribute_local_to_global(
-                forces.residual(cell, ghosted, cell_load), indices, residual);
+                forces.residual(cell, displacement, cell_load), indices, residual);
           }
       residual.compress(VectorOperation::add);
       return residual;
@@ -167,7 +196,7 @@ namespace Signorini
             Tensor<1, dim> share = (force * directions[k]) * directions[k];
             if (axisymmetric)
               share[0] = 0;
-            const auto at_node = resultant_of(node.position, share);
+            const auto at_node = resultant_of(place(node.position, node.dofs), share);
             result.supports[support - elasticity.supports().data()] += at_node;
             result.bodies[elasticity.mesh().pieces()[node.piece].body] += at_node;
           }
@@ -222,8 +251,8 @@ namespace Signorini
   Reactions<dim>
   reactions(const Elasticity<dim> &elasticity, const LA::Vector &u, const LA::Vector &contact_force)
   {
-    Sums<dim>  sums(elasticity);
-    LA::Vector residual = sums.add_loads(u);
+    Sums<dim>  sums(elasticity, u);
+    LA::Vector residual = sums.add_loads();
     residual -= contact_force;
     sums.add_supports(residual);
     return sums.over_ranks();

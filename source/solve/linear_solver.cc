@@ -38,6 +38,11 @@ namespace Signorini
                   const ContactSystem        &system,
                   const Preconditioner       &preconditioner)
     {
+      // What factors lack of forces that move may make the system indefinite.
+      const bool lacks_motion =
+        settings.preconditioner == "direct" && !system.gap_operator().at_rest();
+      if (lacks_motion && !settings.krylov)
+        return Krylov::FGMRES;
       if (!system.is_symmetric())
         {
           if (settings.krylov == Krylov::CG || settings.krylov == Krylov::MINRES)

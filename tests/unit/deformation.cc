@@ -128,8 +128,8 @@ namespace
     const double   c = std::cos(2.), s = std::sin(2.);
     for (unsigned int d = 0; d < dim; ++d)
       Q[d][d] = d < 2 ? c : 1.;
-    Q[0][1] = -s;
-    Q[1][0] = s;
+    Q[0][1]           = -s;
+    Q[1][0]           = s;
     const auto    &fe = one.cell()->get_fe();
     Vector<double> turned(one.u.size());
     const auto     of_node = [&](const Vector<double> &v, const unsigned int node) {
@@ -200,10 +200,10 @@ TEST_CASE("rotations turn the forces of a deformation, and do nothing else")
 
 TEST_CASE("folded cells are seen")
 {
-  OneCell<2> one("plane strain", 1, "neo-Hooke");
+  OneCell<2>     one("plane strain", 1, "neo-Hooke");
   Vector<double> forces;
   // One corner beyond the opposite edge.
-  one.u = 0;
+  one.u    = 0;
   one.u(0) = 2;
   CHECK_FALSE(one.kernel.assemble(one.cell(), *one.material().energy, one.u, forces));
   const auto &ratios = one.kernel.volume_ratios(one.cell(), one.u);

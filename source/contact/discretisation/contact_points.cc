@@ -49,6 +49,8 @@ namespace Signorini
       ContactPoint<dim>   point;
       point.position        = rest.position(paired.xi);
       point.master_position = partner.rest;
+      point.slave_place     = point.position;
+      point.master_place    = partner.rest;
       point.normal          = partner.normal;
       point.weight          = paired.weight;
       point.facing          = -(patch.normal(paired.xi) * partner.normal);
@@ -195,7 +197,12 @@ namespace Signorini
         ContactPoint<dim> &point = result.back();
         point.depth              = face_depth;
         if (elasticity.is_finite())
-          point.stretch = stretch(elasticity.model(), slave.patches[paired.face], rest, paired.xi);
+          {
+            point.slave_place  = slave.patches[paired.face].position(paired.xi);
+            point.master_place = paired.partner.position;
+            point.stretch =
+              stretch(elasticity.model(), slave.patches[paired.face], rest, paired.xi);
+          }
         point.weight *=
           circumference(elasticity, rest, paired.xi, integration, cell->get_fe().degree);
         if (!gaps_at_rest.empty())

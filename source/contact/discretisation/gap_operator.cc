@@ -78,8 +78,8 @@ namespace Signorini
         for (unsigned int q = 0; q < surfaces[p].points.size(); ++q)
           {
             const ContactPoint<dim> &point  = surfaces[p].points[q];
-            const Tensor<1, 3>       moment = moment_of(point.position, point.normal),
-                               on_master    = moment_of(point.master_position, point.normal);
+            const Tensor<1, 3>       moment = moment_of(point.slave_place, point.normal),
+                               on_master    = moment_of(point.master_place, point.normal);
             const double epsilon =
               method.epsilon({point.stiffness, size / point.depth, point.bound});
             for (const auto &[row, weight] : rows.shares[p][q])

@@ -30,8 +30,10 @@ namespace Signorini
     double             closing = 0; ///< by which it is less where the surfaces are now; at rest 0
     double             drift   = 0; ///< to be added there: g = row . d + gap + drift about it
     dealii::Point<dim> master_position; ///< of the partner at rest; not of obstacles
-    double             stiffness;       ///< E/h of slave and master in series [force/length^3]
-    double             depth;           ///< of the slave's cell behind the face: h
+    /// Where forces act on slave and master: at rest, or, of large deformation, now.
+    dealii::Point<dim> slave_place, master_place;
+    double             stiffness; ///< E/h of slave and master in series [force/length^3]
+    double             depth;     ///< of the slave's cell behind the face: h
     /// Along which the gap opens: the normal, out of the face that is the master of this point,
     /// which is the pair's slave at some points of unbiased methods.
     dealii::Tensor<1, dim> direction;

@@ -23,11 +23,12 @@ namespace Signorini
       return false;
     }
 
-    /// Springs against free motions are in the factors, but not in the system.
+    /// Springs against free motions are in the factors, but not in the system; how forces change as
+    /// surfaces move is in the system, but not in the factors.
     bool
     is_exact() const override
     {
-      return system.free_motions().empty();
+      return system.free_motions().empty() && system.gap_operator().at_rest();
     }
 
     bool
