@@ -73,11 +73,21 @@ namespace Signorini
 
   template <int dim>
   LA::Vector
+  FiniteBodies<dim>::obeying(LA::Vector u) const
+  {
+    elasticity.distribute(u);
+    return elasticity.with_ghosts(u);
+  }
+
+
+
+  template <int dim>
+  LA::Vector
   FiniteBodies<dim>::forces(const LA::Vector &u) const
   {
     const bool       extends    = origin.size() > 0;
-    const LA::Vector at         = elasticity.with_ghosts(extends ? origin : u),
-                     change     = extends ? elasticity.with_ghosts(u) : LA::Vector();
+    const LA::Vector at         = extends ? elasticity.with_ghosts(origin) : obeying(u),
+                     change     = extends ? obeying(u) : LA::Vector();
     LA::Vector         balanced = elasticity.zero_vector(), all = balanced;
     Vector<double>     values, others, of_cell;
     FullMatrix<double> tangent;
@@ -135,8 +145,9 @@ namespace Signorini
   void
   FiniteBodies<dim>::linearise(const LA::Vector &u)
   {
-    const LA::Vector there = origin.size() > 0 ? origin : u;
-    origin                 = LA::Vector();
+    const bool       extends = origin.size() > 0;
+    const LA::Vector there   = extends ? origin : u;
+    origin                   = LA::Vector();
     if (linearised.size() > 0)
       {
         LA::Vector change = there;
@@ -144,7 +155,7 @@ namespace Signorini
         if (change.linfty_norm() == 0)
           return;
       }
-    const LA::Vector   at = elasticity.with_ghosts(there);
+    const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(there);
     Vector<double>     values, of_cell;
     FullMatrix<double> tangent;
     std::string        folded;
@@ -178,7 +189,7 @@ namespace Signorini
       {
         LA::Vector next = u;
         next.add(step, du);
-        const LA::Vector now = elasticity.with_ghosts(u), then = elasticity.with_ghosts(next);
+        const LA::Vector now = obeying(u), then = obeying(next);
         Vector<double>   values;
         bool             folds = false;
         for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {

@@ -67,6 +67,10 @@ namespace Signorini
     /// Does any rank say so? Throws SolverFailure then. Collective.
     void
     check_folds(const std::string &body_here) const;
+    /// With the values of constrained degrees of freedom, which Newton's method leaves alone, and
+    /// ghosts.
+    LA::Vector
+    obeying(LA::Vector u) const;
     LA::Vector
     forces(const LA::Vector &u) const;
 

@@ -1,0 +1,82 @@
+"""Large deformation: what must not depend on how it was reached, nor on how it was computed; and what the program refuses."""
+
+from case import SCENES, Case
+
+RING, CYLINDER = SCENES / "finite-o-ring.prm", SCENES / "finite-half-cylinder.prm"
+COARSE_RING = ["Mesh/Degree=1"]
+COARSE_CYLINDER = ["Bodies/disc/Refinements=2", "Bodies/block/Subdivisions=12,8"]
+
+
+def force_of(results, pair="contact"):
+    return results["load_steps"][-1]["pairs"][pair]["normal_force"]
+
+
+def same_in_steps(scene, sets, tolerance, numbers):
+    """The path does not matter: so does not the number of load steps."""
+    def body(test):
+        forces = [force_of(test.results(scene, sets + [f"Load steps/Number={n}"])) for n in numbers]
+        test.print(", ".join(f"{n}: {force:.12g}" for n, force in zip(numbers, forces)))
+        for n, force in zip(numbers, forces):
+            test.check(abs(force / forces[0] - 1) <= tolerance, f"{force:.12g} in {n} steps, {forces[0]:.12g} in one")
+    return body
+
+
+def first_touch(test):
+    """From far away in one step: the same as from where it touches."""
+    near = force_of(test.results(RING, COARSE_RING))
+    far = force_of(test.results(RING, COARSE_RING + ["Obstacles/plate/Point=0,3", "Obstacles/plate/Displacement=0; -2.25*t"]))
+    test.check(abs(far / near - 1) <= 1e-8, f"{far:.12g} from afar, {near:.12g} from near")
+
+
+def refined(test):
+    """Hanging nodes, and displacements that are carried over to them."""
+    results = test.results(CYLINDER, ["Accuracy/Refinement cycles=2"], 2)
+    test.check(abs(2 * force_of(results) / 0.24125 - 1) <= 2e-3, f"the force is {2 * force_of(results):.6g}")
+
+
+def linear_limit(model):
+    """Of small loads both theories say the same, up to the strain."""
+    def body(test):
+        small = 1e-4
+        sets = [f"Model={model}", f"Obstacles/plate/Displacement=0; -{small}*t"] + COARSE_RING
+        a, b = (test.results(RING, sets + [f"Deformation={word}", "Contact method/Contact geometry=updated"])
+                for word in ("small", "finite"))
+        fa, fb = force_of(a), force_of(b)
+        test.check(fa > 0 and abs(fb / fa - 1) <= 30 * small, f"small {fa:.8g}, finite {fb:.8g}")
+    return body
+
+
+def units(test):
+    """In millimetres and megapascals, or metres and pascals."""
+    one = force_of(test.results(RING, COARSE_RING))
+    other = force_of(test.results(RING, COARSE_RING + ["Bodies/ring/Young's modulus=1e6"]))
+    test.check(abs(other / (1e6 * one) - 1) <= 1e-8, f"{other:.12g} instead of {1e6 * one:.12g}")
+
+
+def law(name, *keys):
+    """All materials solve the ring, and are the same in the limit: forces differ by strains, not by moduli."""
+    def body(test):
+        sets = [*COARSE_RING, f"Bodies/ring/Law={name}", *keys]
+        results = test.results(RING, sets + ["Obstacles/plate/Displacement=0; -1e-4*t"])
+        reference = test.results(RING, [*COARSE_RING, "Obstacles/plate/Displacement=0; -1e-4*t"])
+        a, b = force_of(results), force_of(reference)
+        test.check(abs(a / b - 1) <= 3e-3, f"{a:.8g} instead of {b:.8g}")
+        large = force_of(test.results(RING, sets))
+        test.check(0.2 < 2 * large < 0.7, f"squeezed by a quarter: {2 * large:.6g}")
+    return body
+
+
+def cases():
+    yield Case("finite", "steps/o-ring", same_in_steps(RING, COARSE_RING, 1e-8, (1, 2, 5)))
+    yield Case("finite", "steps/half cylinder", same_in_steps(CYLINDER, COARSE_CYLINDER, 2e-7, (1, 2, 5)))
+    yield Case("finite", "first touch", first_touch)
+    yield Case("finite", "refined", refined, ranks=2)
+    for model in ("plane strain", "plane stress", "axisymmetric"):
+        yield Case("finite", f"limit/{model}", linear_limit(model))
+    yield Case("finite", "units", units)
+    mu = 1 / (2 * 1.49)  # of E = 1, nu = 0.49
+    yield Case("finite", "law/Hencky", law("Hencky"))
+    yield Case("finite", "law/Saint Venant-Kirchhoff", law("Saint Venant-Kirchhoff"))
+    yield Case("finite", "law/Mooney-Rivlin", law("Mooney-Rivlin", f"Bodies/ring/Coefficients={0.4 * mu:.12g}, {0.1 * mu:.12g}"))
+    yield Case("finite", "law/Yeoh", law("Yeoh", f"Bodies/ring/Coefficients={0.5 * mu:.12g}, {0.01 * mu:.12g}, 0"))
+    yield Case("finite", "law/Ogden", law("Ogden", f"Bodies/ring/Coefficients={0.8 * mu:.12g}, 2, {-0.2 * mu:.12g}, -2"))
