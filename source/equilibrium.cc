@@ -286,7 +286,11 @@ namespace Signorini
             build_contact(true, keep_rule);
             steps_before = my_report.steps;
           }
-        if (!solve_in_place(t, tolerance, true))
+        // Large deformation: one step of Newton's method a placement, until surfaces nearly stay.
+        const double for_now = elasticity.is_finite() ?
+                                 std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4) :
+                                 tolerance;
+        if (!solve_in_place(t, for_now, true))
           return false;
         const NewtonStep &first = my_report.steps[steps_before.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
@@ -295,7 +299,7 @@ namespace Signorini
         const bool is_last =
           now <= enough || (now <= 0.1 * before && now * now <= 0.1 * enough * before);
         if (is_last && (keep_rule || contact.has_settled(placed)))
-          return true;
+          return for_now == tolerance || solve_in_place(t, tolerance, true);
         before = now;
       }
     my_report.converged = false;

@@ -104,7 +104,8 @@ namespace Signorini
       "strains or rotations of '" + strain.what + "', which turns by up to " +
       short_text(worst(now, largest, &Extremes::turn, numbers::PI / 180).value, 2) +
       " degrees, are not small: the theory neglects terms half as large, relative to its strains";
-    strain.cure = "take forces and pressures for estimates with that error, or smaller loads";
+    strain.cure =
+      "take Deformation = finite, or forces and pressures for estimates with that error";
     return {motion, strain};
   }
 

@@ -31,7 +31,9 @@ def first_touch(test):
 def refined(test):
     """Hanging nodes, and displacements that are carried over to them."""
     results = test.results(CYLINDER, ["Accuracy/Refinement cycles=2"], 2)
-    test.check(abs(2 * force_of(results) / 0.24125 - 1) <= 2e-3, f"the force is {2 * force_of(results):.6g}")
+    force = 2 * results["load_steps"][-1]["pairs"]["contact"]["force"][1]
+    test.print(f"{force:.6g}")
+    test.check(abs(force / 0.24125 - 1) <= 2e-3, f"the force is {force:.6g} instead of 0.24125")
 
 
 def linear_limit(model):
@@ -60,7 +62,7 @@ def law(name, *keys):
         results = test.results(RING, sets + ["Obstacles/plate/Displacement=0; -1e-4*t"])
         reference = test.results(RING, [*COARSE_RING, "Obstacles/plate/Displacement=0; -1e-4*t"])
         a, b = force_of(results), force_of(reference)
-        test.check(abs(a / b - 1) <= 3e-3, f"{a:.8g} instead of {b:.8g}")
+        test.check(abs(a / b - 1) <= 1e-2, f"{a:.8g} instead of {b:.8g}")
         large = force_of(test.results(RING, sets))
         test.check(0.2 < 2 * large < 0.7, f"squeezed by a quarter: {2 * large:.6g}")
     return body

@@ -3,6 +3,9 @@
 #include <signorini/elasticity/deformation_kernel.h>
 #include <signorini/elasticity/kernel.h>
 #include <signorini/elasticity/material_law.h>
+#include <signorini/elasticity/rigid_body_modes.h>
+#include <signorini/solve/finite_bodies.h>
+#include <signorini/solve/solver_failure.h>
 
 #include <doctest/doctest.h>
 
@@ -194,6 +197,104 @@ TEST_CASE("rotations turn the forces of a deformation, and do nothing else")
       check_objectivity<2>("plane stress", law);
       check_objectivity<3>("solid", law);
     }
+}
+
+
+
+namespace
+{
+  template <int dim>
+  Lines
+  adaptive_body()
+  {
+    const bool plane = dim == 2;
+    return {"Dimension=" + std::to_string(dim),
+            "Deformation=finite",
+            "Bodies/Names=body",
+            "Bodies/body/Mesh=box",
+            plane ? "Bodies/body/Corners=0,0 : 2,1" : "Bodies/body/Corners=0,0,0 : 2,1,1",
+            plane ? "Bodies/body/Subdivisions=4,2" : "Bodies/body/Subdivisions=2,1,1",
+            "Bodies/body/Young's modulus=3",
+            "Bodies/body/Poisson's ratio=0.35",
+            "Supports/Names=base",
+            "Supports/base/Boundaries=body.bottom",
+            plane ? "Supports/base/Displacement=0; 0.1" : "Supports/base/Displacement=0; 0; 0.1",
+            "Mesh/Distribution=p4est",
+            "Mesh/Zones/Names=corner",
+            "Mesh/Zones/corner/Where=0.8 - x"};
+  }
+
+  double
+  difference(LA::Vector a, const LA::Vector &b)
+  {
+    a -= b;
+    return a.linfty_norm();
+  }
+
+  /// On a mesh with hanging nodes, whose values Newton's method does not know.
+  template <int dim>
+  void
+  check_bodies()
+  {
+    CAPTURE(dim);
+    constexpr double  h = 1e-6;
+    SmallScene<dim>   scene(adaptive_body<dim>());
+    FiniteBodies<dim> bodies(*scene.elasticity, bodies_of_dofs(*scene.elasticity));
+    const LA::Vector  v = scene.rough_field(0.05, 0.7), nothing = scene.elasticity->zero_vector();
+    LA::Vector        u = scene.rough_field(0.05, 0.3), more = u, less = u, Kv = u;
+    REQUIRE(scene.elasticity->hanging_nodes().n_constraints() > 0);
+
+    bodies.linearise(u);
+    bodies.stiffness().vmult(Kv, v);
+    scene.elasticity->constraints().set_zero(Kv);
+    more.add(h, v);
+    less.add(-h, v);
+    LA::Vector change = bodies.residual(less);
+    change -= bodies.residual(more);
+    change /= 2 * h;
+    scene.elasticity->constraints().set_zero(change);
+    CHECK(difference(change, Kv) < 1e-7 * Kv.linfty_norm());
+
+    // From a former solution the linearisation there, once.
+    const LA::Vector at_rest = bodies.residual(nothing);
+    bodies.linearise(nothing);
+    bodies.stiffness().vmult(Kv, v);
+    bodies.start_from(nothing);
+    CHECK(bodies.longest_step(nothing, v) == 1);
+    LA::Vector extended = bodies.residual(v);
+    extended -= at_rest;
+    CHECK(extended.linfty_norm() > 0);
+    bodies.linearise(v);
+    CHECK(difference(bodies.residual(v), at_rest) > 0);
+  }
+} // namespace
+
+
+
+TEST_CASE("tangents of bodies are the derivatives of their forces, with hanging nodes too")
+{
+  check_bodies<2>();
+  check_bodies<3>();
+}
+
+
+
+TEST_CASE("steps in which cells would fold are shortened")
+{
+  SmallScene<2>   scene(adaptive_body<2>());
+  FiniteBodies<2> bodies(*scene.elasticity, bodies_of_dofs(*scene.elasticity));
+  LA::Vector      du = scene.rough_field(1, 0.3);
+  du *= 0.3 / du.linfty_norm();
+  const LA::Vector nothing = scene.elasticity->zero_vector();
+  const double     step    = bodies.longest_step(nothing, du);
+  CHECK(step < 1);
+  CHECK(step > 0.02);
+  LA::Vector there = nothing;
+  there.add(step, du);
+  CHECK_NOTHROW(bodies.residual(there));
+  du *= 1e3;
+  CHECK_THROWS_AS(bodies.longest_step(nothing, du), SolverFailure);
+  CHECK_THROWS_AS(bodies.residual(du), SolverFailure);
 }
 
 
