@@ -179,7 +179,9 @@ namespace Signorini
         if (solve_from_state(t, tolerance))
           {
             state.time = t;
-            gap        = contact.gap_operator().gap(state.displacement);
+            if (elasticity.is_finite())
+              my_report.curves_down = solver->curves_down(state.displacement);
+            gap = contact.gap_operator().gap(state.displacement);
             return true;
           }
       }

@@ -1,6 +1,8 @@
 #include <signorini/elasticity/deformation_kernel.h>
 #include <signorini/elasticity/scalar_elements.h>
 
+#include <stdexcept>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -118,10 +120,18 @@ namespace Signorini
         Tensor<2, 3> F = gradient(q, u);
         if (!(determinant(F) > 0))
           return false;
-        const HyperelasticState state = hyperelastic_state(model, law, F);
-        const Tensor<2, 3>      P     = F * Tensor<2, 3>(state.stress);
-        const double  weight = values->JxW(q) * measure(model, values->quadrature_point(q));
-        const Tangent D      = tangent ? derivative(F, state) : Tangent{};
+        HyperelasticState state;
+        try
+          {
+            state = hyperelastic_state(model, law, F);
+          }
+        catch (const std::domain_error &) // a sheet without a thickness
+          {
+            return false;
+          }
+        const Tensor<2, 3> P      = F * Tensor<2, 3>(state.stress);
+        const double       weight = values->JxW(q) * measure(model, values->quadrature_point(q));
+        const Tangent      D      = tangent ? derivative(F, state) : Tangent{};
         for (unsigned int i = 0; i < n; ++i)
           {
             const unsigned int d = i % dim;

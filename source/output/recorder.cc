@@ -231,6 +231,7 @@ namespace Signorini
     Json result = {{"newton_iterations", krylov.size()},
                    {"active_points", report.steps.back().active},
                    {"residual", report.steps.back().residual},
+                   {"definite", !report.curves_down},
                    {"krylov_iterations", krylov},
                    {"newton_iterations_before_augmentations", augmentations}};
     if (!report.undetermined.empty())

@@ -207,6 +207,8 @@ namespace Signorini
     const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
 
     x = 0;
+    // What CG has seen before it gave up, factors do not.
+    is_indefinite = is_indefinite && has_given_up_iterating;
     if (preconditioner->is_exact() && !system.is_transposed())
       {
         preconditioner->vmult(x, rhs);
@@ -268,8 +270,16 @@ namespace Signorini
         switch (krylov)
           {
             case Krylov::CG:
-              SolverCG<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
-              break;
+              {
+                SolverCG<LA::BlockVector> solver(control);
+                // alpha = r.z/p.Ap, beta = r.z/(r.z before): the preconditioner has the sign of its
+                // coarsest level, which may be that of the system.
+                solver.connect_coefficients_slot([&](const double alpha, const double beta) {
+                  is_indefinite = is_indefinite || alpha < 0 || beta < 0;
+                });
+                solver.solve(system, x, rhs, *preconditioner);
+                break;
+              }
             case Krylov::MINRES:
               SolverMinRes<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
               break;

@@ -174,6 +174,27 @@ namespace Signorini
 
 
 
+  bool
+  Newton::curves_down(const LA::Vector &u)
+  {
+    constexpr double enough = 1e-8; // each iteration sees more
+    linearise(u);
+    LA::BlockVector forces = system.zero();
+    for (const auto i : forces.block(0).locally_owned_elements())
+      forces.block(0)(i) = std::sin(37. * i * i + 11. * i);
+    forces.block(0).compress(VectorOperation::insert);
+    bodies.constraints().set_zero(forces.block(0));
+    try
+      {
+        linear_solver.solve(x, forces, enough, 0.);
+      }
+    catch (const SolverFailure &)
+      {} // what it has seen counts
+    return linear_solver.curves_down();
+  }
+
+
+
   void
   Newton::linearise(const LA::Vector &u)
   {

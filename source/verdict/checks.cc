@@ -48,6 +48,22 @@ namespace Signorini
 
   namespace
   {
+    /// At small deformation bodies do not buckle.
+    Finding
+    check_stability(const nlohmann::ordered_json &results)
+    {
+      Finding finding;
+      finding.check   = "definiteness";
+      finding.value   = results["definite"] ? 0 : 1;
+      finding.limit   = 0;
+      finding.outcome = results["definite"] ? Outcome::passed : Outcome::warned;
+      finding.what =
+        "the tangent is not positive definite: the bodies may leave this solution for another one, as a column that buckles";
+      finding.cure =
+        "take smaller load steps to see at which load that begins; it is beyond what loads can hold there";
+      return finding;
+    }
+
     /// Of the stress that the largest strains would be over the whole scene.
     template <int dim>
     double
@@ -86,6 +102,8 @@ namespace Signorini
                              check_loads(scene, now),
                              check_balance(results, scale, small)})
       all.insert(all.end(), some.begin(), some.end());
+    if (now.elasticity.is_finite())
+      all.push_back(check_stability(results));
     return all;
   }
 

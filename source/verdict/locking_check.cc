@@ -1,4 +1,4 @@
-#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/deformation.h>
 #include <signorini/elasticity/stress.h>
 #include <signorini/verdict/checks.h>
 
@@ -8,6 +8,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -92,9 +93,17 @@ namespace Signorini
           for (unsigned int q = 0; q < volume.size(); ++q)
             {
               const Point<dim> &x      = values.quadrature_point(q);
-              const auto        eps    = strain(elasticity.model(), material, gradient[q], u[q], x);
               const double      weight = values.JxW(q) * measure(elasticity.model(), x);
-              volume[q]                = {weight, trace(eps)};
+              if (material.energy)
+                {
+                  auto F    = deformation_gradient(elasticity.model(), gradient[q], u[q], x);
+                  volume[q] = {weight, std::log(determinant(F))};
+                  of_body.all +=
+                    weight * hyperelastic_state(elasticity.model(), *material.energy, F).energy;
+                  continue;
+                }
+              const auto eps = strain(elasticity.model(), material, gradient[q], u[q], x);
+              volume[q]      = {weight, trace(eps)};
               of_body.all += 0.5 * weight * (stress(material, eps) * eps);
             }
           of_body.locked += 0.5 * material.lambda() *

@@ -68,7 +68,22 @@ def law(name, *keys):
     return body
 
 
+def stability(test):
+    """Half of a block loses the definiteness of its tangent at a stretch of 0.510, by linear algebra of its modes; the homogeneous
+    solution goes on."""
+    scene = SCENES / "finite-block.prm"
+    for stretch, force, stable in ((0.6, 0.7146352056, True), (0.53, None, True), (0.49, None, False), (0.4, 1.66828436, False)):
+        results = test.results(scene, [f"Obstacles/plate/Displacement=0; {stretch - 1}*t", "Load steps/Number=3",
+                                       "Bodies/block/Subdivisions=8,8"])
+        found = force_of(results, "top")
+        test.check(force is None or abs(found / force - 1) <= 1e-7, f"{found:.10g} instead of {force}")
+        test.check(results["load_steps"][-1]["definite"] is stable, f"at a stretch of {stretch} 'definite' is {not stable}")
+        warned = any(check["check"] == "definiteness" and check["outcome"] == "warned" for check in results["verdict"]["checks"])
+        test.check(warned is not stable, f"at a stretch of {stretch} the verdict says the contrary")
+
+
 def cases():
+    yield Case("finite", "stability", stability)
     yield Case("finite", "steps/o-ring", same_in_steps(RING, COARSE_RING, 1e-8, (1, 2, 5)))
     yield Case("finite", "steps/half cylinder", same_in_steps(CYLINDER, COARSE_CYLINDER, 2e-7, (1, 2, 5)))
     yield Case("finite", "first touch", first_touch)

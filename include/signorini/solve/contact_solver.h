@@ -51,6 +51,13 @@ namespace Signorini
       return newton.dual(u, p, active, of_displacement, of_pressure, reduction);
     }
 
+    /// See Newton::curves_down().
+    bool
+    curves_down(const LA::Vector &u)
+    {
+      return newton.curves_down(u);
+    }
+
     unsigned int
     multigrid_cycles() const
     {

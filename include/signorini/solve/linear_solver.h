@@ -86,6 +86,13 @@ namespace Signorini
       return has_given_up_iterating;
     }
 
+    /// CG has met a direction in the last solve along which the system is not positive.
+    bool
+    curves_down() const
+    {
+      return is_indefinite;
+    }
+
   private:
     /// Returns the number of iterations; throws SolverFailure.
     unsigned int
@@ -105,6 +112,7 @@ namespace Signorini
     std::unique_ptr<Preconditioner>  preconditioner;
     unsigned int                     version                = 0; ///< of the stiffness, made for
     bool                             has_given_up_iterating = false;
-    unsigned int                     cycles_before          = 0; ///< of former preconditioners
+    bool                             is_indefinite          = false; ///< see curves_down()
+    unsigned int                     cycles_before          = 0;     ///< of former preconditioners
   };
 } // namespace Signorini

@@ -30,6 +30,12 @@ namespace Signorini
            ContactSystem        &system,
            LinearSolver         &linear_solver);
 
+    /// Is the linearisation at a solution not positive definite? Solves it for forces without any
+    /// symmetry, which see what those of a solution do not: a straight column that would buckle.
+    /// Seen by CG alone. Collective.
+    bool
+    curves_down(const LA::Vector &u);
+
     void
     set_tolerance(const double tolerance)
     {
