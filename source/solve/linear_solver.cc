@@ -245,6 +245,7 @@ namespace Signorini
         if (!can_factorise())
           throw;
       }
+    scope.stop();
     has_given_up_iterating  = true;
     settings.preconditioner = "direct";
     make_preconditioner();

@@ -6,7 +6,8 @@ import re
 from case import SCENES, Case, Failed, header, method, scenes_in, short
 
 # All methods in two and three dimensions, on one rank; hanging nodes and free bodies on two.
-SANITIZED = {("hertz-axisymmetric", 1), ("patch-overhang-3d", 1), ("hertz-2d-force", 2), ("patch-inclined", 2)}
+SANITIZED = {("hertz-axisymmetric", 1), ("patch-overhang-3d", 1), ("hertz-2d-force", 2), ("patch-inclined", 2),
+             ("finite-stack-3d", 2), ("finite-turned-stack", 1)}
 
 
 def solved(scene, sets, ranks):
