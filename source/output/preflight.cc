@@ -330,7 +330,10 @@ namespace Signorini
                               ": its surfaces are farther apart than bodies should move") +
                            " (checked after each solution)");
       if (contact.empty())
-        result.push_back("contact: nothing can touch, the scene is one linear problem a load step");
+        result.push_back(
+          scene.deformation == Deformation::finite ?
+            "contact: nothing can touch" :
+            "contact: nothing can touch, the scene is one linear problem a load step");
       else
         result.push_back("friction: contact slides freely, nothing tangential is stored or solved");
       for (const Obstacle<dim> &obstacle : scene.obstacles)
