@@ -36,10 +36,10 @@ namespace Signorini
     std::string
     names_of(const std::vector<unsigned int> &numbers, const std::vector<Body<dim>> &bodies)
     {
-      std::string result;
+      std::vector<std::string> names;
       for (const unsigned int body : numbers)
-        result += (result.empty() ? "" : ", ") + bodies[body].name;
-      return result;
+        names.push_back(bodies[body].name);
+      return join(names);
     }
   } // namespace
 
@@ -98,9 +98,12 @@ namespace Signorini
         return true;
       }
     if (control.needs_mesh())
-      next_quadratic = bodies_to_enrich(*mesh, indicators, scene.open_degrees(), control.excess());
-    if (control.needs_mesh() && next_quadratic.empty())
-      mark_share(scene.refinement, *mesh, indicators, control.share());
+      {
+        next_quadratic =
+          bodies_to_enrich(*mesh, indicators, scene.open_degrees(), control.excess());
+        if (next_quadratic.empty())
+          mark_share(scene.refinement, *mesh, indicators, control.share());
+      }
     const double of_cells = growth(*mesh),
                  factor   = of_cells * growth_of_enrichment(*mesh, next_quadratic),
                  now      = clock.wall_time();

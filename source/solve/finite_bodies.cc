@@ -185,12 +185,13 @@ namespace Signorini
     constexpr unsigned int most  = 6;
     constexpr double       least = 0.1; // of what the volume was before
     double                 step  = 1;
+    const LA::Vector       now   = obeying(u);
+    Vector<double>         values;
     for (unsigned int i = 0; i < most; ++i, step /= 2)
       {
         LA::Vector next = u;
         next.add(step, du);
-        const LA::Vector now = obeying(u), then = obeying(next);
-        Vector<double>   values;
+        const LA::Vector then  = obeying(next);
         bool             folds = false;
         for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
           values.reinit(indices.size());

@@ -16,7 +16,7 @@ namespace Signorini
   public:
     virtual ~Bodies() = default;
 
-    /// What acts on the bodies from now on. @param f as load_of() of the same kind of bodies
+    /// What acts on the bodies from now on. @param f as Elasticity has it for this kind of bodies
     virtual void
     set_load(LA::Vector f) = 0;
 
