@@ -57,17 +57,18 @@ namespace Signorini
 
 
   template <int dim>
-  typename DeformationKernel<dim>::Components
-  DeformationKernel<dim>::gradient_of(const unsigned int q,
-                                      const unsigned int i,
-                                      const unsigned int d) const
+  void
+  DeformationKernel<dim>::read_slopes(const unsigned int q)
   {
-    Components result{};
-    for (unsigned int J = 0; J < dim; ++J)
-      result[d * dim + J] = values->shape_grad(i, q)[J];
-    if (n_components > dim * dim && d == 0)
-      result[dim * dim] = values->shape_value(i, q) / values->quadrature_point(q)[0];
-    return result;
+    const bool has_hoop = n_components > dim * dim;
+    slopes.resize(dofs->size() / dim);
+    for (unsigned int i = 0; i < slopes.size(); ++i)
+      {
+        const Tensor<1, dim> &gradient = values->shape_grad(i, q);
+        for (unsigned int J = 0; J < dim; ++J)
+          slopes[i][J] = gradient[J];
+        slopes[i][dim] = has_hoop ? values->shape_value(i, q) / values->quadrature_point(q)[0] : 0.;
+      }
   }
 
 
@@ -81,20 +82,84 @@ namespace Signorini
                std::pair<unsigned int, unsigned int>(component / dim, component % dim) :
                std::pair<unsigned int, unsigned int>(2, 2);
     };
+    // F_aI T_IJKL first, then F_bK: the tensor of fourth order is read but once.
+    double T[3][3][3][3];
+    for (unsigned int I = 0; I < 3; ++I)
+      for (unsigned int J = I; J < 3; ++J)
+        for (unsigned int K = 0; K < 3; ++K)
+          for (unsigned int L = K; L < 3; ++L)
+            T[I][J][K][L] = T[J][I][K][L] = T[I][J][L][K] = T[J][I][L][K] =
+              state.tangent[I][J][K][L];
     Tangent result{};
     for (unsigned int m = 0; m < n_components; ++m)
-      for (unsigned int n = 0; n <= m; ++n)
-        {
-          const auto [a, J] = place(m);
-          const auto [b, L] = place(n);
-          double value      = a == b ? state.stress[J][L] : 0.;
-          for (unsigned int I = 0; I < 3; ++I)
-            if (F[a][I] != 0)
-              for (unsigned int K = 0; K < 3; ++K)
-                value += F[a][I] * state.tangent[I][J][K][L] * F[b][K];
-          result[m][n] = result[n][m] = value;
-        }
+      {
+        const auto [a, J] = place(m);
+        double moved[3][3]; // K, L
+        for (unsigned int K = 0; K < 3; ++K)
+          for (unsigned int L = 0; L < 3; ++L)
+            moved[K][L] =
+              F[a][0] * T[0][J][K][L] + F[a][1] * T[1][J][K][L] + F[a][2] * T[2][J][K][L];
+        for (unsigned int n = 0; n <= m; ++n)
+          {
+            const auto [b, L] = place(n);
+            double value      = a == b ? state.stress[J][L] : 0.;
+            for (unsigned int K = 0; K < 3; ++K)
+              value += moved[K][L] * F[b][K];
+            result[m][n] = result[n][m] = value;
+          }
+      }
     return result;
+  }
+
+
+
+  template <int dim>
+  void
+  DeformationKernel<dim>::add_forces(const Tensor<2, 3> &P,
+                                     const double        weight,
+                                     Vector<double>     &forces) const
+  {
+    for (unsigned int i = 0; i < slopes.size(); ++i)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          double f = d == 0 ? slopes[i][dim] * P[2][2] : 0.;
+          for (unsigned int J = 0; J < dim; ++J)
+            f += slopes[i][J] * P[d][J];
+          forces((*dofs)[i * dim + d]) += weight * f;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  DeformationKernel<dim>::add_tangent(const Tangent &D, const double weight)
+  {
+    const bool         has_hoop = n_components > dim * dim;
+    const unsigned int n        = dofs->size();
+    for (unsigned int i = 0; i < slopes.size(); ++i)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          Components stress{}; // by gradients of the other function
+          for (unsigned int m = 0; m < n_components; ++m)
+            {
+              double value = has_hoop && d == 0 ? slopes[i][dim] * D[dim * dim][m] : 0.;
+              for (unsigned int J = 0; J < dim; ++J)
+                value += slopes[i][J] * D[d * dim + J][m];
+              stress[m] = weight * value;
+            }
+          double *at = &sums[(i * dim + d) * n];
+          for (unsigned int j = 0; j <= i; ++j)
+            for (unsigned int e = 0; e < dim; ++e)
+              {
+                double value = 0;
+                for (unsigned int L = 0; L < dim; ++L)
+                  value += stress[e * dim + L] * slopes[j][L];
+                if (has_hoop && e == 0)
+                  value += stress[dim * dim] * slopes[j][dim];
+                *at++ += value;
+              }
+        }
   }
 
 
@@ -111,10 +176,7 @@ namespace Signorini
     const unsigned int n = dofs->size();
     forces.reinit(n);
     if (tangent)
-      {
-        tangent->reinit(n, n);
-        stressed.reinit(n, n_components, true);
-      }
+      sums.assign(n * n, 0.);
     for (const unsigned int q : values->quadrature_point_indices())
       {
         Tensor<2, 3> F = gradient(q, u);
@@ -129,44 +191,21 @@ namespace Signorini
           {
             return false;
           }
-        const Tensor<2, 3> P      = F * Tensor<2, 3>(state.stress);
-        const double       weight = values->JxW(q) * measure(model, values->quadrature_point(q));
-        const Tangent      D      = tangent ? derivative(F, state) : Tangent{};
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const unsigned int d = i % dim;
-            const Components   G = gradient_of(q, i / dim, d);
-            double             f = n_components > dim * dim ? G[dim * dim] * P[2][2] : 0.;
-            for (unsigned int J = 0; J < dim; ++J)
-              f += G[d * dim + J] * P[d][J];
-            forces((*dofs)[i]) += weight * f;
-            if (!tangent)
-              continue;
-            for (unsigned int m = 0; m < n_components; ++m)
-              {
-                double value = n_components > dim * dim ? G[dim * dim] * D[dim * dim][m] : 0.;
-                for (unsigned int J = 0; J < dim; ++J)
-                  value += G[d * dim + J] * D[d * dim + J][m];
-                stressed(i, m) = weight * value;
-              }
-            for (unsigned int j = 0; j <= i; ++j)
-              {
-                const unsigned int e     = j % dim;
-                const auto        &grad  = values->shape_grad(j / dim, q);
-                double             value = 0;
-                for (unsigned int L = 0; L < dim; ++L)
-                  value += stressed(i, e * dim + L) * grad[L];
-                if (n_components > dim * dim && e == 0)
-                  value += stressed(i, dim * dim) * values->shape_value(j / dim, q) /
-                           values->quadrature_point(q)[0];
-                (*tangent)((*dofs)[i], (*dofs)[j]) += value;
-              }
-          }
+        const double weight = values->JxW(q) * measure(model, values->quadrature_point(q));
+        read_slopes(q);
+        add_forces(F * Tensor<2, 3>(state.stress), weight, forces);
+        if (tangent)
+          add_tangent(derivative(F, state), weight);
       }
-    if (tangent)
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < i; ++j)
-          (*tangent)((*dofs)[j], (*dofs)[i]) = (*tangent)((*dofs)[i], (*dofs)[j]);
+    if (!tangent)
+      return true;
+    tangent->reinit(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        {
+          const unsigned int row = (*dofs)[i], column = (*dofs)[j];
+          (*tangent)(row, column) = (*tangent)(column, row) = sums[i * n + j];
+        }
     return true;
   }
 

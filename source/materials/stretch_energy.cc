@@ -1,4 +1,5 @@
 #include <signorini/materials/stretch_energy.h>
+#include <signorini/materials/symmetric_pairs.h>
 
 #include <cmath>
 
@@ -13,6 +14,7 @@ namespace Signorini
   HyperelasticState
   StretchEnergy::at(const SymmetricTensor<2, 3> &C) const
   {
+    using Pairs = SymmetricPairs;
     // Below, the quotient has lost as many digits as the limit has wrong, which is of second order.
     constexpr double nearly_equal = 1e-5;
     const auto       axes = eigenvectors(C, SymmetricTensorEigenvectorMethod::ql_implicit_shifts);
@@ -33,25 +35,37 @@ namespace Signorini
 
     HyperelasticState state;
     state.energy = w.value;
-    std::array<SymmetricTensor<2, 3>, 3> product;
+    std::array<Pairs::Values, 3> product;
     for (unsigned int a = 0; a < 3; ++a)
       {
-        product[a] = symmetrize(outer_product(axis[a], axis[a]));
-        state.stress += s[a] * product[a];
+        const SymmetricTensor<2, 3> of_axis = symmetrize(outer_product(axis[a], axis[a]));
+        product[a]                          = Pairs::of(of_axis);
+        state.stress += s[a] * of_axis;
       }
+    std::array<Pairs::Values, Pairs::size> tangent{};
+    const auto                             add =
+      [&](const double factor, const Pairs::Values &left, const Pairs::Values &right) {
+        for (unsigned int p = 0; p < Pairs::size; ++p)
+          for (unsigned int q = 0; q < Pairs::size; ++q)
+            tangent[p][q] += factor * left[p] * right[q];
+      };
     for (unsigned int a = 0; a < 3; ++a)
       for (unsigned int b = 0; b < 3; ++b)
         {
-          state.tangent += along(a, b) * outer_product(product[a], product[b]);
+          add(along(a, b), product[a], product[b]);
           if (b <= a)
             continue;
-          const double                difference = c[b] - c[a];
-          const double                shear      = std::abs(difference) > nearly_equal * c[a] ?
-                                                     (s[b] - s[a]) / difference :
-                                                     (along(a, a) + along(b, b) - 2 * along(a, b)) / 4;
-          const SymmetricTensor<2, 3> mixed      = 2 * symmetrize(outer_product(axis[a], axis[b]));
-          state.tangent += shear * outer_product(mixed, mixed);
+          const double difference = c[b] - c[a];
+          const double shear      = std::abs(difference) > nearly_equal * c[a] ?
+                                      (s[b] - s[a]) / difference :
+                                      (along(a, a) + along(b, b) - 2 * along(a, b)) / 4;
+          const auto   mixed      = Pairs::of(2 * symmetrize(outer_product(axis[a], axis[b])));
+          add(shear, mixed, mixed);
         }
+    for (unsigned int p = 0; p < Pairs::size; ++p)
+      for (unsigned int q = 0; q < Pairs::size; ++q)
+        state.tangent[Pairs::row[p]][Pairs::column[p]][Pairs::row[q]][Pairs::column[q]] =
+          tangent[p][q];
     return state;
   }
 } // namespace Signorini

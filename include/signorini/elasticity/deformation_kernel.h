@@ -50,11 +50,16 @@ namespace Signorini
     reinit(const Cell &cell);
     dealii::Tensor<2, 3>
     gradient(unsigned int q, const dealii::Vector<double> &u) const;
-    /// Of the displacement of component d at node i.
-    Components
-    gradient_of(unsigned int q, unsigned int i, unsigned int d) const;
+    /// Of the shape functions at point q, to `slopes`.
+    void
+    read_slopes(unsigned int q);
     Tangent
     derivative(const dealii::Tensor<2, 3> &F, const HyperelasticState &state) const;
+    void
+    add_forces(const dealii::Tensor<2, 3> &P, double weight, dealii::Vector<double> &forces) const;
+    /// On and below the diagonal, to `sums`.
+    void
+    add_tangent(const Tangent &D, double weight);
 
     const Model                                  model;
     const unsigned int                           n_components;
@@ -66,6 +71,8 @@ namespace Signorini
     const dealii::FEValues<dim>     *values = nullptr;
     const std::vector<unsigned int> *dofs   = nullptr;
     std::vector<double>              ratios;
-    dealii::FullMatrix<double>       stressed; ///< derivatives by gradients, a row a function
+    std::vector<double>              sums; ///< of the tangent, node by node, row by row
+    /// At the present point: the gradient of each node's function, and what it is over the radius.
+    std::vector<std::array<double, dim + 1>> slopes;
   };
 } // namespace Signorini
