@@ -341,7 +341,7 @@ namespace Signorini
     clock.start();
     {
       TimerOutput::Scope scope(timer, "assembly");
-      LA::Vector         f = elasticity.is_finite() ? elasticity.dead_load() : elasticity.load();
+      LA::Vector         f = elasticity.load();
       if (placed.size() > 0)
         elasticity.turn_moments(elasticity.rigid_motion(placed), f);
       bodies->set_load(std::move(f));
@@ -406,7 +406,7 @@ namespace Signorini
     if (elasticity.is_finite())
       {
         elasticity.assemble();
-        bodies = std::make_unique<FiniteBodies<dim>>(elasticity, bodies_of_dofs(elasticity));
+        bodies = std::make_unique<FiniteBodies<dim>>(elasticity, bodies_of_dofs(elasticity), timer);
       }
     else
       bodies =

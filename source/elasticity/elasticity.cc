@@ -128,21 +128,7 @@ namespace Signorini
   Elasticity<dim>::load() const
   {
     LA::Vector f = this->zero_vector();
-    add_cells(f, true);
-    add_rigid_bodies(f);
-    f.compress(VectorOperation::add);
-    this->constraints().set_zero(f);
-    return f;
-  }
-
-
-
-  template <int dim>
-  LA::Vector
-  Elasticity<dim>::dead_load() const
-  {
-    LA::Vector f = this->zero_vector();
-    add_cells(f, false);
+    add_cells(f);
     add_rigid_bodies(f);
     f.compress(VectorOperation::add);
     this->constraints().set_zero(f);
@@ -153,7 +139,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Elasticity<dim>::add_cells(LA::Vector &f, const bool lifts) const
+  Elasticity<dim>::add_cells(LA::Vector &f) const
   {
     const AffineConstraints<double> &constraints = this->constraints();
     const hp::FECollection<dim>     &elements    = this->finite_elements();
@@ -171,7 +157,7 @@ namespace Signorini
           const bool      acts     = load_kernel.assemble(cell, cell_load);
           const bool      loaded   = thermal_load.add(cell, material, cell_load) || acts;
           const bool      moved =
-            lifts && std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+            !is_finite() && std::any_of(indices.begin(), indices.end(), [&](const auto i) {
               return constraints.is_inhomogeneously_constrained(i);
             });
           // Only these few cells need their matrix again: K of the others stays untouched.

@@ -152,7 +152,8 @@ namespace Signorini
             {"degree", elasticity.degree(b)},
             {"boundaries", describe_boundaries(boundaries, mesh, b)},
             {"youngs_modulus", scene.bodies[b].material.youngs_modulus},
-            {"poissons_ratio", scene.bodies[b].material.poissons_ratio}};
+            {"poissons_ratio", scene.bodies[b].material.poissons_ratio},
+            {"law", elasticity.is_finite() ? scene.bodies[b].material.law : "linear"}};
           if (elasticity.thermal().expands(b))
             result[scene.bodies[b].name]["thermal"] = thermal(scene, elasticity, b);
         }

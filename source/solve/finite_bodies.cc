@@ -12,9 +12,11 @@ namespace Signorini
 
   template <int dim>
   FiniteBodies<dim>::FiniteBodies(const Elasticity<dim>    &elasticity,
-                                  std::vector<unsigned int> body_of_dof)
+                                  std::vector<unsigned int> body_of_dof,
+                                  TimerOutput              &timer)
     : elasticity(elasticity)
     , bodies(std::move(body_of_dof))
+    , timer(timer)
     , my_stiffness(K)
     , f(elasticity.zero_vector())
     , kernel(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
@@ -85,8 +87,9 @@ namespace Signorini
   LA::Vector
   FiniteBodies<dim>::forces(const LA::Vector &u) const
   {
-    const bool       extends    = origin.size() > 0;
-    const LA::Vector at         = extends ? elasticity.with_ghosts(origin) : obeying(u),
+    TimerOutput::Scope scope(timer, "assembly");
+    const bool         extends  = origin.size() > 0;
+    const LA::Vector   at       = extends ? elasticity.with_ghosts(origin) : obeying(u),
                      change     = extends ? obeying(u) : LA::Vector();
     LA::Vector         balanced = elasticity.zero_vector(), all = balanced;
     Vector<double>     values, others, of_cell;
@@ -155,6 +158,7 @@ namespace Signorini
         if (change.linfty_norm() == 0)
           return;
       }
+    TimerOutput::Scope scope(timer, "assembly");
     const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(there);
     Vector<double>     values, of_cell;
     FullMatrix<double> tangent;

@@ -61,16 +61,12 @@ namespace Signorini
     StiffnessAssembly<dim>
     assembly() const;
 
-    /// Right-hand side that belongs to stiffness() at the time of set_time(): loads and forces of
-    /// thermal strain, minus the forces of the prescribed displacements. Zero at constrained
-    /// degrees of freedom. Throws SceneError where a load is not a number. Collective.
+    /// Right-hand side at the time of set_time(): loads and forces of thermal strain, and at small
+    /// deformation, to go with stiffness(), minus the forces of the prescribed displacements. Zero
+    /// at constrained degrees of freedom. Throws SceneError where a load is not a number.
+    /// Collective.
     LA::Vector
     load() const;
-
-    /// The loads alone, as they act on bodies that deform by any amount: dead ones. Zero at
-    /// constrained degrees of freedom. Throws SceneError where a load is not a number. Collective.
-    LA::Vector
-    dead_load() const;
 
     /// Do bodies deform by any amount, by the energies of their materials?
     bool
@@ -149,9 +145,8 @@ namespace Signorini
     }
 
   private:
-    /// @param lifts with the forces of prescribed displacements
     void
-    add_cells(LA::Vector &f, bool lifts) const;
+    add_cells(LA::Vector &f) const;
     void
     add_rigid_bodies(LA::Vector &f) const;
     double

@@ -4,6 +4,8 @@
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/solve/bodies.h>
 
+#include <deal.II/base/timer.h>
+
 #include <functional>
 
 namespace Signorini
@@ -13,10 +15,13 @@ namespace Signorini
   class FiniteBodies : public Bodies
   {
   public:
-    /// Refers to elasticity, whose stiffness is assembled and whose bodies all have an energy.
-    FiniteBodies(const Elasticity<dim> &elasticity, std::vector<unsigned int> body_of_dof);
+    /// Refers to elasticity, whose stiffness is assembled and whose bodies all have an energy, and
+    /// to the timer.
+    FiniteBodies(const Elasticity<dim>    &elasticity,
+                 std::vector<unsigned int> body_of_dof,
+                 dealii::TimerOutput      &timer);
 
-    /// @param f Elasticity::dead_load()
+    /// @param f Elasticity::load(), of bodies that deform by any amount
     void
     set_load(LA::Vector f) override;
 
@@ -76,6 +81,7 @@ namespace Signorini
 
     const Elasticity<dim>          &elasticity;
     const std::vector<unsigned int> bodies;
+    dealii::TimerOutput            &timer;
     LA::SparseMatrix                K;
     AssembledStiffness              my_stiffness;
     LA::Vector                      f;
