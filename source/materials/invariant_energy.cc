@@ -9,8 +9,7 @@ namespace Signorini
 
   // With dI1/dC = I, dI2/dC = I1 I - C, dJ/dC = J/2 C^-1, and of these
   // d2I2/dC2 = I x I - 1, d2J/dC2 = J/4 C^-1 x C^-1 - J/2 P, where -P is the derivative of C^-1,
-  // P_ijkl = (A_ik A_jl + A_il A_jk)/2 with A = C^-1. In components: products of tensors cost ten
-  // times more.
+  // P_ijkl = (A_ik A_jl + A_il A_jk)/2 with A = C^-1. In components, see SymmetricPairs.
   HyperelasticState
   InvariantEnergy::at(const SymmetricTensor<2, 3> &C) const
   {

@@ -6,8 +6,8 @@
 
 namespace Signorini
 {
-  /// A symmetric tensor in space as an array. Sums of products of such are tensors of fourth order
-  /// at a tenth of the cost of dealii::outer_product().
+  /// A symmetric tensor in space as an array: sums of products of such make tensors of fourth order
+  /// by plain loops, without those of dealii::outer_product() over all four indices.
   struct SymmetricPairs
   {
     static constexpr unsigned int                size   = 6;
