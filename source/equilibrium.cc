@@ -54,7 +54,8 @@ namespace Signorini
   void
   Equilibrium<dim>::set_state(const State &other, const bool follows)
   {
-    state      = other;
+    state = other;
+    recall_bulk_stress();
     my_follows = follows;
     placed     = follows ? state.displacement : LA::Vector();
   }
@@ -72,13 +73,24 @@ namespace Signorini
 
   template <int dim>
   void
+  Equilibrium<dim>::recall_bulk_stress()
+  {
+    BulkStress<dim> &bulk = elasticity.bulk_stress();
+    bulk.set_coefficients(state.bulk_stress.size() > 0 ? state.bulk_stress : bulk.zero_vector());
+  }
+
+
+
+  template <int dim>
+  void
   Equilibrium<dim>::forget_mesh()
   {
     solver.reset();
     hierarchies.reset();
     bodies.reset();
     clock.reset();
-    former_cycles = 0;
+    former_cycles     = 0;
+    state.bulk_stress = LA::Vector();
     if (my_follows)
       placed = state.displacement;
     contact.forget_mesh();
@@ -194,6 +206,7 @@ namespace Signorini
     keep_failure(t);
     state = before;
     recall_active_set();
+    recall_bulk_stress();
     return false;
   }
 
@@ -353,7 +366,8 @@ namespace Signorini
     my_report = solver->solve(state.displacement, pressure, active, watch());
     my_report.steps.insert(my_report.steps.begin(), steps_before.begin(), steps_before.end());
     elasticity.distribute(state.displacement);
-    state.contact = places_of_rows(contact.gap_operator(), pressure, active, dim);
+    state.contact     = places_of_rows(contact.gap_operator(), pressure, active, dim);
+    state.bulk_stress = elasticity.bulk_stress().coefficients();
     clock.stop();
   }
 
@@ -416,7 +430,8 @@ namespace Signorini
                                                       elasticity),
                                        elasticity.stabilising_springs(),
                                        elasticity.constraints(),
-                                       bodies_of_dofs(elasticity));
+                                       bodies_of_dofs(elasticity),
+                                       BulkBalance<dim>::create(elasticity));
     clock.stop();
   }
 

@@ -146,6 +146,7 @@ namespace Signorini
     State      carried   = state;
     const Json known     = contact->memory();
     const bool follows   = equilibrium->follows();
+    carried.bulk_stress  = LA::Vector();
     carried.displacement = enriched(*elasticity, state.displacement, *richer);
     equilibrium.reset();
     contact.reset();

@@ -112,6 +112,9 @@ namespace Signorini
     solve_from_state(double t, double tolerance);
     void
     keep_failure(double t);
+    /// That of the state.
+    void
+    recall_bulk_stress();
     /// With contact on the surfaces as they are placed.
     bool
     solve_in_place(double t, double tolerance, bool is_near = false);

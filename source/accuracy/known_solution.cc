@@ -25,16 +25,21 @@ namespace Signorini
     section.add("Pressure",
                 pressure,
                 "contact pressure, likewise; written beside the computed one in profiles");
-    if (!section.reading() || pressure.empty())
+    section.add("Bulk stress", bulk_stress, "of mixed bodies, tension positive, likewise [stress]");
+    if (!section.reading())
       return;
-    try
-      {
-        Expression<dim>{pressure};
-      }
-    catch (const SceneError &error)
-      {
-        section.fail("Pressure", error.what());
-      }
+    for (const auto &[key, formula] :
+         {std::pair<const char *, const Formula &>("Pressure", pressure),
+          std::pair<const char *, const Formula &>("Bulk stress", bulk_stress)})
+      if (!formula.empty())
+        try
+          {
+            Expression<dim>{formula};
+          }
+        catch (const SceneError &error)
+          {
+            section.fail(key, error.what());
+          }
   }
 
 
@@ -129,6 +134,33 @@ namespace Signorini
 
     template <int dim>
     void
+    add_bulk_errors(const Snapshot<dim> &s, const Expression<dim> &exact, SolutionErrors &errors)
+    {
+      const Mesh<dim> &mesh = s.elasticity.mesh();
+      FEValues<dim>    values(mesh.mapping(),
+                           s.elasticity.finite_elements()[0],
+                           QGauss<dim>(s.elasticity.degree() + 3),
+                           update_quadrature_points | update_JxW_values);
+      Squares          l2;
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned() && s.elasticity.bulk_stress().is_on(*cell))
+          {
+            values.reinit(cell);
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                const Point<dim> &x      = values.quadrature_point(q);
+                const double      wanted = exact.value(x, s.time),
+                             error       = s.elasticity.bulk_stress().value(*cell, x) - wanted;
+                l2.add(values.JxW(q) * measure(s.elasticity.model(), x),
+                       error * error,
+                       wanted * wanted);
+              }
+          }
+      errors.bulk_stress = l2.relative(mesh.communicator());
+    }
+
+    template <int dim>
+    void
     add_pressure_errors(const Snapshot<dim>   &s,
                         const Expression<dim> &exact,
                         SolutionErrors        &errors)
@@ -163,6 +195,8 @@ namespace Signorini
     SolutionErrors result;
     if (!exact.displacement.empty())
       add_displacement_errors(snapshot, exact.displacement, result);
+    if (!exact.bulk_stress.empty())
+      add_bulk_errors(snapshot, Expression<dim>(exact.bulk_stress), result);
     if (!exact.pressure.empty())
       add_pressure_errors(snapshot, Expression<dim>(exact.pressure), result);
     return result;

@@ -27,6 +27,24 @@ namespace Signorini
 
   namespace
   {
+    /// Of m ln J: S = m C^-1, whose derivative is -m P with P_ijkl = (A_ik A_jl + A_il A_jk)/2 and
+    /// A = C^-1.
+    void
+    add_bulk_stress(const double m, const SymmetricTensor<2, 3> &C, HyperelasticState &state)
+    {
+      const SymmetricTensor<2, 3> A = invert(C);
+      const double                J = std::sqrt(determinant(C));
+      state.energy += m * std::log(J);
+      state.stress += m * A;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          for (unsigned int k = 0; k < 3; ++k)
+            for (unsigned int l = k; l < 3; ++l)
+              state.tangent[i][j][k][l] -= m * (A[i][k] * A[j][l] + A[i][l] * A[j][k]);
+    }
+
+
+
     /// The state with S_zz = 0, by Newton's method for the logarithm of C_zz.
     HyperelasticState
     without_thickness_stress(const Hyperelastic &law, SymmetricTensor<2, 3> &C)
@@ -50,11 +68,19 @@ namespace Signorini
 
 
   HyperelasticState
-  hyperelastic_state(const Model model, const Hyperelastic &law, Tensor<2, 3> &F)
+  hyperelastic_state(const Model         model,
+                     const Hyperelastic &law,
+                     Tensor<2, 3>       &F,
+                     const double        bulk_stress)
   {
     SymmetricTensor<2, 3> C = symmetrize(transpose(F) * F);
     if (model != Model::plane_stress)
-      return law.at(C);
+      {
+        HyperelasticState state = law.at(C);
+        if (bulk_stress != 0)
+          add_bulk_stress(bulk_stress, C, state);
+        return state;
+      }
     HyperelasticState           state  = without_thickness_stress(law, C);
     const SymmetricTensor<4, 3> T      = state.tangent;
     const double                across = T[2][2][2][2];
@@ -71,9 +97,12 @@ namespace Signorini
 
 
   SymmetricTensor<2, 3>
-  cauchy_stress(const Model model, const Hyperelastic &law, Tensor<2, 3> F)
+  cauchy_stress(const Model         model,
+                const Hyperelastic &law,
+                Tensor<2, 3>        F,
+                const double        bulk_stress)
   {
-    const HyperelasticState state = hyperelastic_state(model, law, F);
+    const HyperelasticState state = hyperelastic_state(model, law, F, bulk_stress);
     return symmetrize(F * Tensor<2, 3>(state.stress) * transpose(F)) / determinant(F);
   }
 

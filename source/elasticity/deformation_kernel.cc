@@ -10,8 +10,10 @@ namespace Signorini
   template <int dim>
   DeformationKernel<dim>::DeformationKernel(const Mesh<dim>             &mesh,
                                             const hp::FECollection<dim> &all_elements,
-                                            const Model                  model)
+                                            const Model                  model,
+                                            const BulkStress<dim>       *bulk_stress)
     : model(model)
+    , bulk_stress(bulk_stress)
     , n_components(dim * dim + (model == Model::axisymmetric ? 1 : 0))
     , elements(scalar_elements(all_elements))
     , all_values(mesh.mappings(),
@@ -182,10 +184,12 @@ namespace Signorini
         Tensor<2, 3> F = gradient(q, u);
         if (!(determinant(F) > 0))
           return false;
+        const double bulk =
+          bulk_stress ? bulk_stress->value(*cell, values->quadrature_point(q)) : 0.;
         HyperelasticState state;
         try
           {
-            state = hyperelastic_state(model, law, F);
+            state = hyperelastic_state(model, law, F, bulk);
           }
         catch (const std::domain_error &) // a sheet without a thickness
           {

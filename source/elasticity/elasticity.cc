@@ -2,6 +2,7 @@
 #include <signorini/elasticity/deformation.h>
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/elasticity/kernel.h>
+#include <signorini/elasticity/pressure_kernel.h>
 #include <signorini/elasticity/rigid_pose.h>
 #include <signorini/elasticity/stress.h>
 #include <signorini/linear_algebra/diagonal.h>
@@ -40,6 +41,7 @@ namespace Signorini
     , my_loads(loads)
     , strength(stabilisation)
     , thermal_strain(mesh, expansions, one_a_body(degrees, mesh), model)
+    , my_bulk_stress(mesh, materials, model)
     , unheld(*this)
   {}
 
@@ -53,6 +55,7 @@ namespace Signorini
     unheld.find();
     stabilisation = unheld.springs(materials, rigid_stiffness(), strength);
     thermal_strain.reinit();
+    my_bulk_stress.reinit();
   }
 
 
@@ -144,7 +147,8 @@ namespace Signorini
     const AffineConstraints<double> &constraints = this->constraints();
     const hp::FECollection<dim>     &elements    = this->finite_elements();
     StiffnessKernel<dim>             kernel(this->mesh(), elements, this->model());
-    LoadKernel<dim>    load_kernel(this->mesh(), elements, this->model(), my_loads, this->time());
+    const std::vector<Load<dim>>     dead = dead_loads(*this);
+    LoadKernel<dim>    load_kernel(this->mesh(), elements, this->model(), dead, this->time());
     ThermalLoad<dim>   thermal_load(this->mesh(), elements, thermal_strain, this->model());
     FullMatrix<double> cell_matrix;
     Vector<double>     cell_load;
@@ -222,15 +226,17 @@ namespace Signorini
                           const Point<dim>        &x) const
   {
     const Material &material = materials[cell.material_id()];
+    const double    bulk     = my_bulk_stress.value(cell, x);
     if (material.energy)
       return cauchy_stress(this->model(),
                            *material.energy,
-                           deformation_gradient(this->model(), gradient, u, x));
-    if (!thermal_strain.expands(cell.material_id()))
-      return Signorini::stress(material, strain(this->model(), material, gradient, u, x));
-    return Signorini::stress(
-      material,
-      elastic_strain(this->model(), material, gradient, u, x, thermal_strain.strain(cell, x)));
+                           deformation_gradient(this->model(), gradient, u, x),
+                           bulk);
+    const SymmetricTensor<2, 3> of_displacement =
+      thermal_strain.expands(cell.material_id()) ?
+        elastic_strain(this->model(), material, gradient, u, x, thermal_strain.strain(cell, x)) :
+        strain(this->model(), material, gradient, u, x);
+    return Signorini::stress(material, of_displacement) + bulk * unit_symmetric_tensor<3>();
   }
 
 

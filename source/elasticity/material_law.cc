@@ -134,7 +134,16 @@ namespace Signorini
       section.add_required("Young's modulus", youngs_modulus, "E [stress]", positive);
     else
       section.add("Young's modulus", youngs_modulus, "E [stress]", positive);
-    section.add_required("Poisson's ratio", poissons_ratio, "nu [-]", Range{-1, 0.5, false, false});
+    section.add_required("Poisson's ratio", poissons_ratio, "nu [-]", Range{-1, 0.5, false, true});
+    section.add_choice(
+      "Formulation",
+      formulation,
+      {{"automatic", Formulation::automatic},
+       {"displacement", Formulation::displacement},
+       {"mixed", Formulation::mixed}},
+      "mixed: the stress of changes of volume is a field of its own, so that nearly incompressible bodies neither lock nor "
+      "cost more iterations, and 0.5 is allowed; with Degree = 2, which it sets where nobody does; automatic: from nu = "
+      "0.48 on, where the degree, the model and the contact method allow for it");
     if (!section.reading())
       return;
     const MaterialLaw &chosen = law_of(*this);

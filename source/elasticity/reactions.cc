@@ -1,7 +1,9 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/deformation_kernel.h>
 #include <signorini/elasticity/kernel.h>
+#include <signorini/elasticity/pressure_kernel.h>
 #include <signorini/elasticity/reactions.h>
+#include <signorini/elasticity/volume_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +22,9 @@ namespace Signorini
       ForcesOfCell(const Elasticity<dim> &e)
         : elasticity(e)
         , kernel(e.mesh(), e.finite_elements(), e.model())
-        , of_deformation(e.mesh(), e.finite_elements(), e.model())
+        , of_deformation(e.mesh(), e.finite_elements(), e.model(), &e.bulk_stress())
         , thermal_load(e.mesh(), e.finite_elements(), e.thermal(), e.model())
+        , of_volume(e)
       {}
 
       /// Internal forces minus the load. Adds forces of thermal strain to the load: they are in
@@ -41,6 +44,7 @@ namespace Signorini
             kernel.assemble(cell, material, matrix);
             force.reinit(matrix.m());
             matrix.vmult(force, values);
+            add_bulk_stress(cell);
           }
         thermal_load.add(cell, material, cell_load);
         force -= cell_load;
@@ -48,12 +52,26 @@ namespace Signorini
       }
 
     private:
+      /// Small deformation: B^T m.
+      void
+      add_bulk_stress(const typename DoFHandler<dim>::active_cell_iterator &cell)
+      {
+        if (!elasticity.bulk_stress().is_on(*cell))
+          return;
+        of_volume.assemble(cell, values, changes, &slopes);
+        const auto &m = elasticity.bulk_stress().coefficients(*cell);
+        for (unsigned int k = 0; k < m.size(); ++k)
+          for (unsigned int i = 0; i < force.size(); ++i)
+            force(i) += m[k] * slopes(k, i);
+      }
+
       const Elasticity<dim> &elasticity;
       StiffnessKernel<dim>   kernel;
       DeformationKernel<dim> of_deformation;
       ThermalLoad<dim>       thermal_load;
-      FullMatrix<double>     matrix;
-      Vector<double>         values, force;
+      VolumeKernel<dim>      of_volume;
+      FullMatrix<double>     matrix, slopes;
+      Vector<double>         values, force, changes;
     };
 
 
@@ -154,21 +172,30 @@ namespace Signorini
     LA::Vector
     Sums<dim>::add_loads()
     {
-      LA::Vector      residual = elasticity.zero_vector();
-      ForcesOfCell    forces(elasticity);
-      LoadKernel<dim> load_kernel(elasticity.mesh(),
+      LA::Vector                   residual = elasticity.zero_vector();
+      ForcesOfCell                 forces(elasticity);
+      const std::vector<Load<dim>> dead = dead_loads(elasticity);
+      LoadKernel<dim>              load_kernel(elasticity.mesh(),
                                   elasticity.finite_elements(),
                                   elasticity.model(),
-                                  elasticity.loads(),
+                                  dead,
                                   elasticity.time());
+      PressureKernel<dim>          pressures(elasticity);
 
-      Vector<double>                       cell_load;
+      Vector<double>                       cell_load, values, of_pressure;
       std::vector<types::global_dof_index> indices;
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
             read_indices<dim>(cell, indices);
-            const bool loaded    = load_kernel.assemble(cell, cell_load);
+            bool loaded = load_kernel.assemble(cell, cell_load);
+            values.reinit(indices.size());
+            cell->get_dof_values(displacement, values);
+            if (pressures.assemble(cell, values, of_pressure))
+              {
+                cell_load += of_pressure;
+                loaded = true;
+              }
             const bool supported = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
               return elasticity.constraints().is_constrained(i);
             });

@@ -100,6 +100,7 @@ namespace Signorini
             << text(body["to"], size) << ", " << body["cells"] << " cells of degree "
             << body["degree"] << ", E " << body["youngs_modulus"].get<double>() << ", nu "
             << body["poissons_ratio"].get<double>()
+            << (body["formulation"] == "mixed" ? ", mixed" : "")
             << (body["law"] == "linear" ? "" : ", " + body["law"].get<std::string>())
             << (body.contains("thermal") ? words_on_heat(body["thermal"]) : "") << "\n";
         if (with_boundaries)

@@ -53,6 +53,8 @@ namespace Signorini
         one["errors"]["displacement"] = deviation.displacement;
         one["errors"]["energy"]       = deviation.energy;
       }
+    if (!scene.known.bulk_stress.empty())
+      one["errors"]["bulk_stress"] = deviation.bulk_stress;
     if (!scene.known.pressure.empty())
       {
         one["errors"]["pressure"]           = deviation.pressure;

@@ -1,5 +1,6 @@
 #include <signorini/elasticity/reactions.h>
 #include <signorini/elasticity/rigid_pose.h>
+#include <signorini/fields/contact_force.h>
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/largest_stress.h>
 #include <signorini/fields/point_values.h>
@@ -213,9 +214,9 @@ namespace Signorini
     Json
     obstacle_results(const Snapshot<dim> &s)
     {
-      using Body               = RigidBody<dim>;
-      const Elasticity<dim> &e = s.elasticity;
-      const LA::Vector forces = s.contact.total_force(s.pressure, s.contact.stress(s.displacement));
+      using Body                       = RigidBody<dim>;
+      const Elasticity<dim>    &e      = s.elasticity;
+      const LA::Vector          forces = contact_force(s);
       const std::vector<double> motion = e.rigid_motion(s.displacement),
                                 force  = e.rigid_motion(forces);
       Json result                      = Json::object();
@@ -279,13 +280,10 @@ namespace Signorini
   Json
   force_results(const Snapshot<dim> &s, const double tolerance)
   {
-    const Mesh<dim>     &mesh = s.elasticity.mesh();
-    const Reactions<dim> outer =
-      reactions(s.elasticity,
-                s.displacement,
-                s.contact.total_force(s.pressure, s.contact.stress(s.displacement)));
-    Json   supports = Json::object();
-    double largest  = outer.load.force.norm();
+    const Mesh<dim>     &mesh     = s.elasticity.mesh();
+    const Reactions<dim> outer    = reactions(s.elasticity, s.displacement, contact_force(s));
+    Json                 supports = Json::object();
+    double               largest  = outer.load.force.norm();
     for (unsigned int i = 0; i < s.elasticity.supports().size(); ++i)
       {
         const Tensor<1, dim> &force               = outer.supports[i].force;

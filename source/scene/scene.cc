@@ -1,6 +1,7 @@
 #include <signorini/elasticity/material_law.h>
 #include <signorini/parameters/section.h>
 #include <signorini/scene/descriptions.h>
+#include <signorini/scene/formulation.h>
 #include <signorini/scene/scene.h>
 
 #include <algorithm>
@@ -188,9 +189,6 @@ namespace Signorini
                             "Names that stand for numbers or formulas, in all that follows: "
                             "set R = 8, set r = sqrt(x^2+y^2), set gap = r^2/(2*R)");
     section.add_named("Bodies", bodies, "Elastic bodies: a mesh and a material each.");
-    if (section.reading() && deformation == Deformation::finite)
-      for (Body<dim> &body : bodies)
-        body.material.energy = law_of(body.material).make(body.material);
     section.add_named("Obstacles", obstacles, "Rigid surfaces; they are never meshed.");
     section.add_named("Supports", supports, "Prescribed displacements.");
     section.add_named("Loads", loads, "Tractions, pressures, body forces.");
@@ -230,6 +228,11 @@ namespace Signorini
                         });
     if (section.reading() && contact.is_automatic)
       choose(has_degree);
+    if (section.reading())
+      choose_formulations(*this, has_degree);
+    if (section.reading() && deformation == Deformation::finite)
+      for (Body<dim> &body : bodies)
+        body.material.energy = law_of(body.material).make(body.material);
     section.add_section("Load steps", "The history of loading.", [&](Section &s) {
       load_steps.declare(s);
     });
@@ -474,10 +477,10 @@ namespace Signorini
     if (contact.geometry == ContactGeometry::reference)
       refuse("Contact method/Contact geometry = reference", "surfaces are not where they were");
     for (const Load<dim> &load : loads)
-      if (!load.boundaries.empty() && load.pressure.formula() != "0")
+      if (model_of(model) == Model::plane_stress && !load.pressure.is_zero())
         refuse(
           "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
-          "pressures that follow the surface are not there yet; take a Traction, which is dead,");
+          "is not there for Model = plane stress, whose edges become thinner: take a Traction,");
     for (const Body<dim> &body : bodies)
       if (body.expansion.given())
         refuse("Bodies/" + body.name + "/Thermal expansion", "is not there");

@@ -11,13 +11,17 @@ namespace Signorini
 {
   using namespace dealii;
 
-  ContactSystem::ContactSystem(const Stiffness  &stiffness,
-                               const ContactLaw &law,
-                               FreeMotions       free_motions)
+  ContactSystem::ContactSystem(const Stiffness    &stiffness,
+                               const ContactLaw   &law,
+                               FreeMotions         free_motions,
+                               const BulkCoupling *bulk,
+                               const bool          symmetric_bodies)
     : K(stiffness)
     , law(law)
     , contact(law.gap_operator())
+    , my_bulk(bulk)
     , saddle(law.is_mixed())
+    , symmetric_bodies(symmetric_bodies)
     , motions(std::move(free_motions))
     , D(law.n_components(), contact.zero())
     , X(D)
@@ -225,10 +229,11 @@ namespace Signorini
   LA::BlockVector
   ContactSystem::zero() const
   {
-    const MPI_Comm comm = K.communicator();
-    return LA::BlockVector({K.owned(),
-                            saddle ? contact.weight.locally_owned_elements() : IndexSet(0)},
-                           comm);
+    std::vector<IndexSet> blocks = {K.owned(),
+                                    saddle ? contact.weight.locally_owned_elements() : IndexSet(0)};
+    if (my_bulk)
+      blocks.push_back(my_bulk->compliance.locally_owned_elements());
+    return LA::BlockVector(blocks, K.communicator());
   }
 
 
@@ -242,6 +247,48 @@ namespace Signorini
     internal_force(force, src.block(0));
     dst.block(0) += force;
     motions.add_loose(dst.block(0), src.block(0));
+    if (my_bulk)
+      add_bulk(dst, src);
+  }
+
+
+
+  void
+  ContactSystem::add_bulk(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    my_bulk->B.Tvmult_add(dst.block(0), src.block(2));
+    LA::Vector volume = src.block(2);
+    volume.scale(my_bulk->compliance);
+    volume *= -1;
+    my_bulk->B.vmult_add(volume, src.block(0));
+    dst.block(2) += volume;
+    if (contact.has_bulk_stress())
+      add_bulk_at_contact(dst, src);
+  }
+
+
+
+  void
+  ContactSystem::add_bulk_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    Assert(!transposed, dealii::StandardExceptions::ExcNotImplemented());
+    // The law has one component where there is a normal stress alone.
+    const auto product = [](const Blocks &block, const LA::Vector &v, const double factor) {
+      LA::Vector result = v;
+      result.scale(block[0]);
+      result *= factor;
+      return result;
+    };
+    LA::Vector gap = contact.zero(), stress = gap, of_bulk = gap;
+    contact.B_free.vmult(gap, src.block(0));
+    contact.S_free.vmult(stress, src.block(0));
+    contact.S_bulk.vmult(of_bulk, src.block(2));
+    contact.B_free.Tvmult_add(dst.block(0), product(X, of_bulk, -1));
+    contact.S_free.Tvmult_add(dst.block(0), product(Y, of_bulk, -contact.theta));
+    stress += of_bulk;
+    LA::Vector sum = product(X, gap, -contact.theta);
+    sum += product(Y, stress, -contact.theta);
+    contact.S_bulk.Tvmult_add(dst.block(2), sum);
   }
 
 

@@ -63,15 +63,17 @@ namespace Signorini
     linearise(u);
     LA::BlockVector rhs = system.zero(), left = system.zero();
     rhs.block(0)         = of_displacement;
-    const LA::Vector gap = contact.gap(u), stress = contact.stress(u);
-    left.block(0) = balance.residual(u, p, stress, active);
+    const LA::Vector gap = contact.gap(u), s = stress(u);
+    left.block(0) = balance.residual(u, p, s, active);
+    if (bodies.bulk())
+      left.block(2) = bodies.bulk()->residual(u);
     if (system.is_saddle_point())
       {
         // The second unknown is p over the stiffness of the points, see ContactSystem.
         rhs.block(1) = of_pressure;
         rhs.block(1).scale(contact.coefficients.stiffness);
         rhs.block(1).scale(active);
-        left.block(1) = law.defect({gap, stress, p}, active);
+        left.block(1) = law.defect({gap, s, p}, active);
       }
     else if (!contact.empty())
       {

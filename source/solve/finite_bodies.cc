@@ -1,7 +1,8 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/linear_algebra/diagonal.h>
+#include <signorini/parameters/raw.h>
 #include <signorini/solve/finite_bodies.h>
-#include <signorini/solve/solver_failure.h>
+#include <signorini/solve/folded_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,20 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  FiniteBodies<dim>::FiniteBodies(const Elasticity<dim>    &elasticity,
+  FiniteBodies<dim>::FiniteBodies(Elasticity<dim>          &elasticity,
                                   std::vector<unsigned int> body_of_dof,
                                   TimerOutput              &timer)
     : elasticity(elasticity)
     , bodies(std::move(body_of_dof))
     , timer(timer)
+    , my_bulk(BulkBalance<dim>::create(elasticity))
     , my_stiffness(K)
     , f(elasticity.zero_vector())
-    , kernel(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
+    , kernel(elasticity.mesh(),
+             elasticity.finite_elements(),
+             elasticity.model(),
+             &elasticity.bulk_stress())
+    , pressures(elasticity)
   {
     K.reinit(elasticity.stiffness());
     K.copy_from(elasticity.stiffness());
@@ -41,6 +47,8 @@ namespace Signorini
   FiniteBodies<dim>::start_from(const LA::Vector &u)
   {
     origin = u;
+    if (my_bulk)
+      my_bulk->start_from(u);
   }
 
 
@@ -63,17 +71,6 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  FiniteBodies<dim>::check_folds(const std::string &body_here) const
-  {
-    for (const std::string &body : Utilities::MPI::all_gather(K.get_mpi_communicator(), body_here))
-      if (!body.empty())
-        throw SolverFailure("cells of " + body + " would fold; load in smaller steps");
-  }
-
-
-
-  template <int dim>
   LA::Vector
   FiniteBodies<dim>::obeying(LA::Vector u) const
   {
@@ -91,35 +88,61 @@ namespace Signorini
     const bool         extends  = origin.size() > 0;
     const LA::Vector   at       = extends ? elasticity.with_ghosts(origin) : obeying(u),
                      change     = extends ? obeying(u) : LA::Vector();
-    LA::Vector         balanced = elasticity.zero_vector(), all = balanced;
-    Vector<double>     values, others, of_cell;
-    FullMatrix<double> tangent;
+    LA::Vector         balanced = elasticity.zero_vector(), all = balanced, pushed = balanced;
+    Vector<double>     values, others, of_cell, push;
+    FullMatrix<double> tangent, of_push;
     std::string        folded;
     for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
       const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
       values.reinit(indices.size());
       cell->get_dof_values(at, values);
       if (!kernel.assemble(cell, law, values, of_cell, extends ? &tangent : nullptr))
-        folded = elasticity.mesh().body_name(cell->material_id());
-      else if (extends)
+        {
+          folded = elasticity.mesh().body_name(cell->material_id());
+          return;
+        }
+      const bool pushes = pressures.assemble(cell, values, push, extends ? &of_push : nullptr);
+      if (extends)
         {
           others.reinit(indices.size());
           cell->get_dof_values(change, others);
           others -= values;
           tangent.vmult_add(of_cell, others);
+          if (pushes)
+            of_push.vmult_add(push, others);
+        }
+      if (pushes)
+        {
+          of_cell -= push;
+          elasticity.constraints().distribute_local_to_global(push, indices, pushed);
         }
       elasticity.constraints().distribute_local_to_global(of_cell, indices, balanced);
       elasticity.hanging_nodes().distribute_local_to_global(of_cell, indices, all);
     });
     balanced.compress(VectorOperation::add);
     all.compress(VectorOperation::add);
-    check_folds(folded);
+    pushed.compress(VectorOperation::add);
+    check_folds(folded, K.get_mpi_communicator());
+    check_pressures();
     double squares = 0;
     for (const auto i : all.locally_owned_elements())
       if (elasticity.constraints().is_constrained(i))
         squares += all(i) * all(i);
-    reaction = std::sqrt(Utilities::MPI::sum(squares, K.get_mpi_communicator()));
+    reaction  = std::sqrt(Utilities::MPI::sum(squares, K.get_mpi_communicator()));
+    following = pushed.l2_norm();
     return balanced;
+  }
+
+
+
+  template <int dim>
+  void
+  FiniteBodies<dim>::check_pressures() const
+  {
+    for (const std::string &fault :
+         Utilities::MPI::all_gather(K.get_mpi_communicator(), pressures.fault()))
+      if (!fault.empty())
+        throw SceneError(fault);
   }
 
 
@@ -139,7 +162,7 @@ namespace Signorini
   double
   FiniteBodies<dim>::load_size() const
   {
-    return std::max(f.l2_norm(), reaction);
+    return std::max({double(f.l2_norm()), reaction, following});
   }
 
 
@@ -148,10 +171,11 @@ namespace Signorini
   void
   FiniteBodies<dim>::linearise(const LA::Vector &u)
   {
-    const bool       extends = origin.size() > 0;
-    const LA::Vector there   = extends ? origin : u;
-    origin                   = LA::Vector();
-    if (linearised.size() > 0)
+    const bool       extends        = origin.size() > 0;
+    const LA::Vector there          = extends ? origin : u;
+    origin                          = LA::Vector();
+    const unsigned int bulk_version = my_bulk ? my_bulk->version() : 0;
+    if (linearised.size() > 0 && linearised_bulk == bulk_version)
       {
         LA::Vector change = there;
         change -= linearised;
@@ -159,9 +183,11 @@ namespace Signorini
           return;
       }
     TimerOutput::Scope scope(timer, "assembly");
+    if (my_bulk)
+      my_bulk->linearise(u);
     const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(there);
-    Vector<double>     values, of_cell;
-    FullMatrix<double> tangent;
+    Vector<double>     values, of_cell, push;
+    FullMatrix<double> tangent, of_push;
     std::string        folded;
     K = 0;
     for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
@@ -169,14 +195,19 @@ namespace Signorini
       cell->get_dof_values(at, values);
       const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
       if (!kernel.assemble(cell, law, values, of_cell, &tangent))
-        folded = elasticity.mesh().body_name(cell->material_id());
-      else
-        elasticity.constraints().distribute_local_to_global(tangent, indices, K);
+        {
+          folded = elasticity.mesh().body_name(cell->material_id());
+          return;
+        }
+      if (pressures.assemble(cell, values, push, &of_push))
+        tangent.add(-1, of_push);
+      elasticity.constraints().distribute_local_to_global(tangent, indices, K);
     });
     K.compress(VectorOperation::add);
-    check_folds(folded);
+    check_folds(folded, K.get_mpi_communicator());
     LA::add_to_diagonal(K, elasticity.diagonal_terms());
-    linearised = there;
+    linearised      = there;
+    linearised_bulk = bulk_version;
     my_stiffness.has_changed();
   }
 

@@ -160,7 +160,8 @@ namespace Signorini
   bool
   has_energy(const ContactSystem &system)
   {
-    return !system.gap_operator().empty() && !system.is_saddle_point() && system.is_symmetric();
+    return !system.gap_operator().empty() && !system.is_saddle_point() && !system.bulk() &&
+           system.is_symmetric();
   }
 
 

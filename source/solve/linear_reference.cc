@@ -1,5 +1,6 @@
 #include <signorini/contact/law/normal_contact.h>
 #include <signorini/matrix_free/make_stiffness.h>
+#include <signorini/solve/bulk_balance.h>
 #include <signorini/solve/linear_reference.h>
 
 #include <deal.II/base/timer.h>
@@ -48,7 +49,10 @@ namespace Signorini
 
       const GapOperator   contact = nothing(elasticity.owned(), comm);
       const NormalContact law     = NormalContact::springs(contact, 0);
-      const ContactSystem system(*stiffness, law);
+      const auto          bulk    = BulkBalance<dim>::create(elasticity);
+      if (bulk)
+        bulk->linearise(f);
+      const ContactSystem system(*stiffness, law, {}, bulk ? &bulk->coupling() : nullptr);
       BodiesHierarchy     hierarchies(settings, *stiffness, elasticity);
       LinearSolver        solver(settings, system, hierarchies, timer);
       solver.update();

@@ -3,6 +3,7 @@
 #include <signorini/linear_algebra/direct_solver.h>
 #include <signorini/parameters/text.h>
 #include <signorini/solve/linear_solver.h>
+#include <signorini/solve/preconditioners/bulk_schur.h>
 #include <signorini/solve/preconditioners/schur_complement.h>
 
 #include <deal.II/lac/solver_cg.h>
@@ -38,6 +39,14 @@ namespace Signorini
                   const ContactSystem        &system,
                   const Preconditioner       &preconditioner)
     {
+      if (system.bulk())
+        {
+          if (settings.krylov && *settings.krylov != Krylov::FGMRES)
+            throw SceneError(
+              "Solver/Krylov method = " + word_of(krylov_methods(), *settings.krylov) +
+              ": the systems of bodies with Formulation = mixed are for FGMRES, or auto");
+          return Krylov::FGMRES;
+        }
       // What factors lack of forces that move may make the system indefinite.
       const bool lacks_motion =
         settings.preconditioner == "direct" && !system.gap_operator().at_rest();
@@ -48,8 +57,8 @@ namespace Signorini
           if (settings.krylov == Krylov::CG || settings.krylov == Krylov::MINRES)
             throw SceneError(
               "Solver/Krylov method = " + word_of(krylov_methods(), *settings.krylov) +
-              " needs a symmetric system, which Nitsche's method with Theta = 0 or "
-              "-1 does not have; take Theta = 1, or Krylov method = auto (FGMRES)");
+              " needs a symmetric system, which Nitsche's method with Theta = 0 or -1 and pressures "
+              "that follow large deformation do not have; take Krylov method = auto (FGMRES)");
           return Krylov::FGMRES;
         }
       if (!system.is_saddle_point())
@@ -171,7 +180,10 @@ namespace Signorini
     LinearSolverSettings chosen = settings;
     chosen.direct_solver        = choose_direct(settings, system.stiffness());
     preconditioner              = Preconditioner::create(chosen, system, hierarchy.get());
-    version                     = system.stiffness().version();
+    if (system.bulk())
+      preconditioner =
+        std::make_unique<BulkSchur>(system, *system.bulk(), std::move(preconditioner));
+    version = system.stiffness().version();
   }
 
 

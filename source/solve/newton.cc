@@ -61,7 +61,7 @@ namespace Signorini
   {
     NewtonStep &step    = stage.step;
     stage.gap           = contact.gap(u);
-    stage.stress        = contact.stress(u);
+    stage.stress        = stress(u);
     const bool was_soft = law.is_soft();
     if (!contact.empty())
       {
@@ -83,6 +83,15 @@ namespace Signorini
       report.holding_force = system.free_motions().hold(r, p, stage.stress);
     step.residual           = r.l2_norm() / balance.scale();
     step.residual_of_bodies = balance.residual_of_bodies(r);
+    if (bodies.bulk())
+      {
+        stage.rhs.block(2) = bodies.bulk()->residual(u);
+        if (contact.has_bulk_stress())
+          stage.rhs.block(2) += contact.force_on_bulk(p, stage.stress);
+        const double volume     = stage.rhs.block(2).l2_norm();
+        step.residual           = std::hypot(step.residual, volume / balance.scale());
+        step.residual_of_bodies = std::max(step.residual_of_bodies, volume / balance.least());
+      }
     if (system.is_saddle_point() || law.augments())
       {
         const LA::Vector defect = law.defect({stage.gap, stage.stress, p}, active);
@@ -90,6 +99,14 @@ namespace Signorini
         if (system.is_saddle_point())
           stage.rhs.block(1) = defect;
       }
+  }
+
+
+
+  LA::Vector
+  Newton::stress(const LA::Vector &u) const
+  {
+    return contact.stress(u, bodies.bulk() ? bodies.bulk()->coefficients() : LA::Vector());
   }
 
 
@@ -157,6 +174,8 @@ namespace Signorini
     u.add(stage.damping, x.block(0));
     if (system.is_saddle_point())
       p.add(stage.damping, x.block(1));
+    if (bodies.bulk())
+      bodies.bulk()->add(stage.damping, x.block(2));
     const auto driven = system.free_motions().driven(r, 1e-8 * balance.scale());
     if (!driven.empty() && !system.free_motions().close(u, r))
       {
@@ -178,6 +197,8 @@ namespace Signorini
   Newton::curves_down(const LA::Vector &u)
   {
     constexpr double enough = 1e-8; // each iteration sees more
+    if (bodies.bulk())
+      return false; // saddle points are not solved by CG
     linearise(u);
     LA::BlockVector forces = system.zero();
     for (const auto i : forces.block(0).locally_owned_elements())

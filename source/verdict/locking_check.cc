@@ -80,7 +80,8 @@ namespace Signorini
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         {
           const Material &material = elasticity.material(cell->material_id());
-          if (!cell->is_locally_owned() || material.poissons_ratio < least_ratio)
+          if (!cell->is_locally_owned() || material.is_mixed ||
+              material.poissons_ratio < least_ratio)
             continue;
           values_of.reinit(cell);
           const FEValues<dim> &values = values_of.get_present_fe_values();
@@ -146,7 +147,7 @@ namespace Signorini
       "' is nearly incompressible and too stiff on this mesh, as that share of its energy "
       "goes into changes of volume inside of cells: forces may be too large by about "
       "that, pressures by three times it";
-    finding.cure = "set Degree = 2, or a finer mesh";
+    finding.cure = "set Formulation = mixed with Degree = 2, or take a finer mesh";
     return {finding};
   }
 

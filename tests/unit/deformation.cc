@@ -3,6 +3,7 @@
 #include <signorini/elasticity/deformation_kernel.h>
 #include <signorini/elasticity/kernel.h>
 #include <signorini/elasticity/material_law.h>
+#include <signorini/elasticity/pressure_kernel.h>
 #include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/solve/finite_bodies.h>
 #include <signorini/solve/solver_failure.h>
@@ -234,11 +235,12 @@ namespace
   /// On a mesh with hanging nodes, whose values Newton's method does not know.
   template <int dim>
   void
-  check_bodies()
+  check_bodies(const Lines &more_lines = {})
   {
     CAPTURE(dim);
+    CAPTURE(more_lines);
     constexpr double  h = 1e-6;
-    SmallScene<dim>   scene(adaptive_body<dim>());
+    SmallScene<dim>   scene(adaptive_body<dim>() + more_lines);
     FiniteBodies<dim> bodies(*scene.elasticity, bodies_of_dofs(*scene.elasticity), scene.timer);
     const LA::Vector  v = scene.rough_field(0.05, 0.7), nothing = scene.elasticity->zero_vector();
     LA::Vector        u = scene.rough_field(0.05, 0.3), more = u, less = u, Kv = u;
@@ -276,6 +278,44 @@ TEST_CASE("tangents of bodies are the derivatives of their forces, with hanging 
 {
   check_bodies<2>();
   check_bodies<3>();
+  // Pressures that follow the surface, and differ from place to place.
+  const Lines gas = {"Loads/Names=gas",
+                     "Loads/gas/Boundaries=body.top, body.right",
+                     "Loads/gas/Pressure=0.3 + 0.2*x*y"};
+  check_bodies<2>(gas);
+  check_bodies<3>(gas);
+  check_bodies<2>(gas + Lines{"Model=axisymmetric"});
+}
+
+
+
+TEST_CASE(
+  "pressures follow surfaces: on a closed one they have no resultant, however it is deformed")
+{
+  const Lines       closed = {"Loads/Names=gas",
+                              "Loads/gas/Boundaries=body.left, body.right, body.bottom, body.top",
+                              "Loads/gas/Pressure=0.7"};
+  SmallScene<2>     scene(adaptive_body<2>() + closed);
+  PressureKernel<2> kernel(*scene.elasticity);
+  const LA::Vector  u = scene.elasticity->with_ghosts(scene.rough_field(0.05, 0.3));
+  Tensor<1, 2>      sum;
+  double            largest = 0;
+  Vector<double>    values, forces;
+  for (const auto &cell : scene.elasticity->dof_handler().active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        values.reinit(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_values(u, values);
+        if (kernel.assemble(cell, values, forces))
+          for (unsigned int i = 0; i < forces.size(); ++i)
+            {
+              sum[cell->get_fe().system_to_component_index(i).first] += forces(i);
+              largest = std::max(largest, std::abs(forces(i)));
+            }
+      }
+  largest = Utilities::MPI::max(largest, MPI_COMM_WORLD);
+  CHECK(largest > 0.05);
+  CHECK(Utilities::MPI::sum(sum, MPI_COMM_WORLD).norm() < 1e-13);
 }
 
 

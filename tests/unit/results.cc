@@ -258,7 +258,7 @@ namespace
       "\nend\nsubsection under\nset Pair = foot\nset Points = 4\nset Point = " +
       (flat ? "0, 0.1\nset End = 2, 0" : "0, 0, 0.1\nset End = 2, 1.5, 0") +
       "\nend\nend\nend\nsubsection Accuracy\nset Refinement cycles = 1\nend\nsubsection Known "
-      "solution\nset Pressure = 1\nset Displacement = " +
+      "solution\nset Pressure = 1\nset Bulk stress = 0\nset Displacement = " +
       (flat ? "0.0025*x; -0.01*y" : "0.0025*x; 0.0025*y; -0.01*z") +
       "\nend\nsubsection Expected results\nset Names = force\nsubsection force\nset Quantities = F = "
       "pairs/foot/force/" +

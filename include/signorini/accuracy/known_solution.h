@@ -15,6 +15,7 @@ namespace Signorini
   {
     VectorExpression<dim> displacement; ///< empty: not known
     Formula               pressure;     ///< empty: not known
+    Formula               bulk_stress;  ///< of mixed bodies; empty: not known
 
     void
     declare(Section &section);
@@ -25,7 +26,8 @@ namespace Signorini
   struct SolutionErrors
   {
     double displacement       = 0; ///< in L2
-    double energy             = 0; ///< (int sigma(e):eps(e) dV)^1/2
+    double energy             = 0; ///< (int sigma(e):eps(e) dV)^1/2; mixed: without bulk stress
+    double bulk_stress        = 0; ///< in L2, on mixed bodies
     double pressure           = 0; ///< in L2 on the slave surfaces where they have a partner
     double recovered_pressure = 0; ///< of what is reported, see recovered_pressure()
   };

@@ -16,13 +16,20 @@ namespace Signorini
                        const dealii::Tensor<1, dim> &u,
                        const dealii::Point<dim>     &X);
 
-  /// State of a material where a body is deformed by F. In plane stress F_zz becomes that which
+  /// State of a material where a body is deformed by F, whose bulk stress m, if it has one of its
+  /// own, adds m ln J to W (see BulkStress). In plane stress F_zz becomes that which
   /// makes S_zz zero, and the tangent that of the stresses in the plane. Throws std::domain_error
   /// if there is none. J = det F is positive.
   HyperelasticState
-  hyperelastic_state(Model model, const Hyperelastic &law, dealii::Tensor<2, 3> &F);
+  hyperelastic_state(Model                 model,
+                     const Hyperelastic   &law,
+                     dealii::Tensor<2, 3> &F,
+                     double                bulk_stress = 0);
 
   /// sigma = F S F^T/J, the stress on areas as they are now, tension positive.
   dealii::SymmetricTensor<2, 3>
-  cauchy_stress(Model model, const Hyperelastic &law, dealii::Tensor<2, 3> F);
+  cauchy_stress(Model                model,
+                const Hyperelastic  &law,
+                dealii::Tensor<2, 3> F,
+                double               bulk_stress = 0);
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/elasticity/bulk_stress.h>
 #include <signorini/elasticity/deformation.h>
 #include <signorini/mesh/mesh.h>
 
@@ -19,10 +20,12 @@ namespace Signorini
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
+    /// Refers to the bulk stress of mixed bodies.
     /// @param elements that cells have, by their index
     DeformationKernel(const Mesh<dim>                     &mesh,
                       const dealii::hp::FECollection<dim> &elements,
-                      Model                                model);
+                      Model                                model,
+                      const BulkStress<dim>               *bulk_stress = nullptr);
 
     /// Returns false, and leaves nothing that means anything, where the cell is folded: det F <= 0.
     /// @param u the displacement at the degrees of freedom of the cell
@@ -62,6 +65,7 @@ namespace Signorini
     add_tangent(const Tangent &D, double weight);
 
     const Model                                  model;
+    const BulkStress<dim> *const                 bulk_stress; ///< null: none
     const unsigned int                           n_components;
     const dealii::hp::FECollection<dim>          elements; ///< scalar: the values refer to them
     dealii::hp::FEValues<dim>                    all_values;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/assembly.h>
+#include <signorini/elasticity/bulk_stress.h>
 #include <signorini/elasticity/displacements.h>
 #include <signorini/elasticity/thermal_strain.h>
 #include <signorini/elasticity/unheld_motions.h>
@@ -35,7 +36,7 @@ namespace Signorini
     void
     setup();
 
-    /// Assemble K; once per mesh.
+    /// Assemble K; once per mesh. That of mixed bodies knows nothing of their bulk stress.
     void
     assemble();
 
@@ -81,7 +82,7 @@ namespace Signorini
     turn_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const;
 
     /// The stress in space, without the thermal strain, at a point x of a locally owned or ghost
-    /// cell; Cauchy's of large deformation.
+    /// cell; Cauchy's of large deformation. In mixed bodies with bulk_stress() as it is now.
     /// @param gradient of the displacement: [component][derivative]
     /// @param u the displacement at x
     dealii::SymmetricTensor<2, 3>
@@ -113,6 +114,19 @@ namespace Signorini
     thermal() const
     {
       return thermal_strain;
+    }
+
+    /// Of mixed bodies; nothing if there are none. What solves for the displacement keeps it.
+    const BulkStress<dim> &
+    bulk_stress() const
+    {
+      return my_bulk_stress;
+    }
+
+    BulkStress<dim> &
+    bulk_stress()
+    {
+      return my_bulk_stress;
     }
 
     /// Motions without deformation that no support holds: of elastic bodies, and of rigid ones
@@ -156,6 +170,7 @@ namespace Signorini
     const std::vector<Load<dim>> my_loads;
     const double                 strength; ///< of the stabilisation
     ThermalStrain<dim>           thermal_strain;
+    BulkStress<dim>              my_bulk_stress;
     LA::SparseMatrix             matrix;
     UnheldMotions<dim>           unheld;
     LA::Vector                   stabilisation;

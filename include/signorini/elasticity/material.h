@@ -10,6 +10,14 @@ namespace Signorini
 {
   class Section;
 
+  /// The unknowns of a body.
+  enum class Formulation
+  {
+    automatic,    ///< mixed where Poisson's ratio asks for it, and nothing is against it
+    displacement, ///< all stress follows from the displacement
+    mixed         ///< the stress of changes of volume is a field of its own, see BulkStress
+  };
+
   /// Isotropic elasticity. At small deformation all laws are linear:
   /// sigma = lambda tr(eps) I + 2 mu eps. For 2D see Model.
   struct Material
@@ -21,8 +29,20 @@ namespace Signorini
     /// Of large deformation; null: what deforms is taken for small.
     std::shared_ptr<const Hyperelastic> energy;
 
+    Formulation formulation = Formulation::automatic; ///< what the user wants
+    bool        is_mixed    = false;                  ///< what it is
+
+    /// That of stresses that follow from the displacement: none in a mixed body, whose displacement
+    /// alone does not feel how nearly incompressible it is.
     double
     lambda() const
+    {
+      return is_mixed ? 0. : full_lambda();
+    }
+
+    /// Infinite for nu = 1/2.
+    double
+    full_lambda() const
     {
       return youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
     }
@@ -33,10 +53,18 @@ namespace Signorini
       return youngs_modulus / (2 * (1 + poissons_ratio));
     }
 
+    /// Of that lambda.
     double
     bulk_modulus() const
     {
-      return youngs_modulus / (3 * (1 - 2 * poissons_ratio));
+      return is_mixed ? 2 * mu() / 3 : youngs_modulus / (3 * (1 - 2 * poissons_ratio));
+    }
+
+    /// By how much what is mixed gives way: 1/lambda, zero for nu = 1/2.
+    double
+    bulk_compliance() const
+    {
+      return (1 + poissons_ratio) * (1 - 2 * poissons_ratio) / (youngs_modulus * poissons_ratio);
     }
 
     void

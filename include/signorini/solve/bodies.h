@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/stiffness.h>
+#include <signorini/solve/bulk_equations.h>
 
 #include <deal.II/lac/affine_constraints.h>
 
@@ -54,6 +55,20 @@ namespace Signorini
     virtual const Stiffness &
     stiffness() const = 0;
 
+    /// False: dF/du is not symmetric.
+    virtual bool
+    is_symmetric() const
+    {
+      return true;
+    }
+
+    /// Of mixed bodies, at the displacement of linearise(); null if there are none.
+    virtual BulkEquations *
+    bulk() const
+    {
+      return nullptr;
+    }
+
     virtual const dealii::AffineConstraints<double> &
     constraints() const = 0;
 
@@ -62,16 +77,18 @@ namespace Signorini
     body_of_dof() const = 0;
   };
 
-  /// Linear elasticity: F = K u, whose version never changes.
+  /// Linear elasticity: F = K u + B^T m, whose version never changes.
   class LinearBodies : public Bodies
   {
   public:
     /// Refers to the constraints.
     /// @param springs those that K has against free motions; empty: none
+    /// @param bulk null: no body is mixed
     LinearBodies(std::unique_ptr<const Stiffness>         K,
                  const LA::Vector                        &springs,
                  const dealii::AffineConstraints<double> &constraints,
-                 std::vector<unsigned int>                body_of_dof);
+                 std::vector<unsigned int>                body_of_dof,
+                 std::unique_ptr<BulkEquations>           bulk = nullptr);
 
     /// @param f with prescribed displacements eliminated, Elasticity::load()
     void
@@ -96,6 +113,12 @@ namespace Signorini
       return *K;
     }
 
+    BulkEquations *
+    bulk() const override
+    {
+      return my_bulk.get();
+    }
+
     const dealii::AffineConstraints<double> &
     constraints() const override
     {
@@ -110,6 +133,7 @@ namespace Signorini
 
   private:
     std::unique_ptr<const Stiffness>         K;
+    std::unique_ptr<BulkEquations>           my_bulk;
     const LA::Vector                         springs;
     const dealii::AffineConstraints<double> &my_constraints;
     const std::vector<unsigned int>          bodies;

@@ -20,7 +20,11 @@ namespace Signorini
                   BodiesHierarchy            &hierarchies,
                   dealii::TimerOutput        &timer)
       : law(method, contact)
-      , system(bodies.stiffness(), law, std::move(free_motions))
+      , system(bodies.stiffness(),
+               law,
+               std::move(free_motions),
+               bodies.bulk() ? &bodies.bulk()->coupling() : nullptr,
+               bodies.is_symmetric())
       , linear_solver(linear_settings, system, hierarchies, timer)
       , newton(newton_settings, bodies, law, system, linear_solver)
     {}

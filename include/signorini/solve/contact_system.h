@@ -3,6 +3,7 @@
 #include <signorini/contact/law/contact_law.h>
 #include <signorini/elasticity/stiffness.h>
 #include <signorini/linear_algebra/columns.h>
+#include <signorini/solve/bulk_equations.h>
 #include <signorini/solve/free_motions.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -34,15 +35,23 @@ namespace Signorini
   /// blocks in D, X, Y instead of numbers. Where surfaces move, K - G takes the place of K, see
   /// MovedContact.
   ///
-  /// Vectors are blocks (u, q); q is empty in the condensed form. K belongs to the bodies and is
-  /// never touched; what changes with the active set are vectors on the contact surface.
+  /// Bodies that are mixed have a third row and column in either form, those of the bulk stress,
+  /// see BulkCoupling; contact touches them with Nitsche's method alone, where S is [S T].
+  ///
+  /// Vectors are blocks (u, q), and with mixed bodies (u, q, m); q is empty in the condensed form.
+  /// K belongs to the bodies and is never touched; what changes with the active set are vectors on
+  /// the contact surface.
   class ContactSystem
   {
   public:
-    /// Refers to both, which must live as long.
-    ContactSystem(const Stiffness  &stiffness,
-                  const ContactLaw &law,
-                  FreeMotions       free_motions = FreeMotions());
+    /// Refers to all but the free motions, which must live as long.
+    /// @param bulk null: no body is mixed
+    /// @param symmetric_bodies see Bodies::is_symmetric()
+    ContactSystem(const Stiffness    &stiffness,
+                  const ContactLaw   &law,
+                  FreeMotions         free_motions     = FreeMotions(),
+                  const BulkCoupling *bulk             = nullptr,
+                  bool                symmetric_bodies = true);
 
     /// Linearise the law, whose derivatives are constant where it is active.
     void
@@ -83,11 +92,11 @@ namespace Signorini
       motions.set_active(active);
     }
 
-    /// The same without K.
+    /// The same without K and the bulk stress, which get zero.
     void
     contact_terms(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
-    /// A zero vector (u, q).
+    /// A zero vector (u, q), or (u, q, m).
     LA::BlockVector
     zero() const;
 
@@ -100,7 +109,7 @@ namespace Signorini
     bool
     is_symmetric() const
     {
-      return !contact.has_stress() || contact.theta == 1;
+      return symmetric_bodies && (!contact.has_stress() || contact.theta == 1);
     }
 
     /// K, with springs against free motions: that is what preconditioners are built of.
@@ -108,6 +117,13 @@ namespace Signorini
     stiffness() const
     {
       return K;
+    }
+
+    /// Null: no body is mixed.
+    const BulkCoupling *
+    bulk() const
+    {
+      return my_bulk;
     }
 
     const GapOperator &
@@ -167,19 +183,26 @@ namespace Signorini
     add_row(dealii::FullMatrix<double> &block, int row, const Sums &of) const;
     void
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
+    /// What the rows and columns of the bulk stress are.
+    void
+    add_bulk(LA::BlockVector &dst, const LA::BlockVector &src) const;
+    /// With Nitsche's method normal stresses have T dm beside S du.
+    void
+    add_bulk_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
     /// A block a point: column b in vector b.
     using Blocks = std::vector<LA::Vector>;
 
-    const Stiffness   &K;
-    const ContactLaw  &law;
-    const GapOperator &contact;
-    const bool         saddle;
-    bool               transposed = false;
-    FreeMotions        motions;
-    Blocks             D, X, Y;
-    LA::Vector         D_diagonal, A, I;
-    mutable LA::Vector workspace;
+    const Stiffness          &K;
+    const ContactLaw         &law;
+    const GapOperator        &contact;
+    const BulkCoupling *const my_bulk;
+    const bool                saddle, symmetric_bodies;
+    bool                      transposed = false;
+    FreeMotions               motions;
+    Blocks                    D, X, Y;
+    LA::Vector                D_diagonal, A, I;
+    mutable LA::Vector        workspace;
 
     Sums                              sums; ///< those in `surface`
     dealii::SparsityPattern           pattern;

@@ -2,7 +2,9 @@
 
 #include <signorini/elasticity/deformation_kernel.h>
 #include <signorini/elasticity/elasticity.h>
+#include <signorini/elasticity/pressure_kernel.h>
 #include <signorini/solve/bodies.h>
+#include <signorini/solve/bulk_balance.h>
 
 #include <deal.II/base/timer.h>
 
@@ -10,14 +12,15 @@
 
 namespace Signorini
 {
-  /// Bodies that deform by any amount: F(u) = int P(u) : Grad v dV, with an assembled tangent.
+  /// Bodies that deform by any amount: F(u) = int P(u) : Grad v dV less the pressures that follow
+  /// them, with an assembled tangent.
   template <int dim>
   class FiniteBodies : public Bodies
   {
   public:
     /// Refers to elasticity, whose stiffness is assembled and whose bodies all have an energy, and
     /// to the timer.
-    FiniteBodies(const Elasticity<dim>    &elasticity,
+    FiniteBodies(Elasticity<dim>          &elasticity,
                  std::vector<unsigned int> body_of_dof,
                  dealii::TimerOutput      &timer);
 
@@ -49,6 +52,18 @@ namespace Signorini
       return my_stiffness;
     }
 
+    bool
+    is_symmetric() const override
+    {
+      return pressures.empty();
+    }
+
+    BulkEquations *
+    bulk() const override
+    {
+      return my_bulk.get();
+    }
+
     const dealii::AffineConstraints<double> &
     constraints() const override
     {
@@ -69,25 +84,28 @@ namespace Signorini
     for_cells(const std::function<void(const Cell                                         &cell,
                                        const std::vector<dealii::types::global_dof_index> &indices)>
                 &visit) const;
-    /// Does any rank say so? Throws SolverFailure then. Collective.
-    void
-    check_folds(const std::string &body_here) const;
     /// With the values of constrained degrees of freedom, which Newton's method leaves alone, and
     /// ghosts.
     LA::Vector
     obeying(LA::Vector u) const;
     LA::Vector
     forces(const LA::Vector &u) const;
+    /// Throws SceneError where a pressure is not a number. Collective.
+    void
+    check_pressures() const;
 
-    const Elasticity<dim>          &elasticity;
-    const std::vector<unsigned int> bodies;
-    dealii::TimerOutput            &timer;
-    LA::SparseMatrix                K;
-    AssembledStiffness              my_stiffness;
-    LA::Vector                      f;
-    LA::Vector                      origin;     ///< see start_from(); empty: none
-    LA::Vector                      linearised; ///< where K is; empty: nowhere
-    mutable DeformationKernel<dim>  kernel;
-    mutable double                  reaction = 0; ///< size
+    const Elasticity<dim>                  &elasticity;
+    const std::vector<unsigned int>         bodies;
+    dealii::TimerOutput                    &timer;
+    const std::unique_ptr<BulkBalance<dim>> my_bulk; ///< null: no body is mixed
+    LA::SparseMatrix                        K;
+    AssembledStiffness                      my_stiffness;
+    LA::Vector                              f;
+    LA::Vector                              origin;              ///< see start_from(); empty: none
+    LA::Vector                              linearised;          ///< where K is; empty: nowhere
+    unsigned int                            linearised_bulk = 0; ///< its version there
+    mutable DeformationKernel<dim>          kernel;
+    mutable PressureKernel<dim>             pressures;
+    mutable double reaction = 0, following = 0; ///< sizes, of reactions and pressures
   };
 } // namespace Signorini

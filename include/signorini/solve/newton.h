@@ -32,7 +32,7 @@ namespace Signorini
 
     /// Is the linearisation at a solution not positive definite? Solves it for forces without any
     /// symmetry, which see what those of a solution do not: a straight column that would buckle.
-    /// Seen by CG alone. Collective.
+    /// Seen by CG alone, so never of mixed bodies. Collective.
     bool
     curves_down(const LA::Vector &u);
 
@@ -77,6 +77,9 @@ namespace Signorini
     void
     evaluate(
       const LA::Vector &u, LA::Vector &p, LA::Vector &active, NewtonReport &report, Stage &stage);
+    /// The normal stress of the bodies at the contact points.
+    LA::Vector
+    stress(const LA::Vector &u) const;
     /// Is that the solution, or why will there be none? Or it is that of an augmentation, and the
     /// next one starts.
     void

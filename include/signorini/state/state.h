@@ -12,6 +12,7 @@ namespace Signorini
   {
     LA::Vector   displacement; ///< of all degrees of freedom, without ghosts
     SurfaceField contact;
+    LA::Vector   bulk_stress; ///< coefficients, on this mesh; empty: zero
     double       time = 0;
     unsigned int step = 0; ///< load steps up to that time
   };

@@ -2,6 +2,7 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/reactions.h>
 #include <signorini/elasticity/stress.h>
+#include <signorini/fields/contact_force.h>
 #include <signorini/fields/probes.h>
 
 #include <cmath>
@@ -113,10 +114,7 @@ namespace Signorini
   Functional
   reaction(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &)
   {
-    const auto forces =
-      reactions(s.elasticity,
-                s.displacement,
-                s.contact.total_force(s.pressure, s.contact.stress(s.displacement)));
+    const auto     forces = reactions(s.elasticity, s.displacement, contact_force(s));
     Tensor<1, dim> force;
     for (unsigned int i = 0; i < s.elasticity.supports().size(); ++i)
       if (s.elasticity.supports()[i].name == name.of)

@@ -73,6 +73,7 @@ namespace Signorini
     void
     set_stress(const SparseRow    &own,
                const SparseRow    &own_thermal,
+               const SparseRow    &own_bulk,
                const double        own_bound,
                const Partner<dim> &partner,
                const bool          own_alone,
@@ -92,6 +93,7 @@ namespace Signorini
       };
       point.stress         = mean(own, partner.stress);
       point.thermal_stress = mean(own_thermal, partner.thermal_stress);
+      point.bulk_stress    = mean(own_bulk, partner.bulk_stress);
       point.bound          = share * own_bound;
     }
 
@@ -219,6 +221,7 @@ namespace Signorini
         const Tensor<1, dim> n     = rest.normal(paired.xi);
         set_stress(stress.row(place, paired.partner.normal, n),
                    stress.thermal_row(place, paired.partner.normal, n),
+                   stress.bulk_row(place, paired.partner.normal, n),
                    bound(stress, paired.face),
                    paired.partner,
                    method.unbiased(),

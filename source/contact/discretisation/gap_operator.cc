@@ -1,7 +1,7 @@
 #include <signorini/contact/discretisation/contact_rows.h>
 #include <signorini/contact/discretisation/face_matrices.h>
 #include <signorini/contact/discretisation/gap_operator.h>
-#include <signorini/contact/discretisation/thermal_stress.h>
+#include <signorini/contact/discretisation/stress_of_fields.h>
 #include <signorini/contact/discretisation/tied_columns.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/elasticity/cell_nodes.h>
@@ -193,7 +193,7 @@ namespace Signorini
       contact, rows, surfaces, method, elasticity.mesh().size(), !configuration.is_rest(), comm);
     normalise(contact);
     if (contact.has_stress())
-      assemble_thermal_stress(elasticity.thermal(), rows, surfaces, contact);
+      assemble_stress_of_fields(elasticity, rows, surfaces, contact);
     auto pair = rows.pair.begin();
     for (const auto i : rows.owned)
       {
@@ -275,13 +275,15 @@ namespace Signorini
 
 
   LA::Vector
-  GapOperator::stress(const LA::Vector &u) const
+  GapOperator::stress(const LA::Vector &u, const LA::Vector &m) const
   {
     LA::Vector s = zero();
     if (has_stress() && !empty())
       S.vmult(s, u);
     if (thermal_stress.size() > 0)
       s += thermal_stress;
+    if (has_bulk_stress())
+      S_bulk.vmult_add(s, m);
     return s;
   }
 
@@ -302,13 +304,33 @@ namespace Signorini
     B_or_free.Tvmult(result, weighted);
     if (theta == 0)
       return result;
-    for (const auto i : weighted.locally_owned_elements())
-      weighted(i) = theta * weight(i) / coefficients.epsilon(i) * (s(i) - p(i));
-    weighted.compress(VectorOperation::insert);
     LA::Vector of_stress;
     of_stress.reinit(result);
-    S_or_free.Tvmult(of_stress, weighted);
+    S_or_free.Tvmult(of_stress, lack_of_stress(p, s));
     result += of_stress;
+    return result;
+  }
+
+
+
+  LA::Vector
+  GapOperator::lack_of_stress(const LA::Vector &p, const LA::Vector &s) const
+  {
+    LA::Vector result = zero();
+    for (const auto i : result.locally_owned_elements())
+      result(i) = theta * weight(i) / coefficients.epsilon(i) * (s(i) - p(i));
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  LA::Vector
+  GapOperator::force_on_bulk(const LA::Vector &p, const LA::Vector &s) const
+  {
+    LA::Vector result(S_bulk.locally_owned_domain_indices(), weight.get_mpi_communicator());
+    if (theta != 0)
+      S_bulk.Tvmult(result, lack_of_stress(p, s));
     return result;
   }
 
@@ -355,8 +377,8 @@ namespace Signorini
   GapOperator::memory() const
   {
     std::size_t bytes = 0;
-    for (const LA::SparseMatrix *matrix :
-         std::initializer_list<const LA::SparseMatrix *>{&B, &B_free, &S, &S_free, &S_thermal})
+    for (const LA::SparseMatrix *matrix : std::initializer_list<const LA::SparseMatrix *>{
+           &B, &B_free, &S, &S_free, &S_thermal, &S_bulk})
       if (matrix->m() > 0)
         bytes += LA::memory(*matrix);
     if (moved.G)

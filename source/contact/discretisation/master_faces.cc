@@ -54,6 +54,7 @@ namespace Signorini
         const Tensor<1, dim>  at_rest = boundary.rest[i].normal(xi);
         partner.stress                = stress->row(place, -n, at_rest);
         partner.thermal_stress        = stress->thermal_row(place, -n, at_rest);
+        partner.bulk_stress           = stress->bulk_row(place, -n, at_rest);
         partner.bound                 = bound(*stress, i);
       }
 

@@ -149,6 +149,54 @@ namespace Signorini
 
 
   template <int dim>
+  SparseRow
+  NormalStress<dim>::bulk_row(const Point<dim>     &unit_point,
+                              const Tensor<1, dim> &n,
+                              const Tensor<1, dim> &m) const
+  {
+    const BulkStress<dim> &bulk = elasticity.bulk_stress();
+    if (!bulk.is_on(*cell))
+      return {};
+    const auto  phi    = bulk.functions(*cell, position(unit_point));
+    const auto &number = bulk.indices(*cell);
+    SparseRow   result;
+    for (unsigned int i = 0; i < phi.size(); ++i)
+      result.emplace_back(number[i], phi[i] * (n * m));
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  NormalStress<dim>::bound_of_bulk_stress(const unsigned int face) const
+  {
+    const BulkStress<dim> &bulk = elasticity.bulk_stress();
+    if (!bulk.is_on(*cell))
+      return 0;
+    constexpr unsigned int n = BulkStress<dim>::functions_a_cell;
+    const QGauss<dim - 1>  rule(3);
+    const FacePatch<dim>   patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
+    Eigen::MatrixXd        values(n, rule.size()); // times the square roots of the areas
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const Point<dim> x    = patch.position(rule.point(q));
+        const auto       phi  = bulk.functions(*cell, x);
+        const double     root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
+                                      measure(elasticity.model(), x));
+        for (unsigned int i = 0; i < n; ++i)
+          values(i, q) = root * phi[i];
+      }
+    return 2 * elasticity.material(cell->material_id()).mu() / bulk.size(*cell) *
+           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(values * values.transpose(),
+                                                          Eigen::EigenvaluesOnly)
+             .eigenvalues()
+             .maxCoeff();
+  }
+
+
+
+  template <int dim>
   double
   NormalStress<dim>::bound(const unsigned int face)
   {
@@ -181,10 +229,11 @@ namespace Signorini
     for (unsigned int i = 0; i < n; ++i)
       scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
     const Eigen::MatrixXd scaled = stress * modes.eigenvectors() * scale.asDiagonal();
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled * scaled.transpose(),
+    return bound_of_bulk_stress(face) +
+           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled * scaled.transpose(),
                                                           Eigen::EigenvaluesOnly)
-      .eigenvalues()
-      .maxCoeff();
+             .eigenvalues()
+             .maxCoeff();
   }
 
 

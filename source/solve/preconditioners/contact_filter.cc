@@ -70,7 +70,8 @@ namespace Signorini
   void
   ContactFilter::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
-    if (zone->size() > 0 && !system.free_motions().empty())
+    // The bulk stress of mixed bodies leaves forces on the zone in each application.
+    if (zone->size() > 0 && (!system.free_motions().empty() || system.bulk()))
       filter_first(dst, src);
     else
       cycle_and_filter(dst, src);

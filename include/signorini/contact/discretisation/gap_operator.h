@@ -75,7 +75,8 @@ namespace Signorini
   ///
   /// With Nitsche's method there is also the normal stress s = S u + s_0 of the bodies at the
   /// points, positive in compression, and p exerts B^T W p + theta S^T W (s - p)/eps. s_0 comes
-  /// with thermal strain.
+  /// with thermal strain; and of mixed bodies, with their bulk stress m, s has T m beside, and p
+  /// exerts theta T^T W (s - p)/eps on m.
   struct GapOperator
   {
     dealii::IndexSet dofs; ///< locally owned degrees of freedom
@@ -86,6 +87,7 @@ namespace Signorini
     LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
     LA::SparseMatrix S_thermal; ///< s_0 by ThermalStrain::coefficients(); empty: no body expands
     LA::Vector       thermal_stress; ///< s_0; empty: zero
+    LA::SparseMatrix S_bulk;         ///< T, by BulkStress::coefficients(); empty: no body is mixed
     double           theta = 0;      ///< see above
     bool       tied = false; ///< B refers to components that supports tie to others, see B_free
     LA::Vector weight;       ///< area of each point; sums up to the slave area that has a partner
@@ -110,15 +112,20 @@ namespace Signorini
     LA::Vector
     gap(const LA::Vector &u) const;
 
-    /// S u + s_0, the normal stress of the bodies; zero if there is no S.
+    /// S u + s_0 + T m, the normal stress of the bodies; zero if there is no S.
+    /// @param m BulkStress::coefficients(); ignored without T
     LA::Vector
-    stress(const LA::Vector &u) const;
+    stress(const LA::Vector &u, const LA::Vector &m = LA::Vector()) const;
 
     /// The force on the free degrees of freedom. @param s normal stress; ignored without theta
     LA::Vector
     force(const LA::Vector &p, const LA::Vector &s) const;
 
-    /// The same on prescribed degrees of freedom too.
+    /// The one on the bulk stress of mixed bodies, which must be there.
+    LA::Vector
+    force_on_bulk(const LA::Vector &p, const LA::Vector &s) const;
+
+    /// The same as force() on prescribed degrees of freedom too.
     LA::Vector
     total_force(const LA::Vector &p, const LA::Vector &s) const;
 
@@ -165,7 +172,17 @@ namespace Signorini
       return S.m() > 0;
     }
 
+    /// It depends on the bulk stress of mixed bodies.
+    bool
+    has_bulk_stress() const
+    {
+      return S_bulk.m() > 0;
+    }
+
   private:
+    /// What S^T is applied to: theta W (s - p)/eps.
+    LA::Vector
+    lack_of_stress(const LA::Vector &p, const LA::Vector &s) const;
     LA::Vector
     transposed(const LA::SparseMatrix &B_or_free,
                const LA::SparseMatrix &S_or_free,

@@ -35,13 +35,21 @@ namespace Signorini
                 const dealii::Tensor<1, dim> &n,
                 const dealii::Tensor<1, dim> &m) const;
 
+    /// The same of the bulk stress, in terms of BulkStress::coefficients(). Empty if the body is
+    /// not mixed.
+    SparseRow
+    bulk_row(const dealii::Point<dim>     &unit_point,
+             const dealii::Tensor<1, dim> &n,
+             const dealii::Tensor<1, dim> &m) const;
+
     /// The smallest C with
     ///
     ///   int_F (n . sigma(u) n)^2 dA <= C int_T sigma(u) : eps(u) dV
     ///
     /// for all displacements u of the cell T, n being the normal of its face F: the largest
     /// eigenvalue of the generalised problem, which is of the order of E/h [force/length^3]
-    /// (thesis 3.5; Griebel, Schweitzer, Geometric Analysis and Nonlinear PDE (2002) 519-542).
+    /// (thesis 3.5; Griebel, Schweitzer, Geometric Analysis and Nonlinear PDE (2002) 519-542). In
+    /// mixed bodies the same of the bulk stress is added, with int_T m^2/(2 mu) dV.
     double
     bound(unsigned int face);
 
@@ -51,6 +59,9 @@ namespace Signorini
     coefficients(const dealii::Point<dim>     &unit_point,
                  const dealii::Tensor<1, dim> &n,
                  const dealii::Tensor<1, dim> &m) const;
+
+    double
+    bound_of_bulk_stress(unsigned int face) const;
 
     dealii::Point<dim>
     position(const dealii::Point<dim> &unit_point) const;

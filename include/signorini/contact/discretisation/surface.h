@@ -49,6 +49,7 @@ namespace Signorini
     // For methods that predict the pressure by the stress of the bodies:
     SparseRow stress;         ///< normal stress, positive in compression, a mean of both bodies
     SparseRow thermal_stress; ///< likewise that of rises, of ThermalStrain::coefficients()
+    SparseRow bulk_stress;    ///< likewise that of BulkStress::coefficients()
     double    bound = 0;      ///< of its square by the energy of the cells [force/length^3]
 
     GapBend<dim> bend; ///< where surfaces have moved

@@ -97,6 +97,7 @@ namespace Signorini
     SparseRow stress;
     /// That of the rises of the temperature, in terms of ThermalStrain::coefficients().
     SparseRow    thermal_stress;
+    SparseRow    bulk_stress; ///< that of mixed bodies, in terms of BulkStress::coefficients()
     GapBend<dim> bend; ///< where surfaces have moved; its factors not yet, see bend_of_bodies()
 
     template <class Archive>
@@ -108,6 +109,7 @@ namespace Signorini
       serialize_bytes(ar, rigid);
       serialize_bytes(ar, stress);
       serialize_bytes(ar, thermal_stress);
+      serialize_bytes(ar, bulk_stress);
       ar &bend;
     }
   };

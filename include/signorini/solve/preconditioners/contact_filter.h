@@ -15,8 +15,8 @@ namespace Signorini
   /// After F the residual vanishes on the zone. It does so for the start value, hence for all
   /// residuals of a Krylov method, for which the first F is void: what remains is one multigrid
   /// cycle and one F an application. Springs against free motions, which F has and the system has
-  /// not, leave a little on the zone, on meshes of a few cells not so little: then, the first F is
-  /// made too.
+  /// not, leave a little on the zone, on meshes of a few cells not so little; the bulk stress of
+  /// mixed bodies leaves much: then, the first F is made too.
   ///
   /// On saddle points F keeps the constraints, A B du = A g from the start on: all that CG sees is
   /// the energy on their null space, where F-V-F is symmetric and positive definite (a constraint

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <signorini/contact/discretisation/contact_rows.h>
+#include <signorini/contact/discretisation/gap_operator.h>
+
+namespace Signorini
+{
+  /// Assemble how the normal stress at the contact points depends on fields beside the
+  /// displacement, once the points' areas are known: GapOperator::S_thermal on the rises of the
+  /// temperature, nothing if no body expands; S_bulk on the bulk stress, nothing if no body is
+  /// mixed.
+  template <int dim>
+  void
+  assemble_stress_of_fields(const Elasticity<dim>                  &elasticity,
+                            const ContactRows                      &rows,
+                            const std::vector<ContactSurface<dim>> &surfaces,
+                            GapOperator                            &contact);
+} // namespace Signorini

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <signorini/scene/scene.h>
+
+namespace Signorini
+{
+  /// Which bodies are mixed: those that the user wants to be, and those that displacements alone
+  /// would lock or take hundreds of iterations for, if nothing in the scene is against it. A mixed
+  /// body has Degree = 2 where nobody says it. Throws SceneError where that is impossible.
+  /// @param has_degree the user has set Mesh/Degree
+  template <int dim>
+  void
+  choose_formulations(Scene<dim> &scene, bool has_degree);
+} // namespace Signorini

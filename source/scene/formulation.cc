@@ -1,0 +1,62 @@
+#include <signorini/scene/formulation.h>
+
+namespace Signorini
+{
+  namespace
+  {
+    /// From here on degree 1 is too stiff by several per cent, and multigrid takes twice the
+    /// iterations.
+    constexpr double nearly_incompressible = 0.48;
+
+    /// What keeps a body from being mixed, and the cure; empty: nothing.
+    template <int dim>
+    std::string
+    obstacle_to_mixed(const Scene<dim> &scene, const Body<dim> &body, const bool has_degree)
+    {
+      if (body.degree == 1 || (body.degree == 0 && has_degree && scene.degree == 1))
+        return "degree 1 has no stable bulk stress; set Degree = 2";
+      if (!(body.material.poissons_ratio > 0))
+        return "needs a Poisson's ratio above 0";
+      if (model_of(scene.model) == Model::plane_stress)
+        return "a sheet, with Model = plane stress, is free to become thinner; take displacement";
+      if (scene.deformation == Deformation::finite && body.material.law == "Saint Venant-Kirchhoff")
+        return "Law = Saint Venant-Kirchhoff has no volumetric part; take neo-Hooke";
+      if (!scene.goals.quantities.empty() || scene.goals.has_targets())
+        return "errors of the bulk stress are not estimated; take Accuracy/Quantity and Target "
+               "error out";
+      return {};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  choose_formulations(Scene<dim> &scene, const bool has_degree)
+  {
+    for (Body<dim> &body : scene.bodies)
+      {
+        Material         &material = body.material;
+        const std::string obstacle = obstacle_to_mixed(scene, body, has_degree),
+                          place    = "Bodies/" + body.name;
+        if (material.formulation == Formulation::mixed && !obstacle.empty())
+          throw SceneError(place + "/Formulation = mixed: " + obstacle);
+        material.is_mixed = material.formulation == Formulation::mixed ||
+                            (material.formulation == Formulation::automatic &&
+                             material.poissons_ratio >= nearly_incompressible && obstacle.empty());
+        if (!material.is_mixed && material.poissons_ratio == 0.5)
+          throw SceneError(place + "/Poisson's ratio = 0.5 is for Formulation = mixed" +
+                           (obstacle.empty() ? "" : ", but " + obstacle) +
+                           "; or take a Poisson's ratio below 0.5");
+        if (material.is_mixed && body.degree == 0 && (!has_degree || scene.degree == 0))
+          body.degree = 2;
+      }
+  }
+
+
+
+  template void
+  choose_formulations(Scene<2> &, bool);
+  template void
+  choose_formulations(Scene<3> &, bool);
+} // namespace Signorini

@@ -1,0 +1,31 @@
+#include <signorini/linear_algebra/values.h>
+#include <signorini/solve/preconditioners/bulk_schur.h>
+
+namespace Signorini
+{
+  BulkSchur::BulkSchur(const ContactSystem            &system,
+                       const BulkCoupling             &bulk,
+                       std::unique_ptr<Preconditioner> others)
+    : bulk(bulk)
+    , others(std::move(others))
+    , rest(system.zero())
+  {}
+
+
+
+  void
+  BulkSchur::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    LA::Vector          m       = src.block(2);
+    double *const       values  = LA::values_of(m);
+    const double *const divisor = LA::values_of(bulk.schur);
+    for (unsigned int i = 0; i < m.locally_owned_size(); ++i)
+      values[i] /= divisor[i];
+    rest          = src;
+    rest.block(2) = 0;
+    bulk.B.Tvmult_add(rest.block(0), m); // r_u - B^T (-m)
+    others->vmult(dst, rest);
+    dst.block(2) = m;
+    dst.block(2) *= -1;
+  }
+} // namespace Signorini

@@ -1,0 +1,266 @@
+// Bodies with a bulk stress of their own: its functions, the derivatives of its equations, and that
+// the pair is stable.
+
+#include <signorini/body_setup.h>
+#include <signorini/elasticity/rigid_body_modes.h>
+#include <signorini/linear_algebra/direct_solver.h>
+#include <signorini/solve/finite_bodies.h>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "small_scene.h"
+#include <Eigen/Dense>
+
+using namespace TestScene;
+
+namespace
+{
+  /// A mixed body with hanging nodes beside one that is not; cells of the first are no
+  /// parallelograms.
+  template <int dim>
+  Lines
+  two_bodies(const std::string &deformation)
+  {
+    const bool plane = dim == 2;
+    return {"Dimension=" + std::to_string(dim),
+            "Deformation=" + deformation,
+            "Bodies/Names=body,other",
+            "Bodies/body/Mesh=box",
+            plane ? "Bodies/body/Corners=0,0 : 2,1" : "Bodies/body/Corners=0,0,0 : 2,1,1",
+            plane ? "Bodies/body/Subdivisions=4,2" : "Bodies/body/Subdivisions=2,1,1",
+            plane ? "Bodies/body/Transformation=x + 0.1*x*y; y + 0.1*x*y" :
+                    "Bodies/body/Transformation=x + 0.1*x*y; y + 0.1*x*z; z",
+            "Bodies/body/Young's modulus=3",
+            "Bodies/body/Poisson's ratio=0.499",
+            "Bodies/other/Mesh=box",
+            plane ? "Bodies/other/Corners=3,0 : 4,1" : "Bodies/other/Corners=3,0,0 : 4,1,1",
+            "Bodies/other/Young's modulus=3",
+            "Bodies/other/Poisson's ratio=0.3",
+            "Supports/Names=base",
+            "Supports/base/Boundaries=body.bottom, other.bottom",
+            plane ? "Supports/base/Displacement=0; 0.01" : "Supports/base/Displacement=0; 0; 0.01",
+            "Mesh/Distribution=p4est",
+            "Mesh/Zones/Names=corner",
+            "Mesh/Zones/corner/Bodies=body",
+            "Mesh/Zones/corner/Where=0.8 - x"};
+  }
+
+  /// The same on any number of ranks, but for the numbering.
+  LA::Vector
+  rough_stress(const LA::Vector &zero, const double amplitude)
+  {
+    LA::Vector m = zero;
+    for (const auto i : m.locally_owned_elements())
+      m(i) = amplitude * std::sin(3.7 * i + 0.4);
+    m.compress(VectorOperation::insert);
+    return m;
+  }
+
+  double
+  difference(LA::Vector a, const LA::Vector &b)
+  {
+    a -= b;
+    return a.linfty_norm();
+  }
+
+  template <int dim>
+  void
+  check_functions()
+  {
+    CAPTURE(dim);
+    SmallScene<dim>        scene(two_bodies<dim>("small"));
+    const BulkStress<dim> &bulk = scene.elasticity->bulk_stress();
+    CHECK(scene.elasticity->degree(0) == 2);
+    CHECK(scene.elasticity->degree(1) == 1);
+    FEValues<dim> values(scene.mesh->mapping(),
+                         scene.elasticity->finite_elements()[0],
+                         QGauss<dim>(3),
+                         update_quadrature_points | update_JxW_values);
+    double        wrong = 0;
+    unsigned int  n     = 0;
+    for (const auto &cell : scene.mesh->triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          if (cell->material_id() != 0)
+            {
+              wrong += bulk.is_on(*cell) + std::abs(bulk.value(*cell, cell->center()));
+              continue;
+            }
+          ++n;
+          values.reinit(cell);
+          FullMatrix<double> products(dim + 1, dim + 1);
+          for (const unsigned int q : values.quadrature_point_indices())
+            {
+              const auto phi = bulk.functions(*cell, values.quadrature_point(q));
+              for (unsigned int i = 0; i <= dim; ++i)
+                for (unsigned int j = 0; j <= dim; ++j)
+                  products(i, j) += values.JxW(q) * phi[i] * phi[j];
+            }
+          for (unsigned int i = 0; i <= dim; ++i)
+            products(i, i) -= bulk.size(*cell);
+          wrong = std::max(wrong, products.linfty_norm() / bulk.size(*cell));
+        }
+    CHECK(wrong < 1e-13);
+    CHECK(bulk.zero_vector().size() == (dim + 1) * Utilities::MPI::sum(n, MPI_COMM_WORLD));
+  }
+
+  /// On a mesh with hanging nodes, whose values Newton's method does not know.
+  template <int dim>
+  void
+  check_derivatives(const bool is_finite, const Lines &more_lines = {})
+  {
+    CAPTURE(dim);
+    CAPTURE(is_finite);
+    CAPTURE(more_lines);
+    constexpr double h = 1e-6;
+    SmallScene<dim>  scene(two_bodies<dim>(is_finite ? "finite" : "small") + more_lines);
+    BulkBalance<dim> balance(*scene.elasticity);
+    BulkStress<dim> &bulk = scene.elasticity->bulk_stress();
+    const LA::Vector u = scene.rough_field(0.005, 0.3), v = scene.rough_field(0.005, 0.7);
+    LA::Vector       more = u, less = u, Bv = bulk.zero_vector();
+    more.add(h, v);
+    less.add(-h, v);
+
+    // B is the derivative of int phi theta, and C m that by m.
+    balance.linearise(u);
+    balance.coupling().B.vmult(Bv, v);
+    LA::Vector change = balance.residual(less);
+    change -= balance.residual(more);
+    change /= 2 * h;
+    CHECK(Bv.linfty_norm() > 0);
+    CHECK(difference(change, Bv) < 1e-7 * Bv.linfty_norm());
+    const LA::Vector m = rough_stress(bulk.zero_vector(), 0.1), before = balance.residual(u);
+    balance.add(1, m);
+    change = balance.residual(u);
+    change -= before;
+    LA::Vector Cm = m;
+    Cm.scale(balance.coupling().compliance);
+    CHECK(difference(change, Cm) < 1e-12);
+
+    // From a former solution the linearisation there, once.
+    LA::Vector nothing = scene.elasticity->zero_vector();
+    scene.elasticity->distribute(nothing);
+    balance.linearise(nothing);
+    balance.coupling().B.vmult(Bv, v);
+    LA::Vector at_rest = balance.residual(nothing);
+    balance.start_from(nothing);
+    change = balance.residual(nothing);
+    change -= balance.residual(v);
+    CHECK(difference(change, Bv) < 1e-12);
+    if (!is_finite)
+      return;
+
+    // The forces of m, and what it does to the tangent.
+    FiniteBodies<dim> bodies(*scene.elasticity, bodies_of_dofs(*scene.elasticity), scene.timer);
+    LA::Vector        force = bodies.residual(u), Bm = scene.elasticity->zero_vector();
+    balance.linearise(nothing); // takes the start away
+    balance.linearise(u);
+    balance.coupling().B.Tvmult(Bm, m);
+    balance.add(-1, m);
+    force.sadd(-1, 1, bodies.residual(u));
+    scene.elasticity->constraints().set_zero(force);
+    CHECK(difference(force, Bm) < 1e-12);
+    balance.add(1, m);
+
+    LA::Vector Kv = u;
+    bodies.linearise(u);
+    bodies.stiffness().vmult(Kv, v);
+    scene.elasticity->constraints().set_zero(Kv);
+    change = bodies.residual(less);
+    change -= bodies.residual(more);
+    change /= 2 * h;
+    scene.elasticity->constraints().set_zero(change);
+    CHECK(difference(change, Kv) < 1e-7 * Kv.linfty_norm());
+  }
+
+  /// Eigenvalues of S^-1 (C + B K^-1 B^T), S the diagonal that stands for it. By the serial solver.
+  std::pair<double, double>
+  extremes_of_schur(const Lines &lines)
+  {
+    SmallScene<2>  scene(lines);
+    BulkBalance<2> balance(*scene.elasticity);
+    balance.linearise(scene.elasticity->zero_vector());
+    const BulkCoupling &coupling = balance.coupling();
+    LA::DirectSolver    solver(LA::DirectLibrary::KLU);
+    REQUIRE(solver.factorise(scene.elasticity->stiffness()) == 0);
+    const unsigned int n = coupling.schur.size();
+    Eigen::MatrixXd    schur(n, n);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        LA::Vector one = scene.elasticity->bulk_stress().zero_vector(), column = one;
+        if (one.locally_owned_elements().is_element(j))
+          one(j) = 1;
+        one.compress(VectorOperation::insert);
+        LA::Vector f = scene.elasticity->zero_vector(), u = f;
+        coupling.B.Tvmult(f, one);
+        solver.solve(u, f);
+        coupling.B.vmult(column, u);
+        one.scale(coupling.compliance);
+        column += one;
+        const Values values = everywhere(column), sizes = everywhere(coupling.schur);
+        for (unsigned int i = 0; i < n; ++i)
+          schur(i, j) = values[i] / std::sqrt(sizes[i] * sizes[j]);
+      }
+    const Eigen::VectorXd eigenvalues =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(schur).eigenvalues();
+    return {eigenvalues.minCoeff(), eigenvalues.maxCoeff()};
+  }
+
+  Lines
+  skewed_block(const unsigned int cells, const std::string &ratio, const std::string &model)
+  {
+    const std::string n = std::to_string(cells);
+    return {"Dimension=2",
+            "Model=" + model,
+            "Bodies/Names=body",
+            "Bodies/body/Mesh=box",
+            "Bodies/body/Corners=1,0 : 2,1",
+            "Bodies/body/Subdivisions=" + n + "," + n,
+            "Bodies/body/Transformation=x + 0.06*sin(14*y); y + 0.06*sin(11*x)",
+            "Bodies/body/Young's modulus=3",
+            "Bodies/body/Poisson's ratio=" + ratio,
+            "Bodies/body/Formulation=mixed",
+            "Supports/Names=base",
+            "Supports/base/Boundaries=body.bottom",
+            "Supports/base/Displacement=0; 0"};
+  }
+} // namespace
+
+
+
+TEST_CASE("functions of the bulk stress are orthogonal, and of mixed bodies alone")
+{
+  check_functions<2>();
+  check_functions<3>();
+}
+
+
+
+TEST_CASE("equations of the bulk stress are linearised, with hanging nodes too")
+{
+  for (const bool is_finite : {false, true})
+    {
+      check_derivatives<2>(is_finite);
+      check_derivatives<2>(is_finite, {"Model=axisymmetric"});
+      check_derivatives<3>(is_finite);
+    }
+}
+
+
+
+TEST_CASE("displacement and bulk stress are a stable pair, whatever Poisson's ratio is")
+{
+  for (const std::string model : {"plane strain", "axisymmetric"})
+    for (const std::string ratio : {"0.3", "0.5"})
+      for (const unsigned int cells : {2, 5})
+        {
+          CAPTURE(model);
+          CAPTURE(ratio);
+          CAPTURE(cells);
+          const auto [least, largest] = extremes_of_schur(skewed_block(cells, ratio, model));
+          CHECK(least > 0.4);                                 // it does not fall with h
+          CHECK(largest < (model == "axisymmetric" ? 3 : 2)); // of (tr eps)^2 <= n eps : eps
+        }
+}
