@@ -189,12 +189,15 @@ namespace Signorini
           {
             read_indices<dim>(cell, indices);
             bool loaded = load_kernel.assemble(cell, cell_load);
-            values.reinit(indices.size());
-            cell->get_dof_values(displacement, values);
-            if (pressures.assemble(cell, values, of_pressure))
+            if (!pressures.empty())
               {
-                cell_load += of_pressure;
-                loaded = true;
+                values.reinit(indices.size());
+                cell->get_dof_values(displacement, values);
+                if (pressures.assemble(cell, values, of_pressure))
+                  {
+                    cell_load += of_pressure;
+                    loaded = true;
+                  }
               }
             const bool supported = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
               return elasticity.constraints().is_constrained(i);

@@ -56,6 +56,22 @@ def iterations(scene, sets, most):
     return body
 
 
+def thermal(scene, *bodies):
+    """What scenes expect of displacements they expect of mixed bodies too: with thermal strain."""
+    def body(test):
+        test.results(SCENES / f"{scene}.prm", mixed(*bodies), ranks=2, missed=False)
+    return body
+
+
+def steps(test):
+    """Rubber squeezed by a quarter: the same in one load step and in three, and what two other programs agree on."""
+    forces = [test.results(RING, ["Mesh/Degree=2", f"Load steps/Number={n}"])["load_steps"][-1]["pairs"]["contact"]["normal_force"]
+              for n in (1, 3)]
+    test.print(f"{forces[0]:.12g} in one step, {forces[1]:.12g} in three")
+    test.check(abs(forces[1] / forces[0] - 1) <= 1e-7, "the number of load steps matters")
+    test.check(abs(2 * forces[0] / 0.43515 - 1) <= 5e-4, f"the force is {2 * forces[0]:.6g} instead of 0.43515")
+
+
 def same_law(test):
     """Far from the limit both formulations converge to the same: of a curved contact, within what meshes leave."""
     sets = ["Definitions/nu=0.3", "Mesh/Degree=2", "Mesh/Refinements=1"]
@@ -81,3 +97,6 @@ def cases():
         yield Case("mixed/iterations", short(one),
                    iterations("hertz-half-space", ["Mesh/Degree=2", "Bodies/block/Formulation=mixed", *method(one)], 45), labels={"full"})
     yield Case("mixed/limits", "same-law", same_law)
+    yield Case("mixed/limits", "steps", steps)
+    for scene, *bodies in (("thermal-patch-2d", "lower", "upper"), ("thermal-lift", "block"), ("thermal-rings-axisymmetric", "inner", "outer")):
+        yield Case("mixed/thermal", scene, thermal(scene, *bodies), ranks=2)

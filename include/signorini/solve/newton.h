@@ -15,9 +15,9 @@ namespace Signorini
   /// Full steps, which find the active set in a few, until one comes up again. If it still does
   /// with finer linear solves, then from there on
   /// methods with multipliers change one point at a time, the worst; the others minimise a convex
-  /// energy (but for Nitsche's method with theta = 0 or -1), along which each step is searched
-  /// exactly: it costs vectors of the surface only. If the method augments, one solution follows
-  /// the other.
+  /// energy (but for Nitsche's method with theta = 0 or -1, and mixed bodies), along which each
+  /// step is searched exactly: it costs vectors of the surface only. If the method augments, one
+  /// solution follows the other.
   class Newton
   {
   public:
