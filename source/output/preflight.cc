@@ -359,7 +359,8 @@ namespace Signorini
       for (const Body<dim> &body : scene.bodies)
         {
           const unsigned int p = *degree++;
-          if (body.material.poissons_ratio <= 0.49 || body.material.is_mixed)
+          if (body.material.poissons_ratio <= 0.49 || body.material.is_mixed ||
+              model_of(scene.model) == Model::plane_stress) // free to become thinner
             continue;
           if (p == 1)
             warnings.push_back("body " + body.name +
