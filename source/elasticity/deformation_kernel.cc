@@ -1,4 +1,5 @@
 #include <signorini/elasticity/deformation_kernel.h>
+#include <signorini/elasticity/gradient_at_point.h>
 #include <signorini/elasticity/scalar_elements.h>
 
 #include <stdexcept>
@@ -44,16 +45,7 @@ namespace Signorini
   Tensor<2, 3>
   DeformationKernel<dim>::gradient(const unsigned int q, const Vector<double> &u) const
   {
-    Tensor<2, dim> gradient;
-    Tensor<1, dim> value;
-    for (unsigned int i = 0; i < dofs->size() / dim; ++i)
-      for (unsigned int a = 0; a < dim; ++a)
-        {
-          const double at_node = u((*dofs)[i * dim + a]);
-          gradient[a] += at_node * values->shape_grad(i, q);
-          value[a] += at_node * values->shape_value(i, q);
-        }
-    return deformation_gradient(model, gradient, value, values->quadrature_point(q));
+    return gradient_at_point(model, *values, *dofs, q, u);
   }
 
 

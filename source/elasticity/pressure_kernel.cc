@@ -1,4 +1,4 @@
-#include <signorini/elasticity/deformation.h>
+#include <signorini/elasticity/gradient_at_point.h>
 #include <signorini/elasticity/not_finite.h>
 #include <signorini/elasticity/pressure_kernel.h>
 #include <signorini/elasticity/scalar_elements.h>
@@ -127,17 +127,8 @@ namespace Signorini
     const unsigned int n_nodes = dofs->size() / dim;
     for (const unsigned int q : values->quadrature_point_indices())
       {
-        const Point<dim> &x = values->quadrature_point(q);
-        Tensor<2, dim>    gradient;
-        Tensor<1, dim>    value;
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          for (unsigned int a = 0; a < dim; ++a)
-            {
-              const double at_node = u((*dofs)[i * dim + a]);
-              gradient[a] += at_node * values->shape_grad(i, q);
-              value[a] += at_node * values->shape_value(i, q);
-            }
-        const Tensor<2, 3> F = deformation_gradient(model, gradient, value, x), G = invert(F);
+        const Point<dim>  &x = values->quadrature_point(q);
+        const Tensor<2, 3> F = gradient_at_point(model, *values, *dofs, q, u), G = invert(F);
         const double       weight =
           -pressure(loads, x) * determinant(F) * values->JxW(q) * measure(model, x);
         // Among the components of the mesh: the hoop has no part in normals.

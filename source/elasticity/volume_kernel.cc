@@ -1,4 +1,4 @@
-#include <signorini/elasticity/deformation.h>
+#include <signorini/elasticity/gradient_at_point.h>
 #include <signorini/elasticity/scalar_elements.h>
 #include <signorini/elasticity/volume_kernel.h>
 
@@ -45,16 +45,8 @@ namespace Signorini
       slopes->reinit(n_functions, dofs.size());
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const Point<dim> &x = values.quadrature_point(q);
-        Tensor<2, dim>    gradient;
-        Tensor<1, dim>    value;
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          for (unsigned int a = 0; a < dim; ++a)
-            {
-              gradient[a] += u(dofs[i * dim + a]) * values.shape_grad(i, q);
-              value[a] += u(dofs[i * dim + a]) * values.shape_value(i, q);
-            }
-        const Tensor<2, 3> F           = deformation_gradient(model, gradient, value, x);
+        const Point<dim>  &x           = values.quadrature_point(q);
+        const Tensor<2, 3> F           = gradient_at_point(model, values, dofs, q, u);
         double             theta       = trace(F) - 3;
         Tensor<2, 3>       by_gradient = unit_symmetric_tensor<3>(); // [derivative][component]
         if (is_finite)

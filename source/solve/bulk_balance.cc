@@ -1,4 +1,5 @@
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/obeying.h>
 #include <signorini/linear_algebra/sparsity_pattern.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/solve/bulk_balance.h>
@@ -85,16 +86,6 @@ namespace Signorini
 
 
   template <int dim>
-  LA::Vector
-  BulkBalance<dim>::obeying(LA::Vector u) const
-  {
-    elasticity.distribute(u);
-    return elasticity.with_ghosts(u);
-  }
-
-
-
-  template <int dim>
   void
   BulkBalance<dim>::start_from(const LA::Vector &u)
   {
@@ -108,8 +99,9 @@ namespace Signorini
   BulkBalance<dim>::residual(const LA::Vector &u) const
   {
     const bool       extends = origin.size() > 0;
-    const LA::Vector next = obeying(u), at = extends ? elasticity.with_ghosts(origin) : next;
-    LA::Vector       result = elasticity.bulk_stress().coefficients();
+    const LA::Vector next    = obeying(elasticity, u),
+                     at      = extends ? elasticity.with_ghosts(origin) : next;
+    LA::Vector result        = elasticity.bulk_stress().coefficients();
     result.scale(my_coupling.compliance);
     Vector<double>     values, others, changes;
     FullMatrix<double> slopes;
@@ -144,7 +136,7 @@ namespace Signorini
     const LA::Vector there   = extends ? std::exchange(origin, LA::Vector()) : u;
     if (is_linearised && !elasticity.is_finite())
       return;
-    const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(there);
+    const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(elasticity, there);
     Vector<double>     values, changes;
     FullMatrix<double> slopes;
     std::vector<types::global_dof_index> indices;

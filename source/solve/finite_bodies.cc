@@ -1,4 +1,5 @@
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/obeying.h>
 #include <signorini/linear_algebra/diagonal.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/solve/finite_bodies.h>
@@ -72,22 +73,12 @@ namespace Signorini
 
   template <int dim>
   LA::Vector
-  FiniteBodies<dim>::obeying(LA::Vector u) const
-  {
-    elasticity.distribute(u);
-    return elasticity.with_ghosts(u);
-  }
-
-
-
-  template <int dim>
-  LA::Vector
   FiniteBodies<dim>::forces(const LA::Vector &u) const
   {
     TimerOutput::Scope scope(timer, "assembly");
     const bool         extends  = origin.size() > 0;
-    const LA::Vector   at       = extends ? elasticity.with_ghosts(origin) : obeying(u),
-                     change     = extends ? obeying(u) : LA::Vector();
+    const LA::Vector   at       = extends ? elasticity.with_ghosts(origin) : obeying(elasticity, u),
+                     change     = extends ? obeying(elasticity, u) : LA::Vector();
     LA::Vector         balanced = elasticity.zero_vector(), all = balanced, pushed = balanced;
     Vector<double>     values, others, of_cell, push;
     FullMatrix<double> tangent, of_push;
@@ -139,6 +130,8 @@ namespace Signorini
   void
   FiniteBodies<dim>::check_pressures() const
   {
+    if (pressures.empty())
+      return;
     for (const std::string &fault :
          Utilities::MPI::all_gather(K.get_mpi_communicator(), pressures.fault()))
       if (!fault.empty())
@@ -171,9 +164,11 @@ namespace Signorini
   void
   FiniteBodies<dim>::linearise(const LA::Vector &u)
   {
-    const bool       extends        = origin.size() > 0;
-    const LA::Vector there          = extends ? origin : u;
-    origin                          = LA::Vector();
+    const bool       extends = origin.size() > 0;
+    const LA::Vector there   = extends ? origin : u;
+    origin                   = LA::Vector();
+    if (my_bulk) // it takes its start away in any case
+      my_bulk->linearise(u);
     const unsigned int bulk_version = my_bulk ? my_bulk->version() : 0;
     if (linearised.size() > 0 && linearised_bulk == bulk_version)
       {
@@ -183,9 +178,7 @@ namespace Signorini
           return;
       }
     TimerOutput::Scope scope(timer, "assembly");
-    if (my_bulk)
-      my_bulk->linearise(u);
-    const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(there);
+    const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(elasticity, there);
     Vector<double>     values, of_cell, push;
     FullMatrix<double> tangent, of_push;
     std::string        folded;
@@ -220,13 +213,13 @@ namespace Signorini
     constexpr unsigned int most  = 6;
     constexpr double       least = 0.1; // of what the volume was before
     double                 step  = 1;
-    const LA::Vector       now   = obeying(u);
+    const LA::Vector       now   = obeying(elasticity, u);
     Vector<double>         values;
     for (unsigned int i = 0; i < most; ++i, step /= 2)
       {
         LA::Vector next = u;
         next.add(step, du);
-        const LA::Vector then  = obeying(next);
+        const LA::Vector then  = obeying(elasticity, next);
         bool             folds = false;
         for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
           values.reinit(indices.size());

@@ -173,6 +173,13 @@ namespace
     change /= 2 * h;
     scene.elasticity->constraints().set_zero(change);
     CHECK(difference(change, Kv) < 1e-7 * Kv.linfty_norm());
+
+    // A start is taken away where nothing has changed, too.
+    bodies.start_from(u);
+    bodies.linearise(u);
+    LA::Vector far = u;
+    far.add(0.5, v);
+    CHECK(difference(bodies.bulk()->residual(far), balance.residual(far)) == 0);
   }
 
   /// Eigenvalues of S^-1 (C + B K^-1 B^T), S the diagonal that stands for it. By the serial solver.

@@ -14,8 +14,7 @@ namespace Signorini
   class BulkBalance : public BulkEquations
   {
   public:
-    /// Null if no body is mixed. Refers to elasticity. Throws SceneError where nothing determines
-    /// the pressure of a body. Collective.
+    /// Null if no body is mixed. Refers to elasticity. Collective.
     static std::unique_ptr<BulkBalance<dim>>
     create(Elasticity<dim> &elasticity);
 
@@ -25,6 +24,7 @@ namespace Signorini
     start_from(const LA::Vector &u) override;
     LA::Vector
     residual(const LA::Vector &u) const override;
+    /// The first time, throws SceneError where nothing determines the pressure of a body.
     void
     linearise(const LA::Vector &u) override;
     LA::Vector
@@ -57,9 +57,6 @@ namespace Signorini
     /// folded. Throws SolverFailure then. Collective.
     void
     for_cells(const std::function<bool(const Cell &cell)> &visit) const;
-    /// With the values of constrained degrees of freedom, and ghosts.
-    LA::Vector
-    obeying(LA::Vector u) const;
     void
     make_pattern();
     /// The pressure of an incompressible body is known up to a constant only where supports leave

@@ -84,10 +84,6 @@ namespace Signorini
     for_cells(const std::function<void(const Cell                                         &cell,
                                        const std::vector<dealii::types::global_dof_index> &indices)>
                 &visit) const;
-    /// With the values of constrained degrees of freedom, which Newton's method leaves alone, and
-    /// ghosts.
-    LA::Vector
-    obeying(LA::Vector u) const;
     LA::Vector
     forces(const LA::Vector &u) const;
     /// Throws SceneError where a pressure is not a number. Collective.
