@@ -167,7 +167,7 @@ namespace Signorini
   void
   ContactSetup<dim>::build(const Configuration<dim> &configuration,
                            const bool                is_near,
-                           const bool                keep_rule)
+                           const bool                keeps_faces)
   {
     const ContactMethod &method = scene.contact.chosen();
     built_near                  = is_near;
@@ -181,7 +181,7 @@ namespace Signorini
       for (unsigned int i = 0; i < scene.pairs.size(); ++i)
         {
           my_surfaces.push_back(surface_of(
-            configuration, scene.pairs[i], of_pairs[i], keep_rule ? &former[i] : nullptr));
+            configuration, scene.pairs[i], of_pairs[i], keeps_faces ? &former[i] : nullptr));
           exchange_sides(configuration, i);
         }
     }

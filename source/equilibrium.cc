@@ -1,3 +1,4 @@
+#include <signorini/contact/methods/method.h>
 #include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/equilibrium.h>
 #include <signorini/matrix_free/make_stiffness.h>
@@ -5,6 +6,7 @@
 #include <signorini/solve/finite_bodies.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -246,12 +248,36 @@ namespace Signorini
           }
         build_contact();
       }
-    // What the surfaces will change anyway need not be known to the last digit.
-    constexpr double provisional = 1e-5;
-    const bool       is_first    = my_follows || scene.contact.geometry == ContactGeometry::updated;
-    if (!solve_in_place(t, is_first ? std::max(tolerance, provisional) : tolerance))
+    if (!solve_in_place(t, first_goal(tolerance)))
       return false;
     return my_follows || leaves_place() ? follow_surfaces(t, tolerance, false) : true;
+  }
+
+
+
+  template <int dim>
+  NewtonGoal
+  Equilibrium<dim>::first_goal(const double tolerance) const
+  {
+    // What the surfaces will change anyway need not be known to the last digit.
+    const double enough = elasticity.is_finite()                                           ? 1e-2 :
+                          my_follows || scene.contact.geometry == ContactGeometry::updated ? 1e-5 :
+                                                                                             0;
+    return {std::max(tolerance, enough)};
+  }
+
+
+
+  template <int dim>
+  NewtonGoal
+  Equilibrium<dim>::next_goal(const double tolerance, const double before) const
+  {
+    if (!elasticity.is_finite())
+      return {tolerance};
+    // Augmentations take several steps each.
+    if (scene.contact.chosen().predictor() == Predictor::last_pressure)
+      return {std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4)};
+    return {tolerance, 1};
   }
 
 
@@ -288,34 +314,38 @@ namespace Signorini
   bool
   Equilibrium<dim>::follow_surfaces(const double t, const double tolerance, const bool is_placed)
   {
-    constexpr unsigned int most       = 20;
-    const unsigned int     most_rules = elasticity.is_finite() ? 15 : 5;
-    const double           enough     = std::max(tolerance, scene.newton.of_geometry);
-    double                 before     = 0; // what was out of balance when surfaces were placed last
-    for (unsigned int n = 1; n <= most; ++n)
+    const bool             is_finite = elasticity.is_finite();
+    const unsigned int     most = is_finite ? 40 : 20, most_faces = is_finite ? 10 : 5;
+    const double           enough = std::max(tolerance, scene.newton.of_geometry);
+    const NewtonGoal       exact{tolerance}, one_step{tolerance, 1};
+    constexpr unsigned int patience = 8;
+    double                 before   = 0; // what was out of balance when surfaces were placed last
+    double                 least    = std::numeric_limits<double>::max(); // of placements so far
+    unsigned int           in_vain  = 0;                                  // placements since then
+    for (unsigned int n = 1; n <= most && in_vain < patience; ++n)
       {
-        const bool keep_rule = n > 1 && (n > most_rules || contact.has_settled(state.displacement));
         if (n > 1 || !is_placed)
           {
-            placed = state.displacement;
-            build_contact(true, keep_rule);
+            const bool keeps_faces = n > 1 && (n > most_faces || in_vain > patience / 2 ||
+                                               contact.has_settled(state.displacement));
+            placed                 = state.displacement;
+            build_contact(true, keeps_faces);
             steps_before = my_report.steps;
           }
-        // Large deformation: one step of Newton's method a placement, until surfaces nearly stay.
-        const double for_now = elasticity.is_finite() ?
-                                 std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4) :
-                                 tolerance;
-        if (!solve_in_place(t, for_now, true))
+        if (!solve_in_place(t, next_goal(tolerance, before), true))
           return false;
         const NewtonStep &first = my_report.steps[steps_before.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
         // What is left after this solution is less than at the rate of the last two placements,
         // since it falls by second order; forces of bodies feel up to ten times as much of it.
-        const bool is_last =
-          now <= enough || (now <= 0.1 * before && now * now <= 0.1 * enough * before);
-        if (is_last && (keep_rule || contact.has_settled(placed)))
-          return for_now == tolerance || solve_in_place(t, tolerance, true);
-        before = now;
+        // Large deformation may move the rims of two bodies past each other, which no tangent sees.
+        const bool is_foreseen =
+          !is_finite && now <= 0.1 * before && now * now <= 0.1 * enough * before;
+        if (now <= enough || is_foreseen)
+          return !is_finite || solve_in_place(t, {tolerance}, true);
+        before  = now;
+        in_vain = now < least ? 0 : in_vain + 1;
+        least   = std::min(least, now);
       }
     my_report.converged = false;
     my_report.reason =
@@ -330,11 +360,11 @@ namespace Signorini
 
   template <int dim>
   bool
-  Equilibrium<dim>::solve_in_place(const double t, const double tolerance, const bool is_near)
+  Equilibrium<dim>::solve_in_place(const double t, const NewtonGoal &goal, const bool is_near)
   {
     for (;;)
       {
-        solve_with_candidates(t, tolerance);
+        solve_with_candidates(t, goal);
         if (my_report.converged ? !contact.needs_more(state.displacement) :
                                   !my_report.is_loose || !contact.look_farther())
           return my_report.converged;
@@ -346,11 +376,11 @@ namespace Signorini
 
   template <int dim>
   void
-  Equilibrium<dim>::solve_with_candidates(const double t, const double tolerance)
+  Equilibrium<dim>::solve_with_candidates(const double t, const NewtonGoal &goal)
   {
     if (!solver)
-      make_solver(tolerance);
-    solver->set_tolerance(tolerance);
+      make_solver();
+    solver->set_goal(goal);
     clock.start();
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -375,7 +405,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Equilibrium<dim>::make_solver(const double tolerance)
+  Equilibrium<dim>::make_solver()
   {
     if (!bodies)
       assemble();
@@ -384,9 +414,7 @@ namespace Signorini
     if (!hierarchies)
       hierarchies.emplace(solver_settings(), bodies->stiffness(), elasticity);
     contact.turn_forces(pressure);
-    NewtonSettings settings = scene.newton;
-    settings.tolerance      = tolerance;
-    solver                  = std::make_unique<ContactSolver>(settings,
+    solver = std::make_unique<ContactSolver>(scene.newton,
                                              scene.solver,
                                              scene.contact.chosen(),
                                              *bodies,
@@ -466,14 +494,14 @@ namespace Signorini
 
   template <int dim>
   void
-  Equilibrium<dim>::build_contact(const bool is_near, const bool keep_rule)
+  Equilibrium<dim>::build_contact(const bool is_near, const bool keeps_faces)
   {
     forget_solver();
     clock.start();
     contact.build(placed.size() > 0 ? Configuration<dim>(elasticity, placed) :
                                       Configuration<dim>(elasticity),
                   is_near,
-                  keep_rule);
+                  keeps_faces);
     rows_of_places(state.contact, contact.gap_operator(), pressure, active);
     active = contact.gap_operator().zero(); // the law finds it better: there may be more points
     clock.stop();

@@ -34,10 +34,11 @@ namespace Signorini
     /// ask for it, while they are at rest. Throws SceneError where a pair that has to see its
     /// partner does not.
     /// @param is_near surfaces are about where they will be: few candidates are enough
-    /// @param keep_rule the points of integration are those of the last build(), which was on this
-    /// mesh and not at rest
+    /// @param keeps_faces points of integration stay with the faces that they have had since the
+    /// last build(), which was on this mesh and not at rest, as long as these are about as good;
+    /// but for segments
     void
-    build(const Configuration<dim> &configuration, bool is_near = false, bool keep_rule = false);
+    build(const Configuration<dim> &configuration, bool is_near = false, bool keeps_faces = false);
 
     /// Before the mesh changes: what was built belongs to it.
     void
@@ -87,7 +88,7 @@ namespace Signorini
     neglected(const LA::Vector &u, const LA::Vector &pressure) const;
 
     /// True if no surface has moved by more than a small part of its faces since build(), so that
-    /// the points of integration may stay. Collective.
+    /// the points of integration may stay with their faces. Collective.
     bool
     has_settled(const LA::Vector &u) const;
 

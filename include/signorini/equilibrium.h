@@ -117,7 +117,14 @@ namespace Signorini
     recall_bulk_stress();
     /// With contact on the surfaces as they are placed.
     bool
-    solve_in_place(double t, double tolerance, bool is_near = false);
+    solve_in_place(double t, const NewtonGoal &goal, bool is_near = false);
+    /// Of the first solution of a load step, before surfaces are placed.
+    NewtonGoal
+    first_goal(double tolerance) const;
+    /// Of those after surfaces are placed: with large deformation, one step of Newton's method.
+    /// @param before what was out of balance at the last placement; 0: there was none
+    NewtonGoal
+    next_goal(double tolerance, double before) const;
     /// Do the surfaces move so far that contact has to be looked for where they are now?
     bool
     leaves_place();
@@ -127,9 +134,9 @@ namespace Signorini
     bool
     follow_surfaces(double t, double tolerance, bool is_placed);
     void
-    solve_with_candidates(double t, double tolerance);
+    solve_with_candidates(double t, const NewtonGoal &goal);
     void
-    make_solver(double tolerance);
+    make_solver();
     /// Those of the scene, as far as bodies allow for them.
     LinearSolverSettings
     solver_settings() const;
@@ -139,7 +146,7 @@ namespace Signorini
     make_free_motions();
     /// See ContactSetup::build().
     void
-    build_contact(bool is_near = false, bool keep_rule = false);
+    build_contact(bool is_near = false, bool keeps_faces = false);
     void
     forget_solver();
     Snapshot<dim>

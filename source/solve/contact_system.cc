@@ -297,7 +297,8 @@ namespace Signorini
   ContactSystem::internal_force(LA::Vector &dst, const LA::Vector &du) const
   {
     K.vmult(dst, du);
-    contact.subtract_geometric(dst, du);
+    if (turns)
+      contact.subtract_geometric(dst, du);
     motions.subtract_springs(dst, du);
   }
 

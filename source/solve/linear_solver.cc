@@ -11,6 +11,8 @@
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/solver_minres.h>
 
+#include <cmath>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -140,12 +142,37 @@ namespace Signorini
   std::shared_ptr<const Hierarchy>
   BodiesHierarchy::get()
   {
-    if (!make || version == stiffness.version())
+    if (!make || version == stiffness.version() || (hierarchy && !is_worn))
       return hierarchy;
     hierarchy.reset(); // before there are two
     hierarchy = make();
     version   = stiffness.version();
+    is_worn   = false;
+    at_first  = 0;
     return hierarchy;
+  }
+
+
+
+  void
+  BodiesHierarchy::judge(const double iterations_per_digit)
+  {
+    constexpr double much = 1.5, some = 1; // half as many again cost about what it takes to make it
+    if (at_first == 0)
+      at_first = iterations_per_digit;
+    else
+      is_worn = is_worn || iterations_per_digit > much * at_first + some;
+  }
+
+
+
+  bool
+  BodiesHierarchy::renew()
+  {
+    if (!hierarchy || version == stiffness.version())
+      return false;
+    is_worn = true;
+    return true;
   }
 
 
@@ -213,7 +240,8 @@ namespace Signorini
   LinearSolver::solve(LA::BlockVector       &x,
                       const LA::BlockVector &rhs,
                       const double           reduction,
-                      const double           absolute_tolerance)
+                      const double           absolute_tolerance,
+                      const bool             only_positive)
   {
     TimerOutput::Scope scope(timer, "krylov");
     const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
@@ -248,18 +276,27 @@ namespace Signorini
         // degrees, and SolverMinRes divides by the cosine.
         x = preconditioned;
       }
+    bool renews = false;
     try
       {
-        return iterate(krylov, tolerance, x, rhs);
+        return iterate(krylov, tolerance, x, rhs, only_positive);
+      }
+    catch (const IndefiniteSystem &)
+      {
+        throw;
       }
     catch (const SolverFailure &)
       {
-        if (!can_factorise())
+        renews = hierarchies.renew();
+        if (!renews && !can_factorise())
           throw;
       }
     scope.stop();
-    has_given_up_iterating  = true;
-    settings.preconditioner = "direct";
+    if (!renews)
+      {
+        has_given_up_iterating  = true;
+        settings.preconditioner = "direct";
+      }
     make_preconditioner();
     preconditioner->update();
     return solve(x, rhs, reduction, absolute_tolerance);
@@ -271,7 +308,8 @@ namespace Signorini
   LinearSolver::iterate(const Krylov           krylov,
                         const double           tolerance,
                         LA::BlockVector       &x,
-                        const LA::BlockVector &rhs)
+                        const LA::BlockVector &rhs,
+                        const bool             only_positive)
   {
     // From there on a factorisation is quicker.
     constexpr unsigned int patience = 200;
@@ -289,6 +327,8 @@ namespace Signorini
                 // coarsest level, which may be that of the system.
                 solver.connect_coefficients_slot([&](const double alpha, const double beta) {
                   is_indefinite = is_indefinite || alpha < 0 || beta < 0;
+                  if (is_indefinite && only_positive)
+                    throw IndefiniteSystem("the system is not positive definite");
                 });
                 solver.solve(system, x, rhs, *preconditioner);
                 break;
@@ -302,6 +342,7 @@ namespace Signorini
                 .solve(system, x, rhs, *preconditioner);
               break;
           }
+        judge(control.last_step(), control.initial_value(), control.last_value());
         return control.last_step();
       }
     catch (const SolverControl::NoConvergence &stop)
@@ -316,6 +357,16 @@ namespace Signorini
              "choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller "
              "Factor if the method has one"));
       }
+  }
+
+
+
+  void
+  LinearSolver::judge(const unsigned int iterations, const double first, const double last)
+  {
+    const double digits = last > 0 ? std::log10(first / last) : 0;
+    if (hierarchy && digits >= 1)
+      hierarchies.judge(iterations / digits);
   }
 
 

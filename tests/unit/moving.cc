@@ -200,16 +200,12 @@ namespace
   check_bodies(const Case &which)
   {
     CAPTURE(which.name);
-    for (const std::string integration : {"segments", "quadrature"})
-      {
-        CAPTURE(integration);
-        SmallScene<dim> scene(which.lines + Lines{"Dimension=" + std::to_string(dim),
-                                                  "Contact pairs/pair/Initial gap=from geometry"});
-        if (scene.scene.obstacle_of(scene.scene.pairs[0]))
-          return;
-        scene.use({"Method=penalty", "Integration=" + integration});
-        check_points(scene, 0.002);
-      }
+    SmallScene<dim> scene(which.lines + Lines{"Dimension=" + std::to_string(dim),
+                                              "Contact pairs/pair/Initial gap=from geometry"});
+    if (scene.scene.obstacle_of(scene.scene.pairs[0]))
+      return;
+    scene.use({"Method=penalty", "Integration=quadrature"});
+    check_points(scene, 0.002);
   }
 } // namespace
 
@@ -261,8 +257,9 @@ namespace
     const double size = difference.l2_norm();
     difference -= expected;
     CHECK(size > 0);
-    // Unbiased: some points of the bore have a kink of the pin for their partner.
-    CHECK(difference.l2_norm() < (scene.method().unbiased() ? 0.05 : 1e-3) * size);
+    // Where master faces meet, gaps jump a little. Unbiased: some points of the bore have a kink of
+    // the pin for their partner.
+    CHECK(difference.l2_norm() < (scene.method().unbiased() ? 0.05 : 4e-3) * size);
   }
 } // namespace
 
@@ -278,7 +275,12 @@ TEST_CASE("the forces of pressures change with the surfaces as the geometric sti
                                          {"Method=Nitsche", "Nitsche/Theta=1"},
                                          {"Method=Nitsche", "Nitsche/Unbiased=yes"},
                                          {"Method=direct elimination"}};
-  check_forces<3>(cases_3d()[1], multiplier);
+  // Ends of segments follow the master's faces; where the surface itself ends, they do not.
+  check_forces<2>({"within the master", boxes("0,0 : 1,1", "7,1", "0.17,1 : 0.83,2", "4,1")},
+                  multiplier);
+  check_forces<3>({"within the master",
+                   boxes("0,0,0 : 1,1,1", "5,4,1", "0.17,0.15,1 : 0.83,0.81,2", "3,2,1")},
+                  multiplier);
   for (const Lines &method : methods)
     check_forces<2>(cases_2d()[1], method);
 }

@@ -193,7 +193,7 @@ TEST_CASE_TEMPLATE("pairs by segments: every rank gets the points of its faces",
   SearchStatistics statistics;
   double           sum = 0;
   for (const auto &point :
-       pair_points<dim>(slave, master, {Rule::segments, 3}, 0.1, comm, statistics))
+       pair_points<dim>(slave, master, {Rule::segments, 3}, 0.1, comm, statistics).points)
     {
       const Point<dim> x = slave.at(point.face).position(point.xi);
       CHECK(point.partner.distance == doctest::Approx(0.01));
@@ -204,7 +204,8 @@ TEST_CASE_TEMPLATE("pairs by segments: every rank gets the points of its faces",
   CHECK(Utilities::MPI::sum(sum, comm) == doctest::Approx(1).epsilon(1e-12));
 
   // Out of reach there is nothing.
-  CHECK(pair_points<dim>(slave, master, {Rule::segments, 3}, 0.005, comm, statistics).empty());
+  CHECK(
+    pair_points<dim>(slave, master, {Rule::segments, 3}, 0.005, comm, statistics).points.empty());
 }
 
 
@@ -223,7 +224,7 @@ TEST_CASE_TEMPLATE("two layers of master faces do not count twice", D, Dim2, Dim
   SearchStatistics statistics;
   double           sum = 0;
   for (const auto &point :
-       pair_points<dim>(slave, master, {Rule::segments, 3}, 0.1, MPI_COMM_SELF, statistics))
+       pair_points<dim>(slave, master, {Rule::segments, 3}, 0.1, MPI_COMM_SELF, statistics).points)
     {
       CHECK(point.partner.distance == doctest::Approx(0.01));
       sum += point.weight;

@@ -38,9 +38,9 @@ namespace Signorini
 
     /// Of Newton's method, from then on.
     void
-    set_tolerance(const double tolerance)
+    set_goal(const NewtonGoal &goal)
     {
-      newton.set_tolerance(tolerance);
+      newton.set_goal(goal);
     }
 
     /// See Newton::dual().

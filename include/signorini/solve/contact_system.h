@@ -74,6 +74,13 @@ namespace Signorini
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
+    /// False: K takes the place of K - G, until this is taken back.
+    void
+    turn_forces(const bool wanted)
+    {
+      turns = wanted;
+    }
+
     /// How the forces that are not the law's change: (K - G) du without the springs that K has
     /// against free motions.
     void
@@ -199,6 +206,7 @@ namespace Signorini
     const BulkCoupling *const my_bulk;
     const bool                saddle, symmetric_bodies;
     bool                      transposed = false;
+    bool                      turns      = true; ///< see turn_forces()
     FreeMotions               motions;
     Blocks                    D, X, Y;
     LA::Vector                D_diagonal, A, I;

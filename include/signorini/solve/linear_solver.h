@@ -11,8 +11,9 @@
 
 namespace Signorini
 {
-  /// The multigrid hierarchy of the bodies' stiffness: made when it is first asked for, and anew
-  /// when the stiffness has changed. Outlives contact that is looked for again.
+  /// The multigrid hierarchy of the bodies' stiffness, made when it is first asked for. Outlives
+  /// contact that is looked for again. Where the stiffness changes, its finest level follows; the
+  /// others do when iterations say that they no longer know what is smooth.
   class BodiesHierarchy
   {
   public:
@@ -28,9 +29,17 @@ namespace Signorini
                     unsigned int                                      dim,
                     std::function<std::shared_ptr<const Hierarchy>()> make = {});
 
-    /// Of the stiffness as it is now; null where the preconditioner needs none. Collective.
+    /// Of the stiffness as it is now, or was; null where the preconditioner needs none. Collective.
     std::shared_ptr<const Hierarchy>
     get();
+
+    /// What an iterative solution with it took, to be compared with what that was at first.
+    void
+    judge(double iterations_per_digit);
+
+    /// It is not of the stiffness as it is now. If so, it will be, when it is asked for again.
+    bool
+    renew();
 
     unsigned int
     dim() const
@@ -43,7 +52,9 @@ namespace Signorini
     const unsigned int                                my_dim;
     std::function<std::shared_ptr<const Hierarchy>()> make;
     std::shared_ptr<const Hierarchy>                  hierarchy;
-    unsigned int version = 0; ///< of the stiffness that it is of
+    unsigned int version  = 0;     ///< of the stiffness that it is of
+    bool         is_worn  = false; ///< to be made anew once the stiffness has changed
+    double       at_first = 0;     ///< iterations per digit; 0: not known yet
   };
 
   /// Solves the contact systems of one mesh. Rebuilds as much as has changed: with the active set,
@@ -67,11 +78,13 @@ namespace Signorini
     /// takes away the forces of stiff penalties, next to which all others look small. Returns the
     /// number of iterations; throws SolverFailure. Where the contact filter does not get there and
     /// the system is not too large for it, it is factorised from then on.
+    /// @param only_positive CG throws IndefiniteSystem, instead of going on
     unsigned int
     solve(LA::BlockVector       &x,
           const LA::BlockVector &rhs,
           double                 reduction,
-          double                 absolute_tolerance);
+          double                 absolute_tolerance,
+          bool                   only_positive = false);
 
     unsigned int
     multigrid_cycles() const
@@ -96,13 +109,20 @@ namespace Signorini
   private:
     /// Returns the number of iterations; throws SolverFailure.
     unsigned int
-    iterate(Krylov krylov, double tolerance, LA::BlockVector &x, const LA::BlockVector &rhs);
+    iterate(Krylov                 krylov,
+            double                 tolerance,
+            LA::BlockVector       &x,
+            const LA::BlockVector &rhs,
+            bool                   only_positive);
 
     /// For the stiffness as it is now.
     void
     make_preconditioner();
     bool
     can_factorise() const;
+    /// Take the iterations of a solution that has begun with a residual, and ended with another.
+    void
+    judge(unsigned int iterations, double first, double last);
 
     LinearSolverSettings             settings;
     const ContactSystem             &system;

@@ -8,6 +8,22 @@
 
 namespace Signorini
 {
+  /// How far Newton's method goes.
+  struct NewtonGoal
+  {
+    double tolerance = 1e-10; ///< of the residual, relative to the forces at work
+    /// After so many steps the result counts, however far from balance, once the active set stays:
+    /// where surfaces will be placed anew in any case. Then linear solves find no more digits than
+    /// a step of Newton's method.
+    unsigned int enough_steps = dealii::numbers::invalid_unsigned_int;
+
+    bool
+    is_rough() const
+    {
+      return enough_steps != dealii::numbers::invalid_unsigned_int;
+    }
+  };
+
   /// Semismooth Newton method for the balance of bodies and contact, F(u) = f + B^T W p, with the
   /// contact law between p and the gap. Where all but the law is linear, it is the primal-dual
   /// active set strategy (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2003) 865).
@@ -37,10 +53,10 @@ namespace Signorini
     curves_down(const LA::Vector &u);
 
     void
-    set_tolerance(const double tolerance)
+    set_goal(const NewtonGoal &wanted)
     {
-      settings.tolerance = tolerance;
-      balance.set_tolerance(tolerance);
+      goal = wanted;
+      balance.set_tolerance(goal.tolerance);
     }
 
     /// @param u in: start, with the prescribed displacements of this step; out: solution
@@ -89,6 +105,9 @@ namespace Signorini
     advance(LA::Vector &u, LA::Vector &p, NewtonReport &report, Stage &stage);
     void
     solve_linear(const LA::BlockVector &rhs, double reduction, double tolerance, NewtonStep &step);
+    /// Returns the number of iterations.
+    unsigned int
+    iterate(const LA::BlockVector &rhs, double reduction, double tolerance, double residual);
     /// The linear system is that of the bodies at u, and of the active set.
     void
     linearise(const LA::Vector &u);
@@ -101,6 +120,7 @@ namespace Signorini
     LinearSolver      &linear_solver;
     Balance            balance;
     SetStrategy        strategy;
+    NewtonGoal         goal;
 
     LA::BlockVector x;               ///< the change of (u, q)
     bool            is_same = false; ///< the linear system has the present active set

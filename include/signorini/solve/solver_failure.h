@@ -10,4 +10,11 @@ namespace Signorini
   public:
     using std::runtime_error::runtime_error;
   };
+
+  /// CG has met a direction along which the system is not positive.
+  class IndefiniteSystem : public SolverFailure
+  {
+  public:
+    using SolverFailure::SolverFailure;
+  };
 } // namespace Signorini

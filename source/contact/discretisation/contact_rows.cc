@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -30,6 +31,29 @@ namespace Signorini
       return {{xi[0], dim == 3 ? xi[dim - 2] : 0.}};
     }
 
+    /// Of seams, where points are rows: all of that of the closest point of the face.
+    template <int dim>
+    std::vector<std::vector<Share>>
+    shares_of_closest(const ContactSurface<dim> &surface, const types::global_dof_index first_row)
+    {
+      std::vector<std::vector<Share>> result(surface.seams.size());
+      std::vector<double> closest(surface.seams.size(), std::numeric_limits<double>::max());
+      std::map<unsigned int, std::vector<std::size_t>> seams_of_face;
+      for (std::size_t i = 0; i < surface.seams.size(); ++i)
+        seams_of_face[surface.seams[i].face].push_back(i);
+      for (std::size_t q = 0; q < surface.points.size(); ++q)
+        if (const auto seams = seams_of_face.find(surface.points[q].face);
+            seams != seams_of_face.end())
+          for (const std::size_t i : seams->second)
+            if (const double distance = surface.seams[i].xi.distance(surface.points[q].xi);
+                distance < closest[i])
+              {
+                closest[i] = distance;
+                result[i]  = {{first_row + q, surface.seams[i].weight}};
+              }
+      return result;
+    }
+
     template <int dim>
     ContactRows
     quadrature_rows(const std::vector<ContactSurface<dim>> &surfaces, const MPI_Comm comm)
@@ -43,6 +67,10 @@ namespace Signorini
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         {
           rows.shares.emplace_back();
+          if (!surfaces[p].points.empty())
+            rows.seam_shares.push_back(shares_of_closest(surfaces[p], *row));
+          else
+            rows.seam_shares.emplace_back(surfaces[p].seams.size());
           const unsigned int none = numbers::invalid_unsigned_int;
           unsigned int       face = none;
           for (const auto &point : surfaces[p].points)
@@ -196,16 +224,21 @@ namespace Signorini
           }
       rows.writable.add_indices(foreign.begin(), foreign.end());
 
+      const auto shares_of = [&](const unsigned int pair, const auto &points) {
+        std::vector<std::vector<Share>> shares;
+        for (const auto &point : points)
+          {
+            shares.emplace_back();
+            for (const auto &[node, value] : point.shape)
+              if (const auto row = row_of.find({pair, node}); row != row_of.end())
+                shares.back().push_back({row->second, value * point.weight});
+          }
+        return shares;
+      };
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         {
-          rows.shares.emplace_back();
-          for (const auto &point : surfaces[p].points)
-            {
-              rows.shares.back().emplace_back();
-              for (const auto &[node, value] : point.shape)
-                if (const auto row = row_of.find({p, node}); row != row_of.end())
-                  rows.shares.back().back().push_back({row->second, value * point.weight});
-            }
+          rows.shares.push_back(shares_of(p, surfaces[p].points));
+          rows.seam_shares.push_back(shares_of(p, surfaces[p].seams));
         }
       rows.places = node_places(elasticity, surfaces, row_of);
       return rows;

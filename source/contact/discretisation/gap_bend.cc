@@ -134,6 +134,20 @@ namespace Signorini
 
   template <int dim>
   GapBend<dim>
+  bend_of_seam(const Tensor<1, dim> &n, const Tensor<1, dim> &v)
+  {
+    GapBend<dim> bend;
+    bend.directions = {n, v};
+    Factors C(bend.n_rows());
+    C.set(0, 1, -0.5);
+    bend.factors = C.values;
+    return bend;
+  }
+
+
+
+  template <int dim>
+  GapBend<dim>
   bend_of_obstacle(const ObstaclePlace<dim>     &place,
                    const RigidPose<dim>         &pose,
                    const Point<dim>             &x,
@@ -178,6 +192,7 @@ namespace Signorini
                                        const Point<dim - 1> &,                                     \
                                        const Tensor<1, dim> &);                                    \
   template GapBend<dim> bend_of_bodies(const Point<dim> &, const Partner<dim> &);                  \
+  template GapBend<dim> bend_of_seam(const Tensor<1, dim> &, const Tensor<1, dim> &);              \
   template GapBend<dim> bend_of_obstacle(const ObstaclePlace<dim> &,                               \
                                          const RigidPose<dim> &,                                   \
                                          const Point<dim> &,                                       \

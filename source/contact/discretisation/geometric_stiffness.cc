@@ -212,19 +212,23 @@ namespace Signorini
     LA::Vector p(rows.owned, rows.writable, elasticity.mesh().communicator());
     p = pressure;
     std::vector<PressedPoint<dim>> points;
+    const auto add = [&](const std::vector<Share> &shares, const auto &point, const auto &normal) {
+      double force = 0;
+      for (const auto &[row, weight] : shares)
+        force += weight * p(row);
+      if (force == 0 || point.bend.factors.empty())
+        return;
+      points.push_back({point.slave, point.master, normal, point.bend});
+      for (double &factor : points.back().bend.factors)
+        factor *= force;
+    };
     for (unsigned int s = 0; s < surfaces.size(); ++s)
-      for (unsigned int q = 0; q < surfaces[s].points.size(); ++q)
-        {
-          const ContactPoint<dim> &point = surfaces[s].points[q];
-          double                   force = 0;
-          for (const auto &[row, weight] : rows.shares[s][q])
-            force += weight * p(row);
-          if (force == 0 || point.bend.factors.empty())
-            continue;
-          points.push_back({point.slave, point.master, point.direction, point.bend});
-          for (double &factor : points.back().bend.factors)
-            factor *= force;
-        }
+      {
+        for (unsigned int q = 0; q < surfaces[s].points.size(); ++q)
+          add(rows.shares[s][q], surfaces[s].points[q], surfaces[s].points[q].direction);
+        for (unsigned int q = 0; q < surfaces[s].seams.size(); ++q)
+          add(rows.seam_shares[s][q], surfaces[s].seams[q], Tensor<1, dim>());
+      }
     return std::make_unique<PointwiseStiffness<dim>>(elasticity, std::move(points));
   }
 

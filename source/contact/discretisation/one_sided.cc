@@ -6,6 +6,7 @@
 #include <signorini/contact/discretisation/one_sided.h>
 #include <signorini/contact/discretisation/openings.h>
 #include <signorini/contact/discretisation/pressure_functions.h>
+#include <signorini/contact/discretisation/seams.h>
 #include <signorini/contact/discretisation/slave_faces.h>
 #include <signorini/contact/discretisation/surface_comparison.h>
 #include <signorini/contact/geometry/deep_overlap.h>
@@ -192,10 +193,14 @@ namespace Signorini
       MasterFaces<dim>
       master() const
       {
-        return master_faces(elasticity,
-                            BoundaryFaces<dim>(configuration, pair.master),
-                            method.predictor() == Predictor::normal_stress,
-                            !at_rest);
+        const BoundaryFaces<dim> boundary(configuration, pair.master);
+        MasterFaces<dim>         faces = master_faces(elasticity,
+                                              boundary,
+                                              method.predictor() == Predictor::normal_stress,
+                                              !at_rest);
+        if (!at_rest)
+          faces.inner_sides = inner_sides(elasticity.mesh(), pair.master, boundary);
+        return faces;
       }
 
       void
@@ -219,8 +224,13 @@ namespace Signorini
         else if (is_laid)
           paired = pair_laid_points(slave.patches, laid, master(), limit, comm, surface.statistics);
         else
-          paired =
-            pair_points(slave.patches, master(), integration, limit, comm, surface.statistics);
+          {
+            auto pairing =
+              pair_points(slave.patches, master(), integration, limit, comm, surface.statistics);
+            paired = std::move(pairing.points);
+            seams  = std::move(pairing.seams);
+            weigh_at_rest(slave, seams);
+          }
         drop_empty_points(slave.patches, paired);
       }
 
@@ -269,8 +279,15 @@ namespace Signorini
       void
       set_shapes()
       {
-        const auto n_prescribed = set_pressure_functions(
-          elasticity, method, integration.basis, slave, paired, surface.points);
+        surface.seams              = make_seams(elasticity, slave, seams);
+        const auto n_prescribed    = set_pressure_functions(elasticity,
+                                                         method,
+                                                         integration.basis,
+                                                         slave,
+                                                         paired,
+                                                         seams,
+                                                         surface.points,
+                                                         surface.seams);
         const bool some_prescribed = Utilities::MPI::max(n_prescribed, comm) > 0,
                    some_free = Utilities::MPI::max(has_shapes(surface.points) ? 1 : 0, comm) > 0;
         if (some_prescribed && (!obstacle || !some_free))
@@ -293,6 +310,7 @@ namespace Signorini
       const bool                         is_laid;
       double                             limit;
       std::vector<PairedPoint<dim>>      paired; ///< as long as surface.points
+      std::vector<PairedPoint<dim>>      seams;  ///< as long as surface.seams
       ContactSurface<dim>                surface;
     };
   } // namespace

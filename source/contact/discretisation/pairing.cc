@@ -157,7 +157,7 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<PairedPoint<dim>>
+  Pairing<dim>
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,
@@ -165,14 +165,15 @@ namespace Signorini
               const MPI_Comm                     comm,
               SearchStatistics                  &statistics)
   {
-    std::vector<PairedPoint<dim>> points;
-    const Quadrature<dim - 1>     rule = face_rule<dim>(integration);
-    std::vector<unsigned int>     faces(slave.size());
+    Pairing<dim>              pairing;
+    auto                     &points = pairing.points;
+    const Quadrature<dim - 1> rule   = face_rule<dim>(integration);
+    std::vector<unsigned int> faces(slave.size());
     std::iota(faces.begin(), faces.end(), 0);
     if (integration.rule == Rule::segments)
       {
-        points = pair_by_segments(slave, master, integration, limit, comm, statistics);
-        faces  = remove_overcovered(slave, points);
+        pairing = pair_by_segments(slave, master, integration, limit, comm, statistics);
+        faces   = remove_overcovered(slave, points);
         move_to_closest(slave, master, comm, statistics, points);
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
@@ -181,7 +182,19 @@ namespace Signorini
         points.push_back(std::move(point));
     drop_false_overlaps(slave, master, comm, statistics, points);
     keep_near_faces(limit, points);
-    return sorted_by_faces(std::move(points));
+    points = sorted_by_faces(std::move(points));
+    // Of faces without points, and of those that are not paired by segments, they are not asked
+    // for.
+    std::vector<bool> has_segments(slave.size(), true);
+    for (const unsigned int face : faces)
+      has_segments[face] = false;
+    auto &seams = pairing.seams;
+    seams.erase(std::remove_if(seams.begin(),
+                               seams.end(),
+                               [&](const auto &seam) { return !has_segments[seam.face]; }),
+                seams.end());
+    seams = sorted_by_faces(std::move(seams));
+    return pairing;
   }
 
 
@@ -243,14 +256,14 @@ namespace Signorini
   face_rule<2>(const Integration &);
   template Quadrature<2>
   face_rule<3>(const Integration &);
-  template std::vector<PairedPoint<2>>
+  template Pairing<2>
   pair_points<2>(const std::vector<FacePatch<2>> &,
                  const MasterFaces<2> &,
                  const Integration &,
                  double,
                  MPI_Comm,
                  SearchStatistics &);
-  template std::vector<PairedPoint<3>>
+  template Pairing<3>
   pair_points<3>(const std::vector<FacePatch<3>> &,
                  const MasterFaces<3> &,
                  const Integration &,

@@ -62,7 +62,9 @@ namespace Signorini
                          const Basis                          kind,
                          const BoundaryFaces<dim>            &slave,
                          const std::vector<PairedPoint<dim>> &paired_points,
-                         std::vector<ContactPoint<dim>>      &points)
+                         const std::vector<PairedPoint<dim>> &paired_seams,
+                         std::vector<ContactPoint<dim>>      &points,
+                         std::vector<Seam<dim>>              &seams)
   {
     // Otherwise a law says what the pressure is, even where nothing can move.
     const bool must_balance =
@@ -71,6 +73,7 @@ namespace Signorini
     std::vector<SparseRow> shapes;
     std::vector<double>    weights;
     unsigned int           n_prescribed = 0;
+    auto                   seam         = paired_seams.begin();
     for (unsigned int first = 0, last = 0; first < points.size(); first = last)
       {
         const auto &[cell, face] = slave.faces[points[first].face];
@@ -91,6 +94,15 @@ namespace Signorini
         const PressureBasis basis(nodes, shapes, weights, kind);
         const PressureBasis standard(nodes, shapes, weights, Basis::standard);
         n_prescribed += basis.empty();
+        seam = std::find_if(seam, paired_seams.end(), [&](const auto &paired) {
+          return paired.face >= points[first].face;
+        });
+        for (; seam != paired_seams.end() && seam->face == points[first].face; ++seam)
+          {
+            SparseRow &shape = seams[seam - paired_seams.begin()].shape;
+            shape            = basis.at(trace.unresolved_shape(seam->xi));
+            resolve(elasticity.hanging_nodes(), shape);
+          }
         for (unsigned int q = first; q < last; ++q)
           {
             points[q].shape = basis.at(shapes[q - first]);
@@ -124,12 +136,16 @@ namespace Signorini
                          Basis,
                          const BoundaryFaces<2> &,
                          const std::vector<PairedPoint<2>> &,
-                         std::vector<ContactPoint<2>> &);
+                         const std::vector<PairedPoint<2>> &,
+                         std::vector<ContactPoint<2>> &,
+                         std::vector<Seam<2>> &);
   template unsigned int
   set_pressure_functions(const Elasticity<3> &,
                          const ContactMethod &,
                          Basis,
                          const BoundaryFaces<3> &,
                          const std::vector<PairedPoint<3>> &,
-                         std::vector<ContactPoint<3>> &);
+                         const std::vector<PairedPoint<3>> &,
+                         std::vector<ContactPoint<3>> &,
+                         std::vector<Seam<3>> &);
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/contact/discretisation/gap_bend.h>
 #include <signorini/contact/discretisation/segment_pairs.h>
 #include <signorini/contact/geometry/descent.h>
 #include <signorini/contact/geometry/local_faces.h>
@@ -51,6 +52,7 @@ namespace Signorini
     struct SegmentRules
     {
       Quadrature<dim - 1> usual, distorted;
+      unsigned int        on_seams; ///< points
     };
 
     // A slave face on its way to the master's faces.
@@ -67,6 +69,15 @@ namespace Signorini
         ar &patch &number;
       }
     };
+
+    template <typename T>
+    void
+    append(std::vector<T> &all, std::vector<T> &&more)
+    {
+      all.insert(all.end(),
+                 std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
+    }
 
     template <int dim>
     Tensor<1, dim>
@@ -116,17 +127,22 @@ namespace Signorini
       }
 
       void
-      find(const TravellingFace<dim> &slave, std::vector<PairedPoint<dim>> &found)
+      find(const TravellingFace<dim> &slave, Pairing<dim> &found)
       {
         const FacetedFace<dim> own(slave.patch);
         const bool             own_distorted = is_distorted(slave.patch);
         for (const unsigned int face : faces.in(own.extruded_box(reach(slave.patch, limit))))
-          for (const SegmentPoint<dim> &point :
-               segment_points(own,
-                              faceted[face],
-                              own_distorted || distorted[face] ? rules.distorted : rules.usual))
-            if (auto pair = paired(slave, face, point))
-              found.push_back(std::move(*pair));
+          {
+            for (const SegmentPoint<dim> &point :
+                 segment_points(own,
+                                faceted[face],
+                                own_distorted || distorted[face] ? rules.distorted : rules.usual))
+              if (auto pair = paired(slave, face, point))
+                found.points.push_back(std::move(*pair));
+            if (!master.inner_sides.empty())
+              for (const SeamPoint<dim> &point : seam_points(own, faceted[face], rules.on_seams))
+                add_seam(slave, face, point, found.seams);
+          }
       }
 
     private:
@@ -156,6 +172,21 @@ namespace Signorini
         return pair;
       }
 
+      void
+      add_seam(const TravellingFace<dim>     &slave,
+               const unsigned int             face,
+               const SeamPoint<dim>          &point,
+               std::vector<PairedPoint<dim>> &seams)
+      {
+        if (!master.inner_sides[face][point.side])
+          return;
+        auto seam = paired(slave, face, point);
+        if (!seam || !is_near_enough(seam->partner.distance, master.patches[face].diameter()))
+          return;
+        seam->partner.bend = bend_of_seam(seam->partner.normal, point.outward);
+        seams.push_back(std::move(*seam));
+      }
+
       const MasterFaces<dim>             &master;
       const std::vector<FacetedFace<dim>> faceted;
       LocalFaces<dim>                     faces;
@@ -169,7 +200,7 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<PairedPoint<dim>>
+  Pairing<dim>
   pair_by_segments(const std::vector<FacePatch<dim>> &slave,
                    const MasterFaces<dim>            &master,
                    const Integration                 &integration,
@@ -177,15 +208,15 @@ namespace Signorini
                    const MPI_Comm                     comm,
                    SearchStatistics                  &statistics)
   {
-    const unsigned int            n     = integration.n_points;
-    const unsigned int            more  = std::max(n, integration.n_points_of_distorted);
-    const SegmentRules<dim>       rules = {segment_rule<dim>(n), segment_rule<dim>(more)};
-    LocalSegments<dim>            segments(master, rules, limit, statistics);
-    std::vector<PairedPoint<dim>> points;
+    const unsigned int      n     = integration.n_points;
+    const unsigned int      more  = std::max(n, integration.n_points_of_distorted);
+    const SegmentRules<dim> rules = {segment_rule<dim>(n), segment_rule<dim>(more), n};
+    LocalSegments<dim>      segments(master, rules, limit, statistics);
+    Pairing<dim>            pairing;
     for (unsigned int i = 0; i < slave.size(); ++i)
-      segments.find({slave[i], i}, points);
+      segments.find({slave[i], i}, pairing);
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
-      return points;
+      return pairing;
 
     const auto                    ranks = Utilities::MPI::all_gather(comm, segments.extent());
     std::vector<BoundingBox<dim>> boxes;
@@ -198,27 +229,28 @@ namespace Signorini
           if (boxes[i].get_neighbor_type(ranks[rank].box) != NeighborType::not_neighbors)
             outgoing[rank].push_back({slave[i], i});
 
-    std::map<unsigned int, std::vector<PairedPoint<dim>>> answers;
+    std::map<unsigned int, Pairing<dim>> answers;
     for (const auto &[rank, visitors] : Utilities::MPI::some_to_some(comm, outgoing))
       for (const TravellingFace<dim> &visitor : visitors)
         segments.find(visitor, answers[rank]);
     for (auto &[rank, found] : Utilities::MPI::some_to_some(comm, answers))
-      points.insert(points.end(),
-                    std::make_move_iterator(found.begin()),
-                    std::make_move_iterator(found.end()));
-    return points;
+      {
+        append(pairing.points, std::move(found.points));
+        append(pairing.seams, std::move(found.seams));
+      }
+    return pairing;
   }
 
 
 
-  template std::vector<PairedPoint<2>>
+  template Pairing<2>
   pair_by_segments(const std::vector<FacePatch<2>> &,
                    const MasterFaces<2> &,
                    const Integration &,
                    double,
                    MPI_Comm,
                    SearchStatistics &);
-  template std::vector<PairedPoint<3>>
+  template Pairing<3>
   pair_by_segments(const std::vector<FacePatch<3>> &,
                    const MasterFaces<3> &,
                    const Integration &,

@@ -21,6 +21,13 @@ namespace Signorini
           surface.points.back().face += surface.faces;
           surface.points.back().normal *= -1;
         }
+      for (const Seam<dim> &seam : other.seams)
+        {
+          surface.seams.push_back(seam);
+          surface.seams.back().face += surface.faces;
+        }
+      for (Seam<dim> &seam : surface.seams)
+        seam.weight /= 2;
       surface.whole.insert(surface.whole.end(), other.whole.begin(), other.whole.end());
       for (ContactPoint<dim> &point : surface.points)
         point.weight /= 2;
@@ -78,7 +85,10 @@ namespace Signorini
                        const SearchRange         &range,
                        const ContactSurface<dim> *former)
   {
-    const std::vector<LaidPoint<dim>>  none;
+    const std::vector<LaidPoint<dim>> none;
+    // Segments follow the faces that they end with.
+    if (integration.rule == Rule::segments)
+      former = nullptr;
     const std::vector<LaidPoint<dim>> &laid = former ? former->laid : none;
     auto                               surface =
       one_sided_surface(configuration, pair, obstacle, method, integration, range, laid);

@@ -1,5 +1,9 @@
 #include <signorini/contact/geometry/boundary_faces.h>
 #include <signorini/contact/geometry/face_patches.h>
+#include <signorini/mesh/face_parameter.h>
+
+#include <algorithm>
+#include <map>
 
 namespace Signorini
 {
@@ -61,6 +65,102 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// What two faces share: a vertex (2D) or a line.
+    template <int dim>
+    class Sides
+    {
+    public:
+      using Cell = typename Triangulation<dim>::active_cell_iterator;
+
+      void
+      add(const Cell &cell, const unsigned int face)
+      {
+        for (unsigned int side = 0; side < 2 * (dim - 1); ++side)
+          for (const unsigned int i : with_parts(cell, face, side))
+            ++count[i];
+      }
+
+      bool
+      is_shared(const Cell &cell, const unsigned int face, const unsigned int side) const
+      {
+        for (const unsigned int i : with_parts(cell, face, side))
+          if (count.at(i) > 1)
+            return true;
+        return false;
+      }
+
+    private:
+      /// With its halves, which finer neighbours have.
+      static std::vector<unsigned int>
+      with_parts(const Cell &cell, const unsigned int face, const unsigned int side)
+      {
+        std::array<unsigned int, dim - 1> ends;
+        for (unsigned int i = 0; i < ends.size(); ++i)
+          {
+            Point<dim - 1> xi;
+            xi[side / 2] = side % 2;
+            if (dim == 3)
+              xi[1 - side / 2] = i;
+            const Point<dim> x = unit_point<dim>(face, xi);
+            ends[i]            = 0;
+            for (unsigned int d = 0; d < dim; ++d)
+              ends[i] += x[d] > 0.5 ? 1 << d : 0;
+          }
+        if constexpr (dim == 2)
+          return {cell->vertex_index(ends[0])};
+        else
+          for (const unsigned int l : cell->line_indices())
+            {
+              const auto         line  = cell->line(l);
+              const unsigned int first = cell->vertex_index(ends[0]),
+                                 last  = cell->vertex_index(ends[1]);
+              if (std::minmax(line->vertex_index(0), line->vertex_index(1)) !=
+                  std::minmax(first, last))
+                continue;
+              std::vector<unsigned int> result = {static_cast<unsigned int>(line->index())};
+              if (line->has_children())
+                for (unsigned int c = 0; c < 2; ++c)
+                  result.push_back(line->child(c)->index());
+              return result;
+            }
+        return {}; // each side is a line
+      }
+
+      std::map<unsigned int, unsigned int> count; ///< of faces at vertices or lines
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<SidesOfFace<dim>>
+  inner_sides(const Mesh<dim> &mesh, const std::string &boundary, const BoundaryFaces<dim> &faces)
+  {
+    const BoundaryIds &ids = mesh.boundary_ids(boundary);
+    Sides<dim>         sides;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (!cell->is_artificial() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
+            sides.add(cell, f);
+    std::vector<SidesOfFace<dim>> result;
+    for (const auto &[cell, face] : faces.faces)
+      {
+        result.emplace_back();
+        for (unsigned int side = 0; side < result.back().size(); ++side)
+          result.back()[side] = sides.is_shared(cell, face, side);
+      }
+    return result;
+  }
+
+
+
   template struct BoundaryFaces<2>;
   template struct BoundaryFaces<3>;
+  template std::vector<SidesOfFace<2>>
+  inner_sides(const Mesh<2> &, const std::string &, const BoundaryFaces<2> &);
+  template std::vector<SidesOfFace<3>>
+  inner_sides(const Mesh<3> &, const std::string &, const BoundaryFaces<3> &);
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/contact/geometry/segments.h>
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -99,23 +100,33 @@ namespace Signorini
       return a[0] * b[1] - a[1] * b[0];
     }
 
-    using Polygon = std::vector<Point<2>>;
+    constexpr int none = -1; // no side of the facet that is clipped
+
+    // Of a polygon, and the side of the facet that leads on from there.
+    struct Corner
+    {
+      Point<2> x;
+      int      side;
+    };
+
+    using Polygon = std::vector<Corner>;
 
     double
     signed_area(const Polygon &p)
     {
       double area = 0;
       for (std::size_t i = 0; i + 1 < p.size(); ++i)
-        area += cross(p[i] - p[0], p[i + 1] - p[0]) / 2;
+        area += cross(p[i].x - p[0].x, p[i + 1].x - p[0].x) / 2;
       return area;
     }
 
+    // Sides by the parameter that is constant there: 2 d + (0 or 1).
     Polygon
     counterclockwise(const Flat<2> &x)
     {
-      Polygon p = {x[0], x[1], x[3], x[2]};
+      Polygon p = {{x[0], 2}, {x[1], 1}, {x[3], 3}, {x[2], 0}};
       if (signed_area(p) < 0)
-        std::reverse(p.begin(), p.end());
+        p = {{x[2], 3}, {x[3], 1}, {x[1], 2}, {x[0], 0}};
       return p;
     }
 
@@ -125,17 +136,19 @@ namespace Signorini
     {
       for (std::size_t i = 0; i < window.size() && !polygon.empty(); ++i)
         {
-          const Point<2>    &start = window[i];
-          const Tensor<1, 2> edge  = window[(i + 1) % window.size()] - start;
+          const Point<2>    &start = window[i].x;
+          const Tensor<1, 2> edge  = window[(i + 1) % window.size()].x - start;
           Polygon            kept;
           for (std::size_t j = 0; j < polygon.size(); ++j)
             {
-              const Point<2> &a = polygon[j], &b = polygon[(j + 1) % polygon.size()];
+              const auto &[a, side]  = polygon[j];
+              const Point<2> &b      = polygon[(j + 1) % polygon.size()].x;
               const double    left_a = cross(edge, a - start), left_b = cross(edge, b - start);
               if (left_a >= 0)
-                kept.push_back(a);
+                kept.push_back({a, left_a == 0 && left_b < 0 ? none : side});
               if ((left_a > 0 && left_b < 0) || (left_a < 0 && left_b > 0))
-                kept.push_back(a + left_a / (left_a - left_b) * (b - a));
+                kept.push_back(
+                  {a + left_a / (left_a - left_b) * (b - a), left_b < 0 ? none : side});
             }
           polygon = std::move(kept);
         }
@@ -174,8 +187,59 @@ namespace Signorini
       const Polygon                        p = clip(counterclockwise(b), counterclockwise(a));
       std::vector<std::array<Point<2>, 3>> triangles;
       for (std::size_t i = 1; i + 1 < p.size(); ++i)
-        triangles.push_back({{p[0], p[i], p[i + 1]}});
+        triangles.push_back({{p[0].x, p[i].x, p[i + 1].x}});
       return triangles;
+    }
+
+    // A piece of a side of a facet: where it is, and which way leads out of the facet.
+    template <int n>
+    struct Piece
+    {
+      std::vector<std::pair<Point<n>, double>> points; ///< with lengths; 2D: a point with 1
+      Tensor<1, n>                             outward;
+      unsigned int                             side;
+    };
+
+    // The sides of the second facet on the first one.
+    std::vector<Piece<1>>
+    common_sides(const Flat<1> &a, const Flat<1> &b, const unsigned int /*n_points*/)
+    {
+      const auto [lower, upper] = std::minmax(a[0][0], a[1][0]);
+      std::vector<Piece<1>> pieces;
+      for (unsigned int c = 0; c < 2; ++c)
+        if (b[c][0] >= lower && b[c][0] <= upper)
+          pieces.push_back({{{b[c], 1.}}, Tensor<1, 1>({b[c][0] > b[1 - c][0] ? 1. : -1.}), c});
+      return pieces;
+    }
+
+    std::vector<Piece<2>>
+    common_sides(const Flat<2> &a, const Flat<2> &b, const unsigned int n_points)
+    {
+      if (apart(a, b))
+        return {};
+      const Polygon         p = clip(counterclockwise(b), counterclockwise(a));
+      const QGauss<1>       rule(n_points);
+      std::vector<Piece<2>> pieces;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        {
+          const Tensor<1, 2> along  = p[(i + 1) % p.size()].x - p[i].x;
+          const double       length = along.norm();
+          if (p[i].side == none || length == 0)
+            continue;
+          Piece<2> piece{{}, Tensor<1, 2>({along[1], -along[0]}) / length, unsigned(p[i].side)};
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            piece.points.emplace_back(p[i].x + rule.point(q)[0] * along, rule.weight(q) * length);
+          pieces.push_back(std::move(piece));
+        }
+      return pieces;
+    }
+
+    // Is that side of the facet one of its face?
+    template <int dim>
+    bool
+    ends_face(const Facet<dim> &facet, const unsigned int side, const unsigned int per_line)
+    {
+      return facet.place[side / 2] == (side % 2 == 0 ? 0 : per_line - 1);
     }
 
     double
@@ -289,8 +353,53 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::vector<SeamPoint<dim>>
+  seam_points(const FacetedFace<dim> &slave,
+              const FacetedFace<dim> &master,
+              const unsigned int      n_points)
+  {
+    std::vector<SeamPoint<dim>> result;
+    const unsigned int n_slave = slave.patch.get_degree(), n_master = master.patch.get_degree();
+    const double       parameters = 1. / Utilities::fixed_power<dim - 1>(n_slave); // of a facet
+    for (const Facet<dim> &ours : slave.facets)
+      {
+        const auto ours_flat = project(ours, ours);
+        for (const Facet<dim> &theirs : master.facets)
+          {
+            const auto theirs_flat = project(theirs, ours);
+            for (const Piece<dim - 1> &piece : common_sides(ours_flat, theirs_flat, n_points))
+              {
+                if (!ends_face(theirs, piece.side, n_master))
+                  continue;
+                Tensor<1, dim> outward;
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  outward += piece.outward[d] * ours.axes[d];
+                for (const auto &[y, length] : piece.points)
+                  {
+                    const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
+                    const Point<dim - 1> xi  = of_face(ours, s, n_slave);
+                    result.push_back(
+                      {{xi,
+                        of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
+                        length / jacobian * parameters * slave.patch.jacobian(xi)},
+                       outward,
+                       piece.side});
+                  }
+              }
+          }
+      }
+    return result;
+  }
+
+
+
   template struct FacetedFace<2>;
   template struct FacetedFace<3>;
+  template std::vector<SeamPoint<2>>
+  seam_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, unsigned int);
+  template std::vector<SeamPoint<3>>
+  seam_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, unsigned int);
   template std::vector<SegmentPoint<2>>
   segment_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, const Quadrature<1> &);
   template std::vector<SegmentPoint<3>>

@@ -7,7 +7,7 @@ namespace Signorini
                        std::vector<Level>                      spaces,
                        const std::vector<std::vector<double>> &modes,
                        const unsigned int                      n_components)
-    : finest(stiffness.rounded())
+    : fine(stiffness)
     , coarse(std::move(spaces))
     , n_spaces(coarse.size())
     , coarsest(coarse.empty() ? &stiffness.matrix() : coarse.back().matrix.get())

@@ -21,6 +21,8 @@ namespace Signorini
     dealii::IndexSet owned;
     dealii::IndexSet writable; ///< owned, and those that points of this rank contribute to
     std::vector<std::vector<std::vector<Share>>> shares; ///< [pair][point]
+    /// Those that seams have in the pressures of rows: [pair][seam].
+    std::vector<std::vector<std::vector<Share>>> seam_shares;
     std::vector<unsigned int>                    pair;
     std::vector<dealii::types::global_dof_index> node;
     std::vector<FacePlaces> places; ///< of the faces of this rank that have points

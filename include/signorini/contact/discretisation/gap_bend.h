@@ -37,6 +37,16 @@ namespace Signorini
   GapBend<dim>
   bend_of_bodies(const dealii::Point<dim> &x, const Partner<dim> &partner);
 
+  /// Where a segment ends with its master face, and gaps are small: the end follows the face, in
+  /// the plane of the slave, so that the integral of p (u^S - u^M).n over the segment changes by p
+  /// (u^S - u^M).n times the area that v.(u^M - u^S) adds, v outward in that plane. The segments on
+  /// both sides together have the jump of n, which on flat faces is all the curvature that a
+  /// surface has; of each the symmetric part is taken, since the sum is symmetric (as
+  /// gaps do not jump, the jump of n is along v).
+  template <int dim>
+  GapBend<dim>
+  bend_of_seam(const dealii::Tensor<1, dim> &n, const dealii::Tensor<1, dim> &v);
+
   /// On an obstacle, whose gap has the second derivatives Q in space: with the arm r of x, the
   /// change w = u - dt - s cross r of x relative to the obstacle, and the spin s,
   ///

@@ -5,9 +5,9 @@
 
 namespace Signorini
 {
-  /// G = sum_q p_q w_q d2 g_q/du2 over the contact points, on free degrees of freedom: how the
-  /// forces of given pressures change as surfaces move. K - G is the derivative of the forces out
-  /// of balance, in the condensed and in the saddle point form.
+  /// G = sum_q p_q w_q d2 g_q/du2 over the contact points and seams, on free degrees of freedom:
+  /// how the forces of given pressures change as surfaces move. K - G is the derivative of the
+  /// forces out of balance, in the condensed and in the saddle point form.
   ///
   /// No matrix: that of a point between two faces of degree 2 in space has 54 x 54 entries, and is
   /// the product of what a few hundred operations tell.

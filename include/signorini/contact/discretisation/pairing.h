@@ -36,6 +36,23 @@ namespace Signorini
     }
   };
 
+  /// The points of a surface that have a partner, face by face.
+  template <int dim>
+  struct Pairing
+  {
+    std::vector<PairedPoint<dim>> points;
+    /// Points where segments end with their master face, see bend_of_seam(); their weight is the
+    /// area that an outward step of 1 adds. Where surfaces have moved, by segments.
+    std::vector<PairedPoint<dim>> seams;
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &points &seams;
+    }
+  };
+
   /// A point of integration on a slave face, without a partner.
   template <int dim>
   struct LaidPoint
@@ -59,7 +76,7 @@ namespace Signorini
   /// Points come face by face. Faces take part as a whole, or not at all if no point of theirs has
   /// a partner within the limit. Collective.
   template <int dim>
-  std::vector<PairedPoint<dim>>
+  Pairing<dim>
   pair_points(const std::vector<FacePatch<dim>> &slave,
               const MasterFaces<dim>            &master,
               const Integration                 &integration,

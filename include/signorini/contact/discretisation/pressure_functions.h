@@ -19,7 +19,8 @@ namespace Signorini
   /// Sets the functions of the pressure at the points of a surface (`shape` and `interpolation`).
   /// Nodes that cannot move along the normal carry none if the pressure is an unknown of its own;
   /// their neighbours take over. Returns the number of faces that can carry none at all.
-  /// @param paired_points and points: the same ones, face by face
+  /// Those of seams (`shape`) likewise, on faces that have points.
+  /// @param paired_points and points: the same ones, face by face; and so are seams
   template <int dim>
   unsigned int
   set_pressure_functions(const Elasticity<dim>               &elasticity,
@@ -27,5 +28,7 @@ namespace Signorini
                          Basis                                basis,
                          const BoundaryFaces<dim>            &slave,
                          const std::vector<PairedPoint<dim>> &paired_points,
-                         std::vector<ContactPoint<dim>>      &points);
+                         const std::vector<PairedPoint<dim>> &paired_seams,
+                         std::vector<ContactPoint<dim>>      &points,
+                         std::vector<Seam<dim>>              &seams);
 } // namespace Signorini

@@ -12,7 +12,7 @@ namespace Signorini
   /// @param slave faces of this rank
   /// @param limit up to which distance partners are looked for
   template <int dim>
-  std::vector<PairedPoint<dim>>
+  Pairing<dim>
   pair_by_segments(const std::vector<FacePatch<dim>> &slave,
                    const MasterFaces<dim>            &master,
                    const Integration                 &integration,

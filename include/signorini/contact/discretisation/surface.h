@@ -66,6 +66,19 @@ namespace Signorini
     row() const;
   };
 
+  /// A point where a segment ends with its master face, see bend_of_seam(). It has no share in
+  /// gaps.
+  template <int dim>
+  struct Seam
+  {
+    double                 weight; ///< area at rest that an outward step of 1 adds
+    FaceFunctions<dim>     slave, master;
+    GapBend<dim>           bend;
+    SparseRow              shape; ///< as that of contact points
+    unsigned int           face;  ///< likewise
+    dealii::Point<dim - 1> xi;
+  };
+
   /// Components of displacements, by number.
   using Components = std::array<bool, 3>;
 
@@ -102,6 +115,7 @@ namespace Signorini
   struct ContactSurface
   {
     std::vector<ContactPoint<dim>> points; ///< face by face
+    std::vector<Seam<dim>>         seams;
     /// (shape, weight) at points of whole slave faces, with or without partners: what the nodes
     /// would have if the master were everywhere.
     std::vector<std::pair<SparseRow, double>> whole;

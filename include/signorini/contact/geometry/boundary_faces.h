@@ -2,6 +2,7 @@
 
 #include <signorini/contact/geometry/configuration.h>
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,4 +34,13 @@ namespace Signorini
     double
     stiffness(const Elasticity<dim> &elasticity, unsigned int i) const;
   };
+
+  /// The sides of a face, by the parameter that is constant there: 2 d + (0 or 1).
+  template <int dim>
+  using SidesOfFace = std::array<bool, 2 * (dim - 1)>;
+
+  /// The sides of each face behind which the boundary goes on, on this rank or another.
+  template <int dim>
+  std::vector<SidesOfFace<dim>>
+  inner_sides(const Mesh<dim> &mesh, const std::string &boundary, const BoundaryFaces<dim> &faces);
 } // namespace Signorini

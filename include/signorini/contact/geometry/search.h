@@ -40,6 +40,9 @@ namespace Signorini
     /// position and normal are set.
     std::function<void(unsigned int i, const dealii::Point<dim - 1> &xi, Partner<dim> &partner)>
       complete;
+    /// The sides of each face, by the parameter that is constant there (2 d + (0 or 1)), behind
+    /// which the surface goes on. Empty: nobody wants to know.
+    std::vector<std::array<bool, 2 * (dim - 1)>> inner_sides;
   };
 
   /// What a search did on this rank; `projections` counts those for other ranks'

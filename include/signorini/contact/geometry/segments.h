@@ -18,6 +18,15 @@ namespace Signorini
     double                 weight;        ///< area of the slave face that it stands for
   };
 
+  /// A point of a seam: where a contact segment ends with its master face. As the master moves, so
+  /// does the end.
+  template <int dim>
+  struct SeamPoint : public SegmentPoint<dim> ///< weight: area that an outward step of 1 adds
+  {
+    dealii::Tensor<1, dim> outward; ///< unit, in the mean plane of the slave's facet
+    unsigned int           side;    ///< of the master face: 2 d + (0 or 1) where its xi_d is that
+  };
+
   /// A multilinear piece of a face between neighbouring nodes of its geometry; corners
   /// lexicographic.
   template <int dim>
@@ -65,4 +74,10 @@ namespace Signorini
   segment_points(const FacetedFace<dim>            &slave,
                  const FacetedFace<dim>            &master,
                  const dealii::Quadrature<dim - 1> &rule);
+
+  /// The seams of the segments that segment_points() makes.
+  /// @param n_points of Gauss, on each straight piece; 2D: there is one
+  template <int dim>
+  std::vector<SeamPoint<dim>>
+  seam_points(const FacetedFace<dim> &slave, const FacetedFace<dim> &master, unsigned int n_points);
 } // namespace Signorini

@@ -34,11 +34,12 @@ namespace Signorini
       return 1 + coarse.size();
     }
 
-    /// Level 0 is the finest, the stiffness itself, as a preconditioner needs it.
+    /// Level 0 is the finest, the stiffness itself as it is now, as a preconditioner needs it; the
+    /// others are of what it was when they were made.
     const StiffnessOperator<float> &
     stiffness(const unsigned int level) const
     {
-      return level == 0 ? finest : *coarse[level - 1].stiffness;
+      return level == 0 ? fine.rounded() : *coarse[level - 1].stiffness;
     }
 
     const LA::SparseMatrix &
@@ -72,9 +73,9 @@ namespace Signorini
     }
 
   private:
-    const StiffnessOperator<float> &finest;
-    std::vector<Level>              coarse;
-    const unsigned int              n_spaces;
-    const LA::SparseMatrix         *coarsest;
+    const Stiffness        &fine;
+    std::vector<Level>      coarse;
+    const unsigned int      n_spaces;
+    const LA::SparseMatrix *coarsest;
   };
 } // namespace Signorini
