@@ -167,7 +167,7 @@ namespace Signorini
   void
   ContactSetup<dim>::build(const Configuration<dim> &configuration,
                            const bool                is_near,
-                           const bool                keeps_faces)
+                           const bool                keeps_points)
   {
     const ContactMethod &method = scene.contact.chosen();
     built_near                  = is_near;
@@ -181,7 +181,7 @@ namespace Signorini
       for (unsigned int i = 0; i < scene.pairs.size(); ++i)
         {
           my_surfaces.push_back(surface_of(
-            configuration, scene.pairs[i], of_pairs[i], keeps_faces ? &former[i] : nullptr));
+            configuration, scene.pairs[i], of_pairs[i], keeps_points ? &former[i] : nullptr));
           exchange_sides(configuration, i);
         }
     }
@@ -304,8 +304,7 @@ namespace Signorini
   bool
   ContactSetup<dim>::has_settled(const LA::Vector &u) const
   {
-    // In face sizes; results of large deformation must not know from where it was reached.
-    const double              small      = elasticity.is_finite() ? 1e-5 : 0.02;
+    constexpr double          small      = 0.02; // in face sizes
     const std::vector<double> approaches = approaches_since(since_built(u));
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
       if (approaches[i] > small * my_surfaces[i].face_size)

@@ -315,21 +315,24 @@ namespace Signorini
   Equilibrium<dim>::follow_surfaces(const double t, const double tolerance, const bool is_placed)
   {
     const bool             is_finite = elasticity.is_finite();
-    const unsigned int     most = is_finite ? 40 : 20, most_faces = is_finite ? 10 : 5;
-    const double           enough = std::max(tolerance, scene.newton.of_geometry);
-    const NewtonGoal       exact{tolerance}, one_step{tolerance, 1};
-    constexpr unsigned int patience = 8;
-    double                 before   = 0; // what was out of balance when surfaces were placed last
-    double                 least    = std::numeric_limits<double>::max(); // of placements so far
-    unsigned int           in_vain  = 0;                                  // placements since then
+    const unsigned int     most      = is_finite ? 40 : 20;
+    const double           enough    = std::max(tolerance, scene.newton.of_geometry);
+    constexpr unsigned int patience = 8, most_rules = 5;
+    double                 before  = 0; // what was out of balance when surfaces were placed last
+    double                 least   = std::numeric_limits<double>::max(); // of placements so far
+    unsigned int           in_vain = 0;                                  // placements since then
     for (unsigned int n = 1; n <= most && in_vain < patience; ++n)
       {
         if (n > 1 || !is_placed)
           {
-            const bool keeps_faces = n > 1 && (n > most_faces || in_vain > patience / 2 ||
-                                               contact.has_settled(state.displacement));
-            placed                 = state.displacement;
-            build_contact(true, keeps_faces);
+            // With small strain, points of integration stay where they are before long. With large
+            // deformation results must not know from where they were reached: only if there is
+            // nothing else, since points may go to and fro over kinks and rims.
+            const bool keeps_points =
+              n > 1 && (is_finite ? in_vain > patience / 2 :
+                                    n > most_rules || contact.has_settled(state.displacement));
+            placed = state.displacement;
+            build_contact(true, keeps_points);
             steps_before = my_report.steps;
           }
         if (!solve_in_place(t, next_goal(tolerance, before), true))
@@ -494,14 +497,14 @@ namespace Signorini
 
   template <int dim>
   void
-  Equilibrium<dim>::build_contact(const bool is_near, const bool keeps_faces)
+  Equilibrium<dim>::build_contact(const bool is_near, const bool keeps_points)
   {
     forget_solver();
     clock.start();
     contact.build(placed.size() > 0 ? Configuration<dim>(elasticity, placed) :
                                       Configuration<dim>(elasticity),
                   is_near,
-                  keeps_faces);
+                  keeps_points);
     rows_of_places(state.contact, contact.gap_operator(), pressure, active);
     active = contact.gap_operator().zero(); // the law finds it better: there may be more points
     clock.stop();

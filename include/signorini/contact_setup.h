@@ -34,11 +34,10 @@ namespace Signorini
     /// ask for it, while they are at rest. Throws SceneError where a pair that has to see its
     /// partner does not.
     /// @param is_near surfaces are about where they will be: few candidates are enough
-    /// @param keeps_faces points of integration stay with the faces that they have had since the
-    /// last build(), which was on this mesh and not at rest, as long as these are about as good;
-    /// but for segments
+    /// @param keeps_points the points of integration are those of the last build(), which was on
+    /// this mesh and not at rest, and stay with the master's faces as long as these are as good
     void
-    build(const Configuration<dim> &configuration, bool is_near = false, bool keeps_faces = false);
+    build(const Configuration<dim> &configuration, bool is_near = false, bool keeps_points = false);
 
     /// Before the mesh changes: what was built belongs to it.
     void
@@ -88,7 +87,7 @@ namespace Signorini
     neglected(const LA::Vector &u, const LA::Vector &pressure) const;
 
     /// True if no surface has moved by more than a small part of its faces since build(), so that
-    /// the points of integration may stay with their faces. Collective.
+    /// the points of integration may stay. Collective.
     bool
     has_settled(const LA::Vector &u) const;
 

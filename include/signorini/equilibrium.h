@@ -146,7 +146,7 @@ namespace Signorini
     make_free_motions();
     /// See ContactSetup::build().
     void
-    build_contact(bool is_near = false, bool keeps_faces = false);
+    build_contact(bool is_near = false, bool keeps_points = false);
     void
     forget_solver();
     Snapshot<dim>

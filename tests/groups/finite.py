@@ -2,7 +2,7 @@
 
 from case import SCENES, Case
 
-RING, CYLINDER = SCENES / "finite-o-ring.prm", SCENES / "finite-half-cylinder.prm"
+RING, CYLINDER, PUNCH = (SCENES / f"finite-{name}.prm" for name in ("o-ring", "half-cylinder", "punch"))
 COARSE_RING = ["Mesh/Degree=1"]
 COARSE_CYLINDER = ["Bodies/disc/Refinements=2", "Bodies/block/Subdivisions=12,8"]
 
@@ -11,14 +11,25 @@ def force_of(results, pair="contact"):
     return results["load_steps"][-1]["pairs"][pair]["normal_force"]
 
 
-def same_in_steps(scene, sets, tolerance, numbers):
+def same_in_steps(scene, sets, tolerance, numbers, pair="contact"):
     """The path does not matter: so does not the number of load steps."""
     def body(test):
-        forces = [force_of(test.results(scene, sets + [f"Load steps/Number={n}"])) for n in numbers]
+        forces = [force_of(test.results(scene, sets + [f"Load steps/Number={n}"]), pair) for n in numbers]
         test.print(", ".join(f"{n}: {force:.12g}" for n, force in zip(numbers, forces)))
         for n, force in zip(numbers, forces):
             test.check(abs(force / forces[0] - 1) <= tolerance, f"{force:.12g} in {n} steps, {forces[0]:.12g} in one")
     return body
+
+
+def second_order(test):
+    """Segments end where the master's faces do, at the edges of the punch too: what is out of balance where surfaces are placed falls
+    by second order."""
+    rows = [line.split() for line in test.run(PUNCH).out.splitlines()]
+    first = [float(row[3]) for row in rows if len(row) == 7 and row[0] == "0"]
+    test.print(" ".join(f"{x:.1e}" for x in first))
+    test.check(len(first) <= 9, f"{len(first)} placements")
+    near = [(a, b) for a, b in zip(first, first[1:]) if 1e-7 < a < 1e-2]
+    test.check(near and all(b <= 0.1 * a for a, b in near), "that does not fall by second order")
 
 
 def first_touch(test):
@@ -86,6 +97,8 @@ def cases():
     yield Case("finite", "stability", stability)
     yield Case("finite", "steps/o-ring", same_in_steps(RING, COARSE_RING, 1e-8, (1, 2, 5)))
     yield Case("finite", "steps/half cylinder", same_in_steps(CYLINDER, COARSE_CYLINDER, 2e-7, (1, 2, 5)))
+    yield Case("finite", "steps/punch", same_in_steps(PUNCH, [], 1e-7, (1, 2, 5), "joint"))
+    yield Case("finite", "second order", second_order)
     yield Case("finite", "first touch", first_touch)
     yield Case("finite", "refined", refined, ranks=2)
     for model in ("plane strain", "plane stress", "axisymmetric"):

@@ -85,10 +85,7 @@ namespace Signorini
                        const SearchRange         &range,
                        const ContactSurface<dim> *former)
   {
-    const std::vector<LaidPoint<dim>> none;
-    // Segments follow the faces that they end with.
-    if (integration.rule == Rule::segments)
-      former = nullptr;
+    const std::vector<LaidPoint<dim>>  none;
     const std::vector<LaidPoint<dim>> &laid = former ? former->laid : none;
     auto                               surface =
       one_sided_surface(configuration, pair, obstacle, method, integration, range, laid);
