@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap, Normalize
+from PIL import Image  # which Matplotlib needs anyway
 
 from figures import MADE_BY
 from profiles import in_contact, normals, positions
@@ -114,6 +115,32 @@ def plot_bodies(mesh, profiles, field, scale, title, file, rigid=(), axes_names=
     figure.suptitle(title, fontsize=11)
     picture.colour_bar(figure, list(axes), shrink=0.85, aspect=28, pad=0.02)
     figure.savefig(file, dpi=100, facecolor="white", metadata=MADE_BY)
+
+
+def plot_film(meshes, field, scale, title, folder):
+    """All load steps in the same window, from the same side and in the same colours, as pictures and one animated picture.
+
+    @param meshes pairs of time and mesh
+    """
+    pictures = [Picture(mesh, {}, field) for _, mesh in meshes]
+    factor = pictures[-1].visible_scale() if scale is None else scale
+    bounds = [norm.vmin for norm in (p.norm for p in pictures)], [norm.vmax for norm in (p.norm for p in pictures)]
+    windows = np.array([whole(picture.positions(factor)) for picture in pictures])
+    window = np.stack([windows[:, :, 0].min(axis=0), windows[:, :, 1].max(axis=0)], axis=1)
+    (folder / "film").mkdir(exist_ok=True)
+    frames = []
+    for number, ((time, _), picture) in enumerate(zip(meshes, pictures), 1):
+        picture.norm = Normalize(min(bounds[0]), max(bounds[1]))
+        figure, ax = plt.subplots(figsize=(8, 1 + 6.5 * np.clip(np.ptp(window[1]) / np.ptp(window[0]), 0.3, 1.2)), layout="constrained")
+        picture.draw(ax, factor, window)
+        ax.set_title(f"{title}, t = {time:.4g}, displacement × {factor:g}", fontsize=10)
+        picture.colour_bar(figure, [ax], shrink=0.85, aspect=28, pad=0.02)
+        frames.append(folder / "film" / f"{number:04d}.png")
+        figure.savefig(frames[-1], dpi=80, facecolor="white", metadata=MADE_BY)
+        plt.close(figure)
+    images = [Image.open(frame).convert("P", palette=Image.Palette.ADAPTIVE) for frame in frames]
+    images[0].save(folder / "film.gif", save_all=True, append_images=images[1:], duration=[150] * (len(images) - 1) + [1500], loop=0,
+                   comment=b"Signorini scripts/plot")
 
 
 def draw_obstacle(ax, picture, profile, factor, window):

@@ -96,8 +96,8 @@ def stability(test):
 def cases():
     yield Case("finite", "stability", stability)
     yield Case("finite", "steps/o-ring", same_in_steps(RING, COARSE_RING, 1e-8, (1, 2, 5)))
-    yield Case("finite", "steps/half cylinder", same_in_steps(CYLINDER, COARSE_CYLINDER, 2e-7, (1, 2, 5)))
-    yield Case("finite", "steps/punch", same_in_steps(PUNCH, [], 1e-7, (1, 2, 5), "joint"))
+    yield Case("finite", "steps/half cylinder", same_in_steps(CYLINDER, COARSE_CYLINDER, 1e-8, (1, 2, 5)))
+    yield Case("finite", "steps/punch", same_in_steps(PUNCH, [], 1e-8, (1, 2, 5), "joint"))
     yield Case("finite", "second order", second_order)
     yield Case("finite", "first touch", first_touch)
     yield Case("finite", "refined", refined, ranks=2)

@@ -118,7 +118,9 @@ TEST_CASE("a run removes what an earlier one left, and nothing else")
   folder.write("results.json", "{\n  \"scene\": \"old\"\n}\n");
   folder.write("results.json.part", "");
   folder.write("scene.prm", "set Dimension = 2\n"); // without a mark, but with results beside it
-  folder.write("bodies.png", "PNG tEXt Software Signorini");
+  for (const char *name :
+       {"bodies.png", "history.png", "accuracy.png", "film.gif", "film/0003.png"})
+    folder.write(name, "PNG tEXt Software Signorini");
   folder.write("profiles/foot.csv", csv);
   folder.write("profiles/step-0001/foot.csv", csv);
   folder.write("profiles/step-0002/foot.csv", csv);
