@@ -124,13 +124,13 @@ def plot_film(meshes, field, scale, title, folder):
     """
     pictures = [Picture(mesh, {}, field) for _, mesh in meshes]
     factor = pictures[-1].visible_scale() if scale is None else scale
-    bounds = [norm.vmin for norm in (p.norm for p in pictures)], [norm.vmax for norm in (p.norm for p in pictures)]
+    colours = Normalize(min(picture.norm.vmin for picture in pictures), max(picture.norm.vmax for picture in pictures))
     windows = np.array([whole(picture.positions(factor)) for picture in pictures])
     window = np.stack([windows[:, :, 0].min(axis=0), windows[:, :, 1].max(axis=0)], axis=1)
     (folder / "film").mkdir(exist_ok=True)
     frames = []
     for number, ((time, _), picture) in enumerate(zip(meshes, pictures), 1):
-        picture.norm = Normalize(min(bounds[0]), max(bounds[1]))
+        picture.norm = colours
         figure, ax = plt.subplots(figsize=(8, 1 + 6.5 * np.clip(np.ptp(window[1]) / np.ptp(window[0]), 0.3, 1.2)), layout="constrained")
         picture.draw(ax, factor, window)
         ax.set_title(f"{title}, t = {time:.4g}, displacement × {factor:g}", fontsize=10)

@@ -198,7 +198,7 @@ namespace Signorini
                                               boundary,
                                               method.predictor() == Predictor::normal_stress,
                                               !at_rest);
-        if (!at_rest)
+        if (!at_rest && !is_laid && integration.rule == Rule::segments)
           faces.inner_sides = inner_sides(elasticity.mesh(), pair.master, boundary);
         return faces;
       }

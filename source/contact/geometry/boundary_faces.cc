@@ -69,7 +69,7 @@ namespace Signorini
   {
     /// What two faces share: a vertex (2D) or a line.
     template <int dim>
-    class Sides
+    class SharedSides
     {
     public:
       using Cell = typename Triangulation<dim>::active_cell_iterator;
@@ -139,7 +139,7 @@ namespace Signorini
   inner_sides(const Mesh<dim> &mesh, const std::string &boundary, const BoundaryFaces<dim> &faces)
   {
     const BoundaryIds &ids = mesh.boundary_ids(boundary);
-    Sides<dim>         sides;
+    SharedSides<dim>   sides;
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (!cell->is_artificial() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())

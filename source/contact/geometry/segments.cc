@@ -319,6 +319,49 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// A facet of the slave and one of the master, in the plane of the former.
+    template <int dim>
+    struct FacetPair
+    {
+      const FacePatch<dim> &slave;
+      const Facet<dim>     &ours, &theirs;
+      const unsigned int    n_slave, n_master; ///< facets of their faces along a line
+      const Flat<dim - 1>   ours_flat, theirs_flat;
+
+      /// The point at y in the plane, which stands for that much of it.
+      SegmentPoint<dim>
+      at(const Point<dim - 1> &y, const double measure) const
+      {
+        const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
+        const Point<dim - 1> xi  = of_face(ours, s, n_slave);
+        return {xi,
+                of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
+                measure / jacobian / Utilities::fixed_power<dim - 1>(double(n_slave)) *
+                  slave.jacobian(xi)};
+      }
+    };
+
+    template <int dim, typename Visit>
+    void
+    for_facet_pairs(const FacetedFace<dim> &slave,
+                    const FacetedFace<dim> &master,
+                    const Visit            &visit)
+    {
+      const unsigned int n_slave = slave.patch.get_degree(), n_master = master.patch.get_degree();
+      for (const Facet<dim> &ours : slave.facets)
+        {
+          const auto ours_flat = project(ours, ours);
+          for (const Facet<dim> &theirs : master.facets)
+            visit(FacetPair<dim>{
+              slave.patch, ours, theirs, n_slave, n_master, ours_flat, project(theirs, ours)});
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<SegmentPoint<dim>>
   segment_points(const FacetedFace<dim>    &slave,
@@ -326,28 +369,12 @@ namespace Signorini
                  const Quadrature<dim - 1> &rule)
   {
     std::vector<SegmentPoint<dim>> points;
-    const unsigned int n_slave = slave.patch.get_degree(), n_master = master.patch.get_degree();
-    const double       parameters = 1. / Utilities::fixed_power<dim - 1>(n_slave); // of a facet
-    for (const Facet<dim> &ours : slave.facets)
-      {
-        const auto ours_flat = project(ours, ours);
-        for (const Facet<dim> &theirs : master.facets)
-          {
-            const auto theirs_flat = project(theirs, ours);
-            for (const auto &simplex : intersection(ours_flat, theirs_flat))
-              for (unsigned int q = 0; q < rule.size(); ++q)
-                {
-                  const Point<dim - 1> y   = in_simplex<dim - 1>(simplex, rule.point(q));
-                  const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
-                  const Point<dim - 1> xi  = of_face(ours, s, n_slave);
-                  points.push_back(
-                    {xi,
-                     of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
-                     rule.weight(q) * volume(simplex) / jacobian * parameters *
-                       slave.patch.jacobian(xi)});
-                }
-          }
-      }
+    for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
+      for (const auto &simplex : intersection(pair.ours_flat, pair.theirs_flat))
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          points.push_back(
+            pair.at(in_simplex<dim - 1>(simplex, rule.point(q)), rule.weight(q) * volume(simplex)));
+    });
     return points;
   }
 
@@ -360,35 +387,18 @@ namespace Signorini
               const unsigned int      n_points)
   {
     std::vector<SeamPoint<dim>> result;
-    const unsigned int n_slave = slave.patch.get_degree(), n_master = master.patch.get_degree();
-    const double       parameters = 1. / Utilities::fixed_power<dim - 1>(n_slave); // of a facet
-    for (const Facet<dim> &ours : slave.facets)
-      {
-        const auto ours_flat = project(ours, ours);
-        for (const Facet<dim> &theirs : master.facets)
-          {
-            const auto theirs_flat = project(theirs, ours);
-            for (const Piece<dim - 1> &piece : common_sides(ours_flat, theirs_flat, n_points))
-              {
-                if (!ends_face(theirs, piece.side, n_master))
-                  continue;
-                Tensor<1, dim> outward;
-                for (unsigned int d = 0; d < dim - 1; ++d)
-                  outward += piece.outward[d] * ours.axes[d];
-                for (const auto &[y, length] : piece.points)
-                  {
-                    const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
-                    const Point<dim - 1> xi  = of_face(ours, s, n_slave);
-                    result.push_back(
-                      {{xi,
-                        of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
-                        length / jacobian * parameters * slave.patch.jacobian(xi)},
-                       outward,
-                       piece.side});
-                  }
-              }
-          }
-      }
+    for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
+      for (const Piece<dim - 1> &piece : common_sides(pair.ours_flat, pair.theirs_flat, n_points))
+        {
+          if (!ends_face(pair.theirs, piece.side, pair.n_master))
+            continue;
+          Tensor<1, dim> outward;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            outward += piece.outward[d] * pair.ours.axes[d];
+          for (const auto &[y, length] : piece.points)
+            result.push_back({pair.at(y, length), outward, piece.side});
+        }
+    });
     return result;
   }
 
