@@ -71,7 +71,7 @@ namespace Signorini
     const MPI_Comm    comm  = elasticity.mesh().communicator();
     ContactPair<dim> &pair  = scene.pairs[i];
     const Sides       sides = my_surfaces[i].sides;
-    if (!configuration.is_rest() || pair.sides == SideChoice::as_named ||
+    if (!configuration.is_rest() || pair.is_self() || pair.sides == SideChoice::as_named ||
         scene.contact.chosen().unbiased() || !sides.better_exchanged() || kept.count(pair.name) > 0)
       return;
     ContactPair<dim> other = pair;

@@ -163,7 +163,7 @@ namespace Signorini
     {
       TimerOutput::Scope scope(timer, "mesh");
       if (former)
-        restore_degrees();
+        restore_choices();
       mesh = make_mesh(scene, comm);
       if (scene.auto_pairs)
         {
@@ -270,7 +270,8 @@ namespace Signorini
                                    "peak_memory_mb",
                                    "preflight",
                                    "linear_reference",
-                                   "contact_geometry"};
+                                   "contact_geometry",
+                                   "deformation"};
     if (!is_final)
       whole.push_back("probes");
     check_paths(scene.expected, step, whole);
@@ -285,12 +286,12 @@ namespace Signorini
     // Only the end counts, and mostly it is found at once.
     const double end = scene.load_steps.end_time;
     n_steps          = 0;
-    if (equilibrium->solve(end, tolerance))
+    if (solve(end, tolerance))
       {
         n_steps = report().steps.size();
         return true;
       }
-    if (report().is_loose || scene.load_steps.cut_backs == 0)
+    if (report().is_loose || scene.load_steps.shortest(end) == end)
       return false;
     out << "  not solved at once (" << report().reason << "): step by step" << std::endl;
     State nothing;
@@ -336,23 +337,23 @@ namespace Signorini
     auto &[cycle, t, number, longest] = from;
     for (const double end : ends)
       {
-        const double smallest = (end - start) / std::pow(2, scene.load_steps.cut_backs);
+        const double shortest = scene.load_steps.shortest(end - start);
         start                 = end;
         while (t < end)
           {
             const double next = end - t <= 1.001 * longest ? end : t + longest;
             if (ends.size() > 1 || next < end)
               out << "  load step " << number + 1 << ", t = " << next << std::endl;
-            if (equilibrium->solve(next, tolerance))
+            if (solve(next, tolerance))
               {
-                longest = std::max(longest, 2 * (next - t));
+                longest = scene.load_steps.next_length(next - t, report().steps.size(), longest);
                 t       = next;
                 visit(++number);
               }
             else
               {
                 longest = (next - t) / 2;
-                if (longest < 0.999 * smallest || report().is_loose)
+                if (longest < 0.999 * shortest || report().is_loose)
                   return false;
                 out << "  not solved (" << report().reason << "): half the load step" << std::endl;
               }
@@ -369,6 +370,7 @@ namespace Signorini
   {
     TimerOutput::Scope scope(timer, "output");
     recorder->add_contact_geometry(equilibrium->neglected(), equilibrium->follows());
+    recorder->add_deformation(neglected_work, elasticity->is_finite());
     recorder->add_step(equilibrium->snapshot(step), report(), multigrid_cycles());
   }
 

@@ -143,17 +143,10 @@ namespace Signorini
     mesh->set_degrees(scene.degrees());
     auto richer = make_elasticity(scene, *mesh);
     richer->setup();
-    State      carried   = state;
-    const Json known     = contact->memory();
-    const bool follows   = equilibrium->follows();
+    State carried        = state;
     carried.bulk_stress  = LA::Vector();
     carried.displacement = enriched(*elasticity, state.displacement, *richer);
-    equilibrium.reset();
-    contact.reset();
-    elasticity = std::move(richer);
-    set_up_contact();
-    contact->remember(known);
-    equilibrium->set_state(carried, follows);
+    replace_elasticity(std::move(richer), carried, equilibrium->follows());
   }
 
 

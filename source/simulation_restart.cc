@@ -105,13 +105,17 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::restore_degrees()
+  Simulation<dim>::restore_choices()
   {
     const std::vector<unsigned int> degrees = former->head.at("degrees");
     const std::vector<bool>         is_open = scene.open_degrees();
     for (unsigned int body = 0; body < is_open.size(); ++body)
       if (is_open[body] && degrees.at(body) > 1)
         scene.bodies[body].degree = degrees[body];
+    if (former->head.value("finite", false) && scene.deformation == Deformation::automatic)
+      scene.become_finite();
+    if (const double share = former->head.value("neglected_work", -1.); share >= 0)
+      neglected_work = share;
   }
 
 
@@ -178,6 +182,8 @@ namespace Signorini
                  {"follows", equilibrium->follows()},
                  {"tolerance", tolerance},
                  {"degrees", scene.degrees()},
+                 {"finite", elasticity->is_finite()},
+                 {"neglected_work", neglected_work.value_or(-1)},
                  {"multigrid_cycles", multigrid_cycles()},
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
                  {"pairs", contact->memory()}};
@@ -254,7 +260,7 @@ namespace Signorini
   template std::optional<ExitCode> Simulation<dim>::code_of_finished_run() const;                  \
   template bool                    Simulation<dim>::is_over() const;                               \
   template void                    Simulation<dim>::find_checkpoint();                             \
-  template void                    Simulation<dim>::restore_degrees();                             \
+  template void                    Simulation<dim>::restore_choices();                             \
   template void                    Simulation<dim>::restore_mesh();                                \
   template void                    Simulation<dim>::restore_state();                               \
   template void                    Simulation<dim>::reach();                                       \

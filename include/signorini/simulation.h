@@ -64,6 +64,10 @@ namespace Signorini
     /// The end of the load history, on a mesh that is still to be refined.
     bool
     solve_for_estimate();
+    /// At time t, from the last state; with large deformation where that is needed, see
+    /// simulation_deformation.cc.
+    bool
+    solve(double t, double tolerance);
     void
     run_load_history();
     /// All load steps, cut back where they cannot be solved.
@@ -89,6 +93,18 @@ namespace Signorini
     compare_with_linear_solve();
     ExitCode
     finish(const NewtonReport &end);
+
+    // Small or large deformation, in simulation_deformation.cc:
+
+    /// Does what the last solution neglects of large deformation not count? Collective.
+    bool
+    is_small_enough();
+    /// From here on. Throws SceneError where the scene has what goes with small strain alone.
+    void
+    become_finite(const State &before);
+    /// On the same mesh.
+    void
+    replace_elasticity(std::unique_ptr<Elasticity<dim>> other, const State &carried, bool follows);
 
     // Errors, in simulation_accuracy.cc:
 
@@ -118,8 +134,9 @@ namespace Signorini
     code_of_finished_run() const;
     void
     find_checkpoint();
+    /// What the program chose: degrees, deformation.
     void
-    restore_degrees();
+    restore_choices();
     /// The mesh as it was.
     void
     restore_mesh();
@@ -161,9 +178,11 @@ namespace Signorini
     bool                               has_estimate = false; ///< of this mesh
     double                             last_mesh_at = 0;     ///< seconds: when it was estimated
     std::vector<unsigned int>          next_quadratic;       ///< bodies, on the next mesh
-    std::string                        why_not_met; ///< the targets; empty: no reason is known
-    unsigned int former_cycles  = 0;                ///< of multigrid on this mesh, before a restart
-    double       former_seconds = 0;                ///< likewise
+    /// The largest share, where Deformation = automatic.
+    std::optional<double> neglected_work;
+    std::string           why_not_met;        ///< the targets; empty: no reason is known
+    unsigned int          former_cycles  = 0; ///< of multigrid on this mesh, before a restart
+    double                former_seconds = 0; ///< likewise
 
     /// What a checkpoint needs beside the results: copies, since attempts change the originals.
     struct Reached

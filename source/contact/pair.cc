@@ -13,7 +13,10 @@ namespace Signorini
       "Slave",
       slave,
       "BODY.BOUNDARY; contact is integrated over it: the softer side, or the finer one of equal stiffness, up to twice as fine");
-    section.add("Master", master, "BODY.BOUNDARY, or the name of an obstacle");
+    section.add(
+      "Master",
+      master,
+      "BODY.BOUNDARY, or the name of an obstacle; the slave itself, where a surface folds onto itself");
     section.add_choice(
       "Sides",
       sides,
@@ -75,6 +78,7 @@ namespace Signorini
     std::swap(slave, master);
     std::swap(slave_place, master_place);
     exchanged = !exchanged;
+    self_side = -self_side;
   }
 
 

@@ -266,12 +266,12 @@ namespace Signorini
     const std::vector<std::pair<std::string, std::string>> &contact_surfaces) const
   {
     for (const auto &[slave, master] : contact_surfaces)
-      if (!master.empty())
+      if (!master.empty() && slave != master)
         for (const types::boundary_id id : boundary_ids(slave))
           if (boundary_ids(master).count(id) > 0)
-            throw SceneError("a contact pair has the slave '" + slave + "' and the master '" +
-                             master +
-                             "', which have faces in common; a surface cannot touch itself");
+            throw SceneError(
+              "a contact pair has the slave '" + slave + "' and the master '" + master +
+              "', which have faces in common; where a surface touches itself, both are that surface");
   }
 
 

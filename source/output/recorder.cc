@@ -184,6 +184,18 @@ namespace Signorini
 
   template <int dim>
   void
+  Recorder<dim>::add_deformation(const std::optional<double> neglected, const bool finite)
+  {
+    Json &deformation     = results["deformation"];
+    deformation["finite"] = finite;
+    if (neglected)
+      deformation["neglected_work"] = *neglected;
+  }
+
+
+
+  template <int dim>
+  void
   Recorder<dim>::add_cycle(const unsigned int newton_iterations,
                            const unsigned int multigrid_cycles,
                            const Json        &accuracy)

@@ -19,7 +19,7 @@ namespace Signorini
         return "needs a Poisson's ratio above 0";
       if (model_of(scene.model) == Model::plane_stress)
         return "a sheet, with Model = plane stress, is free to become thinner; take displacement";
-      if (scene.deformation == Deformation::finite && body.material.law == "Saint Venant-Kirchhoff")
+      if (scene.deformation != Deformation::small && body.material.law == "Saint Venant-Kirchhoff")
         return "Law = Saint Venant-Kirchhoff has no volumetric part; take neo-Hooke";
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())
         return "errors of the bulk stress are not estimated; take Accuracy/Quantity and Target "

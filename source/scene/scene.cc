@@ -25,144 +25,6 @@ namespace Signorini
 
 
 
-  ContactSettings::ContactSettings()
-  {
-    for (const std::string &name : method_names())
-      methods.emplace_back(name, ContactMethod::create(name));
-  }
-
-
-
-  const ContactMethod &
-  ContactSettings::chosen() const
-  {
-    return *std::find_if(methods.begin(), methods.end(), [&](const auto &m) {
-              return m.first == method;
-            })->second;
-  }
-
-
-
-  void
-  ContactSettings::stiffen(const double factor)
-  {
-    for (const auto &[name, one] : methods)
-      if (name == method)
-        one->stiffen(factor);
-  }
-
-
-
-  void
-  ContactSettings::declare(Section &section)
-  {
-    std::vector<std::string> choices = method_names();
-    choices.emplace_back("auto");
-    section.add_choice(
-      "Method",
-      method,
-      choices,
-      "how contact is imposed; auto: what costs least for the Target error, and the "
-      "degree of bodies, if nobody sets it");
-    if (method == choices.back())
-      {
-        is_automatic = true;
-        method       = ContactSettings().method;
-      }
-    section.add_choice(
-      "Integration",
-      integration,
-      or_auto(Integration::rules()),
-      "of slave faces: auto: what suits the method; segments: exactly, on their intersections with master faces; by Gauss "
-      "points on whole faces (cheaper); at the nodes (cheapest)");
-    section.add(
-      "Quadrature points",
-      quadrature_points,
-      "a direction on a segment or face; 0: degree + 1; degree + 3 for weighted methods on whole faces, and on segments of "
-      "faces far from parallelograms, as those of divided tetrahedra; nodes have degree + 1",
-      Range{0, 20});
-    section.add_choice(
-      "Pressure basis",
-      pressure_basis,
-      {{"dual", Basis::dual}, {"standard", Basis::standard}},
-      "of methods that weigh the gap at slave nodes: functions biorthogonal to the displacement's (fewest Newton steps), "
-      "or the displacement's own");
-    section.add_choice(
-      "Contact geometry",
-      geometry,
-      {{"automatic", ContactGeometry::automatic},
-       {"reference", ContactGeometry::reference},
-       {"updated", ContactGeometry::updated}},
-      "where gaps and normals are taken: reference: of the surfaces at rest; updated: of the surfaces as they are now, "
-      "which costs a search and a solve or two more; automatic: as they are now where that changes the pressure");
-    section.add(
-      "Geometry share",
-      geometry_share,
-      "of the pressure that automatic does not update for; it is estimated from the solution",
-      Range{0, 1, false});
-    for (const auto &[name, object] : methods)
-      section.add_section(name, about_method(name), [&, object = object](Section &s) {
-        object->declare(s);
-      });
-  }
-
-
-
-  Integration
-  ContactSettings::integration_of_degrees(const unsigned int slave, const unsigned int master) const
-  {
-    const Rule rule   = integration.value_or(chosen().usual_integration());
-    const bool weighs = chosen().sampling() == Sampling::nodes;
-    // Nodes are those of the slave, and forces at points push its nodes: it has to follow them all.
-    const bool         of_slave = rule == Rule::nodes || (rule == Rule::quadrature && !weighs);
-    const unsigned int degree   = of_slave ? slave : std::max(slave, master);
-    const unsigned int usual    = rule == Rule::quadrature && weighs ? degree + 3 : degree + 1;
-    return {rule,
-            quadrature_points == 0 || rule == Rule::nodes ? usual : quadrature_points,
-            weighs ? pressure_basis : Basis::standard,
-            quadrature_points == 0 ? degree + 3 : quadrature_points};
-  }
-
-
-
-  void
-  LoadSteps::declare(Section &section)
-  {
-    section.add("End time",
-                end_time,
-                "t runs from 0 to this; supports, loads and obstacles depend on it",
-                positive);
-    section.add("Number", number, "of equal steps", Range{1, 1e6});
-    section.add("Times", times, "ends of the steps, instead of End time and Number; increasing");
-    section.add("Cut-backs",
-                cut_backs,
-                "how often a step that cannot be solved is halved; it grows again afterwards",
-                Range{0, 20});
-    for (unsigned int i = 0; i < times.size(); ++i)
-      if (times[i] <= (i > 0 ? times[i - 1] : 0))
-        section.fail("Times", "must be positive and increasing");
-    if (section.reading() && !times.empty())
-      {
-        end_time = times.back();
-        number   = times.size();
-      }
-  }
-
-
-
-  std::vector<double>
-  LoadSteps::ends() const
-  {
-    if (!times.empty())
-      return times;
-    std::vector<double> result;
-    for (unsigned int step = 1; step <= number; ++step)
-      result.push_back(end_time * step / number);
-    return result;
-  }
-
-
-
   template <int dim>
   void
   Scene<dim>::declare(Section &section)
@@ -179,9 +41,17 @@ namespace Signorini
     section.add_choice(
       "Deformation",
       deformation,
-      {{"small", Deformation::small}, {"finite", Deformation::finite}},
+      {{"small", Deformation::small},
+       {"finite", Deformation::finite},
+       {"automatic", Deformation::automatic}},
       "of bodies: strains and rotations are small beside one; or of any amount, with the Law of each body, "
-      "and contact on the surfaces as they are now");
+      "and contact on the surfaces as they are now; automatic: small, until a solution shows that this neglects too much");
+    section.add(
+      "Deformation share",
+      deformation_share,
+      "of the work of the stresses that automatic does not become finite for; a Target error, if there is one "
+      "that is smaller",
+      Range{0, 1, false});
     section.add("Title", title, "");
 
     section.add_definitions("Definitions",
@@ -231,8 +101,7 @@ namespace Signorini
     if (section.reading())
       choose_formulations(*this, has_degree);
     if (section.reading() && deformation == Deformation::finite)
-      for (Body<dim> &body : bodies)
-        body.material.energy = law_of(body.material).make(body.material);
+      become_finite();
     section.add_section("Load steps", "The history of loading.", [&](Section &s) {
       load_steps.declare(s);
     });
@@ -249,6 +118,17 @@ namespace Signorini
 
 
 
+  template <int dim>
+  void
+  Scene<dim>::become_finite()
+  {
+    deformation = Deformation::finite;
+    for (Body<dim> &body : bodies)
+      body.material.energy = law_of(body.material).make(body.material);
+  }
+
+
+
   // By the curves of doc/accuracy.md: with multipliers nothing is left to choose and nothing
   // overlaps, at the price of the others.
   template <int dim>
@@ -261,252 +141,6 @@ namespace Signorini
     degree = 0;
     choice += goals.has_targets() ? "; degree 1, or 2 where bodies are far from the target" :
                                     "; degree 1, since there is no Target error";
-  }
-
-
-
-  namespace
-  {
-    template <int dim>
-    std::vector<std::string>
-    boundary_names(const std::vector<Body<dim>> &bodies)
-    {
-      std::vector<std::string> names;
-      for (const Body<dim> &body : bodies)
-        for (const std::string &boundary : body.mesh.generator->boundaries())
-          names.push_back(body.name + "." + boundary);
-      return names;
-    }
-
-    template <int dim>
-    std::vector<std::string>
-    node_set_names(const std::vector<Body<dim>> &bodies)
-    {
-      std::vector<std::string> names;
-      for (const Body<dim> &body : bodies)
-        for (const std::string &set : body.mesh.generator->node_sets())
-          names.push_back(body.name + "." + set);
-      return names;
-    }
-
-    /// BODY.NUMBER of a node of a mesh file.
-    template <int dim>
-    bool
-    is_node_number(const std::vector<Body<dim>> &bodies, const std::string &name)
-    {
-      for (const Body<dim> &body : bodies)
-        if (const std::string start = body.name + "."; name.compare(0, start.size(), start) == 0)
-          return !body.mesh.generator->node_set(name.substr(start.size())).empty();
-      return false;
-    }
-
-    template <typename Items>
-    std::vector<std::string>
-    names_of(const Items &items)
-    {
-      std::vector<std::string> names;
-      for (const auto &item : items)
-        names.push_back(item.name);
-      return names;
-    }
-
-    /// In one matrix, rounding of the stiff body is a force on the soft one.
-    template <int dim>
-    void
-    check_contrast(const std::vector<Body<dim>> &bodies)
-    {
-      constexpr double largest   = 1e8;
-      const auto       is_softer = [](const Body<dim> &a, const Body<dim> &b) {
-        return a.material.youngs_modulus < b.material.youngs_modulus;
-      };
-      const auto [soft, stiff] = std::minmax_element(bodies.begin(), bodies.end(), is_softer);
-      if (stiff->material.youngs_modulus > largest * soft->material.youngs_modulus)
-        throw SceneError("Bodies/" + stiff->name +
-                         "/Young's modulus: more than 1e8 times that of '" + soft->name +
-                         "', beyond what rounding allows; take an obstacle for a rigid body");
-    }
-
-    /// What keeps the symmetry about the axis: motions and forces along it.
-    template <int dim>
-    void
-    check_axisymmetric(const Scene<dim> &scene)
-    {
-      if (model_of(scene.model) != Model::axisymmetric)
-        return;
-      for (const Obstacle<dim> &obstacle : scene.obstacles)
-        {
-          const RigidBody<dim> &body = obstacle.body;
-          const bool            sideways =
-            body.displacement.given() && (body.is_free(0) || !body.displacement.is_zero(0));
-          if (sideways || body.rotation.given())
-            throw SceneError("Obstacles/" + obstacle.name +
-                             ": with Model = axisymmetric an obstacle moves along the axis only; "
-                             "write Displacement = 0; ... and no Rotation");
-        }
-    }
-
-    /// What a generator made of pieces that touch must have, if it was not told what they are.
-    template <int dim>
-    void
-    check_pieces(const Scene<dim> &scene)
-    {
-      for (const Body<dim> &body : scene.bodies)
-        {
-          const std::string reason = body.mesh.generator->needs_pair(), start = body.name + ".";
-          bool              joined = false;
-          for (const ContactPair<dim> &pair : scene.known_pairs())
-            joined |= pair.slave.compare(0, start.size(), start) == 0 &&
-                      pair.master.compare(0, start.size(), start) == 0;
-          if (!reason.empty() && !joined)
-            throw SceneError(reason);
-        }
-    }
-
-    /// Twice the same conditions would not say how pressure is shared.
-    template <int dim>
-    void
-    check_same_pairs(const std::vector<ContactPair<dim>> &pairs)
-    {
-      for (unsigned int i = 0; i < pairs.size(); ++i)
-        for (unsigned int j = 0; j < i; ++j)
-          if ((pairs[i].slave == pairs[j].slave && pairs[i].master == pairs[j].master) ||
-              (pairs[i].slave == pairs[j].master && pairs[i].master == pairs[j].slave))
-            throw SceneError(pairs[i].slave_place + ": pairs '" + pairs[j].name + "' and '" +
-                             pairs[i].name + "' are of the same surfaces; remove one");
-    }
-
-    void
-    require(const std::string              &what,
-            const std::vector<std::string> &wanted,
-            const std::vector<std::string> &existing,
-            const std::string              &place,
-            const std::vector<std::string> &node_sets = {})
-    {
-      for (const std::string &name : wanted)
-        if (std::find(existing.begin(), existing.end(), name) == existing.end())
-          {
-            const std::string close = nearest(name, existing);
-            if (what == "boundary" &&
-                std::find(node_sets.begin(), node_sets.end(), name) != node_sets.end())
-              throw SceneError(place + ": '" + name +
-                               "' is a set of nodes without all corners of any face; supports and "
-                               "loads take it by the key Nodes");
-            throw SceneError(place + ": there is no " + what + " '" + name + "'" +
-                             (close.empty() ? "." : "; did you mean '" + close + "'?") +
-                             " There are: " + join(existing) + ".");
-          }
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  void
-  Scene<dim>::check() const
-  {
-    if (bodies.empty())
-      throw SceneError("Bodies/Names: a scene needs at least one body");
-    const auto body_names     = names_of(bodies);
-    const auto obstacle_names = names_of(obstacles);
-    const auto boundaries     = boundary_names(bodies);
-    const auto sets           = node_set_names(bodies);
-    const auto require_nodes  = [&](const NodeChoice &nodes) {
-      std::vector<std::string> named; // the others are numbers of nodes
-      for (const std::string &set : nodes.sets)
-        if (!is_node_number(bodies, set))
-          named.push_back(set);
-      require("set of nodes", named, sets, nodes.sets_place);
-      if (!nodes.body.empty())
-        require("body", {nodes.body}, body_names, nodes.point_place);
-    };
-    for (const Support<dim> &support : supports)
-      {
-        require("boundary", support.boundaries, boundaries, support.place, sets);
-        require_nodes(support.nodes);
-      }
-    for (const Load<dim> &load : loads)
-      {
-        require("boundary", load.boundaries, boundaries, load.place, sets);
-        require_nodes(load.nodes);
-        require("body", load.bodies, body_names, load.bodies_place);
-      }
-    std::vector<std::string> masters = boundaries;
-    masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
-    for (const ContactPair<dim> &pair : known_pairs())
-      {
-        require("boundary", {pair.slave}, boundaries, pair.slave_place, sets);
-        require("boundary or obstacle", {pair.master}, masters, pair.master_place, sets);
-        if (pair.slave == pair.master)
-          throw SceneError(pair.master_place +
-                           ": a surface cannot touch itself; name another surface or an obstacle");
-        if (obstacle_of(pair) && std::count(boundaries.begin(), boundaries.end(), pair.master))
-          throw SceneError(pair.master_place +
-                           ": is the name of a boundary and of an obstacle; rename the obstacle");
-      }
-    check_same_pairs(known_pairs());
-    for (const RefinementZone<dim> &zone : mesh.zones)
-      require("body", zone.bodies, body_names, zone.place);
-    check_pieces(*this);
-    check_axisymmetric(*this);
-    check_integration();
-    check_contrast(bodies);
-    if (deformation == Deformation::finite)
-      check_finite();
-    if (!auto_pairs)
-      quantities();
-    if (mesh.distribution == Distribution::METIS && most_cycles() > 0)
-      throw SceneError("Mesh/Distribution = METIS has a fixed mesh, but " +
-                       (goals.has_targets() ?
-                          "there is an Accuracy/Target error" :
-                          "Accuracy/Refinement cycles = " + std::to_string(refinement.cycles)) +
-                       "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
-  }
-
-
-
-  template <int dim>
-  void
-  Scene<dim>::check_finite() const
-  {
-    const auto refuse = [](const std::string &key, const std::string &why) {
-      throw SceneError(key + ": " + why + " with Deformation = finite");
-    };
-    if (contact.chosen().predictor() == Predictor::normal_stress)
-      refuse("Contact method/Method = " + contact.method,
-             "is not there; take Lagrange multiplier, penalty, augmented or perturbed Lagrangian");
-    if (contact.geometry == ContactGeometry::reference)
-      refuse("Contact method/Contact geometry = reference", "surfaces are not where they were");
-    for (const Load<dim> &load : loads)
-      if (model_of(model) == Model::plane_stress && !load.pressure.is_zero())
-        refuse(
-          "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
-          "is not there for Model = plane stress, whose edges become thinner: take a Traction,");
-    for (const Body<dim> &body : bodies)
-      if (body.expansion.given())
-        refuse("Bodies/" + body.name + "/Thermal expansion", "is not there");
-    if (!goals.quantities.empty())
-      refuse("Accuracy/Quantity = " + goals.quantities.front(), "errors are not estimated");
-    if (output.linear_reference)
-      refuse("Output/Linear reference = yes", "nothing is linear");
-    if (solver.stiffness_form == StiffnessForm::matrix_free)
-      refuse("Solver/Operator = matrix-free", "tangents are assembled");
-  }
-
-
-
-  template <int dim>
-  void
-  Scene<dim>::check_integration() const
-  {
-    for (const ContactPair<dim> &pair : known_pairs())
-      {
-        const Integration integration = integration_of(pair);
-        contact.chosen().check(integration, degree_of(pair.slave));
-        if (integration.rule == Rule::segments && contact.quadrature_points > 7)
-          throw SceneError(
-            "Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
-            ": on segments there are rules with up to 7");
-      }
   }
 
 

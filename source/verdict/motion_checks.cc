@@ -105,7 +105,7 @@ namespace Signorini
       short_text(worst(now, largest, &Extremes::turn, numbers::PI / 180).value, 2) +
       " degrees, are not small: the theory neglects terms half as large, relative to its strains";
     strain.cure =
-      "take Deformation = finite, or forces and pressures for estimates with that error";
+      "take Deformation = automatic or finite, or forces and pressures for estimates with that error";
     return {motion, strain};
   }
 

@@ -2,7 +2,8 @@
 
 from case import SCENES, Case
 
-RING, CYLINDER, PUNCH = (SCENES / f"finite-{name}.prm" for name in ("o-ring", "half-cylinder", "punch"))
+RING, CYLINDER, PUNCH, FOLD = (SCENES / f"finite-{name}.prm" for name in ("o-ring", "half-cylinder", "punch", "fold"))
+HERTZ = SCENES / "hertz-2d.prm"
 COARSE_RING = ["Mesh/Degree=1"]
 COARSE_CYLINDER = ["Bodies/disc/Refinements=2", "Bodies/block/Subdivisions=12,8"]
 
@@ -37,6 +38,43 @@ def first_touch(test):
     near = force_of(test.results(RING, COARSE_RING))
     far = force_of(test.results(RING, COARSE_RING + ["Obstacles/plate/Point=0,3", "Obstacles/plate/Displacement=0; -2.25*t"]))
     test.check(abs(far / near - 1) <= 1e-8, f"{far:.12g} from afar, {near:.12g} from near")
+
+
+def fold(test):
+    """A surface that touches itself presses as its half does against a plane of symmetry; in any number of load steps, and on any side."""
+    half = ["Bodies/fold/File=../../meshes/bellows-half-wave.inp", "Contact pairs/flanks/Master=plane",
+            "Supports/upper/Displacement=free; 0"]
+    for refinements, tolerance in ((0, 1.5e-3), (1, 4e-4)):
+        finer = [f"Bodies/fold/Refinements={refinements}"]
+        a, b = (force_of(test.results(FOLD, finer + sets), "flanks") for sets in ([], half))
+        test.check(abs(a / b - 1) <= tolerance, f"{a:.6g} against itself, {b:.6g} against a plane")
+    one, three = (force_of(test.results(FOLD, [f"Load steps/Number={n}"]), "flanks") for n in (1, 3))
+    test.check(abs(three / one - 1) <= 1e-8, f"{one:.12g} in one load step, {three:.12g} in three")
+
+
+def automatic_steps(test):
+    """Steps that are cut and grow end where others do."""
+    sets = ["Bodies/disc/Refinements=3", "Bodies/block/Subdivisions=24,16"]
+    one, many = (force_of(test.results(CYLINDER, [*sets, f"Load steps/Number={n}"])) for n in (5, "automatic"))
+    test.check(abs(many / one - 1) <= 1e-8, f"{one:.12g} in five load steps, {many:.12g} in automatic ones")
+
+
+def automatic_deformation(test):
+    """Small where that is enough, with the same result; else finite, likewise, with what small strain cannot have refused by name."""
+    auto = "Deformation=automatic"
+    small, same = (test.results(HERTZ, sets) for sets in ([], [auto]))
+    a, b = (results["load_steps"][-1]["pairs"]["contact"]["normal_force"] for results in (small, same))
+    test.check(same["deformation"]["finite"] is False and 0 < same["deformation"]["neglected_work"] < 0.01, "Hertz' is not small")
+    test.check(a == b, f"{a:.12g} with small, {b:.12g} with automatic deformation")
+    gentle, strong = ([*COARSE_CYLINDER, f"Supports/top/Displacement=free; -{depth}*t"] for depth in (1e-4, 0.1))
+    results = test.results(CYLINDER, [*gentle, auto, "Contact method/Contact geometry=updated"])
+    test.check(results["deformation"]["finite"] is False, "a displacement of 1e-4 is not small")
+    results = test.results(CYLINDER, [*strong, auto])
+    finite, other = force_of(test.results(CYLINDER, strong)), force_of(results)
+    test.check(results["deformation"]["finite"] and results["deformation"]["neglected_work"] > 0.01, "a tenth of the radius is small")
+    test.check(abs(other / finite - 1) <= 1e-8, f"{finite:.12g} with finite, {other:.12g} with automatic deformation")
+    run = test.run(CYLINDER, [*strong, auto, "Contact method/Method=Nitsche"])
+    test.check(run.code == 2 and "Nitsche: is not there; take Lagrange" in run.err, "that is not refused by name")
 
 
 def refined(test):
@@ -100,6 +138,9 @@ def cases():
     yield Case("finite", "steps/punch", same_in_steps(PUNCH, [], 1e-8, (1, 2, 5), "joint"))
     yield Case("finite", "second order", second_order)
     yield Case("finite", "first touch", first_touch)
+    yield Case("finite", "fold", fold)
+    yield Case("finite", "steps/automatic", automatic_steps)
+    yield Case("finite", "automatic", automatic_deformation)
     yield Case("finite", "refined", refined, ranks=2)
     for model in ("plane strain", "plane stress", "axisymmetric"):
         yield Case("finite", f"limit/{model}", linear_limit(model))

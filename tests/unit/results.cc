@@ -282,7 +282,8 @@ TEST_CASE("doc/results.md describes what is written, and all of that is written"
                                       "subsection Newton\n",
                                       "subsection Accuracy\nset Quantity = motion y of plate\nset "
                                       "Target error = 5e-3\nend\nsubsection Newton\n");
-  const Solved      accurate(Two(), wanted);
+  const Solved      accurate(Two(), wanted), open(Two(), "set Deformation = automatic\n" + blocks);
+  REQUIRE(open.code == solved);
   REQUIRE(accurate.code == solved);
   REQUIRE(accurate.results["accuracy"]["met"] == true);
   const Solved one(Two(), warm), two(Two(), pressed_block<2>()), three(Three(), pressed_block<3>()),
@@ -293,7 +294,7 @@ TEST_CASE("doc/results.md describes what is written, and all of that is written"
   REQUIRE(failed.code == not_converged);
 
   std::set<std::string> paths;
-  for (const Solved *run : {&one, &two, &three, &failed, &accurate})
+  for (const Solved *run : {&one, &two, &three, &failed, &accurate, &open})
     collect_paths(run->results, "", paths);
   const std::set<std::string> page = documented("results.json");
   CHECK_MESSAGE(without(paths, page).empty(),

@@ -33,6 +33,9 @@ namespace Signorini
     SideChoice                      sides     = SideChoice::automatic;
     bool                            exchanged = false; ///< the scene names the master as slave
     bool found = false; ///< by the program: the scene does not say that it will act
+    /// Of a surface that touches itself: the slave is where it looks along that many times the
+    /// direction of SelfContact, the master where it looks the other way.
+    double self_side = 1;
 
     void
     declare(Section &section);
@@ -42,6 +45,13 @@ namespace Signorini
     gap_is_given() const
     {
       return initial_gap.text != "from geometry";
+    }
+
+    /// Slave and master are the same surface of a body.
+    bool
+    is_self() const
+    {
+      return slave == master;
     }
 
     /// Slave and master.

@@ -74,6 +74,10 @@ namespace Signorini
     /// @param updated contact is on the surfaces as they are now
     void
     add_contact_geometry(std::optional<double> change, bool updated);
+    /// @param neglected share of the work that small strain neglects; empty: not estimated
+    /// @param finite the deformation is large from now on
+    void
+    add_deformation(std::optional<double> neglected, bool finite);
     /// A solution on a mesh that is refined then.
     void
     add_cycle(unsigned int newton_iterations, unsigned int multigrid_cycles, const Json &accuracy);

@@ -4,7 +4,6 @@
 #include <signorini/accuracy/known_solution.h>
 #include <signorini/accuracy/quantity.h>
 #include <signorini/accuracy/refinement.h>
-#include <signorini/contact/methods/method.h>
 #include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/pair.h>
 #include <signorini/elasticity/boundary_conditions.h>
@@ -12,7 +11,9 @@
 #include <signorini/elasticity/thermal_expansion.h>
 #include <signorini/mesh/mesh.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/scene/contact_settings.h>
 #include <signorini/scene/expected_result.h>
+#include <signorini/scene/load_steps.h>
 #include <signorini/scene/output_settings.h>
 #include <signorini/solve/linear_solver_settings.h>
 #include <signorini/solve/newton_settings.h>
@@ -33,73 +34,31 @@ namespace Signorini
     declare(Section &section);
   };
 
-  /// The surfaces on which gaps and normals are taken.
-  enum class ContactGeometry
+  template <typename Items>
+  std::vector<std::string>
+  names_of(const Items &items)
   {
-    automatic, ///< as they are now, where that changes the pressure
-    reference, ///< at rest
-    updated    ///< as they are now
-  };
-
-  /// The method by which contact is imposed, and how its surfaces are integrated.
-  struct ContactSettings
-  {
-    std::string method       = "Lagrange multiplier";
-    bool        is_automatic = false; ///< nobody has chosen it
-    std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>>
-                        methods;               ///< all, each with its keys
-    std::optional<Rule> integration;           ///< none: what suits the method
-    unsigned int        quadrature_points = 0; ///< 0: as many as the method and the degree need
-    Basis               pressure_basis    = Basis::dual; ///< of methods that sample at nodes
-    ContactGeometry     geometry          = ContactGeometry::automatic;
-    double              geometry_share    = 0.005; ///< of the pressure that is not worth an update
-
-    ContactSettings();
-
-    const ContactMethod &
-    chosen() const;
-
-    /// See ContactMethod::stiffen().
-    void
-    stiffen(double factor);
-
-    /// With the number of points that the method needs where slave and master have elements of
-    /// these degrees.
-    Integration
-    integration_of_degrees(unsigned int slave, unsigned int master) const;
-
-    void
-    declare(Section &section);
-  };
-
-  struct LoadSteps
-  {
-    double              end_time = 1;
-    unsigned int        number   = 1;
-    std::vector<double> times; ///< instead of equal steps
-    unsigned int        cut_backs = 4;
-
-    /// The ends of all steps.
-    std::vector<double>
-    ends() const;
-
-    void
-    declare(Section &section);
-  };
+    std::vector<std::string> names;
+    for (const auto &item : items)
+      names.push_back(item.name);
+    return names;
+  }
 
   /// How much bodies may deform.
   enum class Deformation
   {
-    small, ///< strains and rotations are small beside one
-    finite ///< any amount, thesis (1)-(20)
+    small,    ///< strains and rotations are small beside one
+    finite,   ///< any amount, thesis (1)-(20)
+    automatic ///< small, until a solution shows that this neglects too much
   };
 
   /// All that the user said, in the order of the scene file, which is the order of the data.
   template <int dim>
   struct Scene
   {
-    std::string model       = model_names<dim>().front();
-    Deformation deformation = Deformation::small;
+    std::string model             = model_names<dim>().front();
+    Deformation deformation       = Deformation::small;
+    double      deformation_share = 0.01; ///< of the work that automatic does not become finite for
     std::string title;
     std::string name;  ///< of the scene file, without folder and .prm
     RawSection  given; ///< what was read
@@ -171,6 +130,10 @@ namespace Signorini
     /// The obstacle that is a pair's master, or null.
     const Obstacle<dim> *
     obstacle_of(const ContactPair<dim> &pair) const;
+
+    /// What automatic has come to.
+    void
+    become_finite();
 
   private:
     /// What goes with Deformation = finite alone, or not with it. Throws SceneError.

@@ -1,6 +1,7 @@
 #include <signorini/contact/discretisation/geometry_change.h>
 #include <signorini/contact/discretisation/openings.h>
 #include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/contact/geometry/self_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,27 +47,31 @@ namespace Signorini
     template <int dim>
     std::vector<std::optional<Facing<dim>>>
     on_body(const Configuration<dim>   &now,
-            const std::string          &master_name,
+            const ContactPair<dim>     &pair,
             const BoundaryFaces<dim>   &slave,
             const PointsThatPress<dim> &points,
             const MPI_Comm              comm)
     {
-      const BoundaryFaces<dim>    master(now, master_name);
-      std::vector<Point<dim>>     positions;
-      std::vector<Tensor<1, dim>> normals;
-      double                      farthest = 0;
+      const BoundaryFaces<dim>      master(now, pair.master);
+      std::vector<Point<dim>>       positions;
+      std::vector<Tensor<1, dim>>   normals;
+      std::vector<PlaceAtRest<dim>> rest;
+      double                        farthest = 0;
       for (const auto &[point, force] : points)
         {
           const FacePatch<dim> &patch = slave.patches[point->face];
           positions.push_back(patch.position(point->xi));
           normals.push_back(patch.normal(point->xi));
           farthest = std::max(farthest, patch.diameter());
+          if (pair.is_self())
+            rest.push_back(place_at_rest(slave.rest[point->face], point->xi));
         }
-      const MasterFaces<dim>                  faces{master.patches,
-                                   [](unsigned int, const Point<dim - 1> &, auto &) {}};
+      MasterFaces<dim> faces = faces_beyond(master);
+      if (!pair.is_self())
+        faces.rest.clear();
       std::vector<std::optional<Facing<dim>>> result;
-      const auto                              partners =
-        find_partners(positions, normals, faces, Utilities::MPI::max(farthest, comm), comm);
+      const auto                              partners = find_partners(
+        positions, normals, faces, Utilities::MPI::max(farthest, comm), comm, nullptr, {}, rest);
       for (std::size_t i = 0; i < partners.size(); ++i)
         if (partners[i])
           result.push_back(Facing<dim>{(positions[i] - partners[i]->position) * partners[i]->normal,
@@ -108,7 +113,7 @@ namespace Signorini
       return {};
     const BoundaryFaces<dim> slave(now, pair.slave);
     const auto               there = obstacle ? on_obstacle(now, *obstacle, slave, points) :
-                                                on_body(now, pair.master, slave, points, comm);
+                                                on_body(now, pair, slave, points, comm);
     std::vector<const ContactPoint<dim> *> places;
     for (const auto &[point, force] : points)
       places.push_back(point);

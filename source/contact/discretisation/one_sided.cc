@@ -11,6 +11,7 @@
 #include <signorini/contact/discretisation/surface_comparison.h>
 #include <signorini/contact/geometry/deep_overlap.h>
 #include <signorini/contact/geometry/reach.h>
+#include <signorini/contact/geometry/self_contact.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/parameters/section.h>
 #include <signorini/parameters/text.h>
@@ -159,6 +160,8 @@ namespace Signorini
           }
         if (obstacle)
           check_obstacle(configuration, pair, *obstacle, slave);
+        if (pair.is_self())
+          self = split();
         find_partners();
         make_points();
         choose_points();
@@ -193,14 +196,30 @@ namespace Signorini
       MasterFaces<dim>
       master() const
       {
-        const BoundaryFaces<dim> boundary(configuration, pair.master);
-        MasterFaces<dim>         faces = master_faces(elasticity,
+        const BoundaryFaces<dim> boundary =
+          self ? self->masters(slave) : BoundaryFaces<dim>(configuration, pair.master);
+        MasterFaces<dim> faces = master_faces(elasticity,
                                               boundary,
                                               method.predictor() == Predictor::normal_stress,
                                               !at_rest);
         if (!at_rest && !is_laid && integration.rule == Rule::segments)
           faces.inner_sides = inner_sides(elasticity.mesh(), pair.master, boundary);
+        if (self)
+          faces.rest = boundary.rest;
         return faces;
+      }
+
+      /// Points that are laid already say which faces are slaves.
+      SelfContact<dim>
+      split() const
+      {
+        if (!is_laid)
+          // Not the limit, which depends on what was before.
+          return {slave, elasticity.lever() / 5, pair.self_side, comm};
+        std::vector<bool> has_points(slave.faces.size(), false);
+        for (const LaidPoint<dim> &point : laid)
+          has_points[point.face] = true;
+        return SelfContact<dim>(has_points);
       }
 
       void
@@ -219,19 +238,35 @@ namespace Signorini
       void
       pair_within_limit()
       {
+        const SlaveSide<dim> side(slave.patches, self ? &slave.rest : nullptr);
         if (obstacle)
           paired = obstacle_points(configuration, slave.patches, *obstacle, integration, limit);
         else if (is_laid)
-          paired = pair_laid_points(slave.patches, laid, master(), limit, comm, surface.statistics);
+          paired = pair_laid_points(side, laid, master(), limit, comm, surface.statistics);
         else
           {
             auto pairing =
-              pair_points(slave.patches, master(), integration, limit, comm, surface.statistics);
+              pair_points(side, master(), integration, limit, comm, surface.statistics);
+            if (self)
+              {
+                keep_slaves(pairing.points);
+                keep_slaves(pairing.seams);
+              }
             paired = std::move(pairing.points);
             seams  = std::move(pairing.seams);
             weigh_at_rest(slave, seams);
           }
         drop_empty_points(slave.patches, paired);
+      }
+
+      /// The masters were asked for as well, since faces are numbered as those of all.
+      void
+      keep_slaves(std::vector<PairedPoint<dim>> &points) const
+      {
+        points.erase(std::remove_if(points.begin(),
+                                    points.end(),
+                                    [&](const auto &point) { return !self->is_slave(point.face); }),
+                     points.end());
       }
 
       void
@@ -309,6 +344,7 @@ namespace Signorini
       const std::vector<LaidPoint<dim>> &laid;
       const bool                         is_laid;
       double                             limit;
+      std::optional<SelfContact<dim>>    self;   ///< where slave and master are one surface
       std::vector<PairedPoint<dim>>      paired; ///< as long as surface.points
       std::vector<PairedPoint<dim>>      seams;  ///< as long as surface.seams
       ContactSurface<dim>                surface;

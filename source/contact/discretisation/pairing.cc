@@ -1,5 +1,6 @@
 #include <signorini/contact/discretisation/false_overlaps.h>
 #include <signorini/contact/discretisation/segment_pairs.h>
+#include <signorini/contact/geometry/self_contact.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -32,27 +33,36 @@ namespace Signorini
 
     template <int dim>
     std::vector<PairedPoint<dim>>
-    pair_by_projection(const std::vector<FacePatch<dim>> &slave,
+    pair_by_projection(const SlaveSide<dim>              &slave,
                        const std::vector<LaidPoint<dim>> &laid,
                        const MasterFaces<dim>            &master,
                        const double                       limit,
                        const MPI_Comm                     comm,
                        SearchStatistics                  &statistics)
     {
-      std::vector<Point<dim>>      positions;
-      std::vector<Tensor<1, dim>>  normals;
-      std::vector<FormerFace<dim>> former;
-      double                       largest = 0;
-      for (const FacePatch<dim> &face : slave)
+      std::vector<Point<dim>>       positions;
+      std::vector<Tensor<1, dim>>   normals;
+      std::vector<FormerFace<dim>>  former;
+      std::vector<PlaceAtRest<dim>> rest;
+      double                        largest = 0;
+      for (const FacePatch<dim> &face : slave.patches)
         largest = std::max(largest, reach(face, limit));
       for (const LaidPoint<dim> &point : laid)
         {
-          positions.push_back(slave[point.face].position(point.xi));
-          normals.push_back(slave[point.face].normal(point.xi));
+          positions.push_back(slave.patches[point.face].position(point.xi));
+          normals.push_back(slave.patches[point.face].normal(point.xi));
           former.push_back(point.former);
+          if (slave.rest)
+            rest.push_back(place_at_rest((*slave.rest)[point.face], point.xi));
         }
-      auto partners = find_partners(
-        positions, normals, master, Utilities::MPI::max(largest, comm), comm, &statistics, former);
+      auto partners = find_partners(positions,
+                                    normals,
+                                    master,
+                                    Utilities::MPI::max(largest, comm),
+                                    comm,
+                                    &statistics,
+                                    former,
+                                    rest);
 
       std::vector<PairedPoint<dim>> points;
       for (std::size_t i = 0; i < laid.size(); ++i)
@@ -64,29 +74,33 @@ namespace Signorini
     // Of points beside their partner's face the partner that is closest, if that is another one.
     template <int dim>
     void
-    move_to_closest(const std::vector<FacePatch<dim>> &slave,
-                    const MasterFaces<dim>            &master,
-                    const MPI_Comm                     comm,
-                    SearchStatistics                  &statistics,
-                    std::vector<PairedPoint<dim>>     &points)
+    move_to_closest(const SlaveSide<dim>          &slave,
+                    const MasterFaces<dim>        &master,
+                    const MPI_Comm                 comm,
+                    SearchStatistics              &statistics,
+                    std::vector<PairedPoint<dim>> &points)
     {
       constexpr double                closer = 1 - 1e-6; // over an edge two faces are equally close
       std::vector<PairedPoint<dim> *> beside_faces;
       std::vector<Point<dim>>         positions;
       std::vector<Tensor<1, dim>>     normals;
+      std::vector<PlaceAtRest<dim>>   rest;
       double                          farthest = 0;
       for (PairedPoint<dim> &point : points)
         if (point.is_beside)
           {
             beside_faces.push_back(&point);
-            positions.push_back(slave[point.face].position(point.xi));
-            normals.push_back(slave[point.face].normal(point.xi));
+            positions.push_back(slave.patches[point.face].position(point.xi));
+            normals.push_back(slave.patches[point.face].normal(point.xi));
             farthest = std::max(farthest, point.partner.distance);
+            if (slave.rest)
+              rest.push_back(place_at_rest((*slave.rest)[point.face], point.xi));
           }
       farthest = Utilities::MPI::max(farthest, comm);
       if (farthest == 0)
         return;
-      auto partners = find_partners(positions, normals, master, farthest, comm, &statistics);
+      auto partners =
+        find_partners(positions, normals, master, farthest, comm, &statistics, {}, rest);
       for (std::size_t i = 0; i < partners.size(); ++i)
         if (partners[i] && partners[i]->distance < closer * beside_faces[i]->partner.distance)
           beside_faces[i]->partner = std::move(*partners[i]);
@@ -110,11 +124,11 @@ namespace Signorini
       return sorted;
     }
 
-    // Take the points of faces that are covered more than once out of the list.
+    // Which faces are covered more than once, one layer over the other.
     template <int dim>
-    std::vector<unsigned int>
-    remove_overcovered(const std::vector<FacePatch<dim>> &slave,
-                       std::vector<PairedPoint<dim>>     &points)
+    std::vector<bool>
+    covered_twice(const std::vector<FacePatch<dim>>   &slave,
+                  const std::vector<PairedPoint<dim>> &points)
     {
       unsigned int degree = 1;
       for (const FacePatch<dim> &face : slave)
@@ -124,20 +138,52 @@ namespace Signorini
       for (const PairedPoint<dim> &point : points)
         covered[point.face] += point.weight;
 
-      std::vector<unsigned int> faces;
-      std::vector<bool>         more_than_once(slave.size(), false);
+      std::vector<bool> result;
       for (unsigned int i = 0; i < slave.size(); ++i)
         {
           double area = 0;
           for (unsigned int q = 0; q < rule.size(); ++q)
             area += rule.weight(q) * slave[i].jacobian(rule.point(q));
-          more_than_once[i] = covered[i] > covered_once * area;
-          if (more_than_once[i])
-            faces.push_back(i);
+          result.push_back(covered[i] > covered_once * area);
         }
+      return result;
+    }
+
+    // Of faces that are covered more than once, take the points out of the list that are farther
+    // away by a face than others: a layer behind the first one.
+    template <int dim>
+    void
+    remove_far_layers(const std::vector<FacePatch<dim>> &slave,
+                      std::vector<PairedPoint<dim>>     &points)
+    {
+      const std::vector<bool> twice = covered_twice(slave, points);
+      std::vector<double>     nearest(slave.size(), std::numeric_limits<double>::max());
+      for (const PairedPoint<dim> &point : points)
+        nearest[point.face] = std::min(nearest[point.face], point.partner.distance);
       points.erase(std::remove_if(points.begin(),
                                   points.end(),
-                                  [&](const auto &point) { return more_than_once[point.face]; }),
+                                  [&](const auto &point) {
+                                    const unsigned int i = point.face;
+                                    return twice[i] && point.partner.distance >
+                                                         nearest[i] + slave[i].diameter();
+                                  }),
+                   points.end());
+    }
+
+    // Take the points of faces that are covered more than once out of the list.
+    template <int dim>
+    std::vector<unsigned int>
+    remove_overcovered(const std::vector<FacePatch<dim>> &slave,
+                       std::vector<PairedPoint<dim>>     &points)
+    {
+      const std::vector<bool>   twice = covered_twice(slave, points);
+      std::vector<unsigned int> faces;
+      for (unsigned int i = 0; i < slave.size(); ++i)
+        if (twice[i])
+          faces.push_back(i);
+      points.erase(std::remove_if(points.begin(),
+                                  points.end(),
+                                  [&](const auto &point) { return twice[point.face]; }),
                    points.end());
       return faces;
     }
@@ -158,34 +204,36 @@ namespace Signorini
 
   template <int dim>
   Pairing<dim>
-  pair_points(const std::vector<FacePatch<dim>> &slave,
-              const MasterFaces<dim>            &master,
-              const Integration                 &integration,
-              const double                       limit,
-              const MPI_Comm                     comm,
-              SearchStatistics                  &statistics)
+  pair_points(const SlaveSide<dim>   &slave,
+              const MasterFaces<dim> &master,
+              const Integration      &integration,
+              const double            limit,
+              const MPI_Comm          comm,
+              SearchStatistics       &statistics)
   {
     Pairing<dim>              pairing;
     auto                     &points = pairing.points;
     const Quadrature<dim - 1> rule   = face_rule<dim>(integration);
-    std::vector<unsigned int> faces(slave.size());
+    std::vector<unsigned int> faces(slave.patches.size());
     std::iota(faces.begin(), faces.end(), 0);
     if (integration.rule == Rule::segments)
       {
         pairing = pair_by_segments(slave, master, integration, limit, comm, statistics);
-        faces   = remove_overcovered(slave, points);
+        remove_far_layers(slave.patches, points);
+        faces = remove_overcovered(slave.patches, points);
         move_to_closest(slave, master, comm, statistics, points);
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
-      for (auto &point :
-           pair_by_projection(slave, lay(slave, faces, rule), master, limit, comm, statistics))
+      for (auto &point : pair_by_projection(
+             slave, lay(slave.patches, faces, rule), master, limit, comm, statistics))
         points.push_back(std::move(point));
-    drop_false_overlaps(slave, master, comm, statistics, points);
+    if (!slave.rest) // what is beyond a body itself is left out already
+      drop_false_overlaps(slave.patches, master, comm, statistics, points);
     keep_near_faces(limit, points);
     points = sorted_by_faces(std::move(points));
     // Of faces without points, and of those that are not paired by segments, they are not asked
     // for.
-    std::vector<bool> has_segments(slave.size(), true);
+    std::vector<bool> has_segments(slave.patches.size(), true);
     for (const unsigned int face : faces)
       has_segments[face] = false;
     auto &seams = pairing.seams;
@@ -201,7 +249,7 @@ namespace Signorini
 
   template <int dim>
   std::vector<PairedPoint<dim>>
-  pair_laid_points(const std::vector<FacePatch<dim>> &slave,
+  pair_laid_points(const SlaveSide<dim>              &slave,
                    const std::vector<LaidPoint<dim>> &laid,
                    const MasterFaces<dim>            &master,
                    const double                       limit,
@@ -235,14 +283,14 @@ namespace Signorini
 
 
   template std::vector<PairedPoint<2>>
-  pair_laid_points(const std::vector<FacePatch<2>> &,
+  pair_laid_points(const SlaveSide<2> &,
                    const std::vector<LaidPoint<2>> &,
                    const MasterFaces<2> &,
                    double,
                    MPI_Comm,
                    SearchStatistics &);
   template std::vector<PairedPoint<3>>
-  pair_laid_points(const std::vector<FacePatch<3>> &,
+  pair_laid_points(const SlaveSide<3> &,
                    const std::vector<LaidPoint<3>> &,
                    const MasterFaces<3> &,
                    double,
@@ -257,14 +305,14 @@ namespace Signorini
   template Quadrature<2>
   face_rule<3>(const Integration &);
   template Pairing<2>
-  pair_points<2>(const std::vector<FacePatch<2>> &,
+  pair_points<2>(const SlaveSide<2> &,
                  const MasterFaces<2> &,
                  const Integration &,
                  double,
                  MPI_Comm,
                  SearchStatistics &);
   template Pairing<3>
-  pair_points<3>(const std::vector<FacePatch<3>> &,
+  pair_points<3>(const SlaveSide<3> &,
                  const MasterFaces<3> &,
                  const Integration &,
                  double,

@@ -3,6 +3,7 @@
 #include <signorini/contact/geometry/descent.h>
 #include <signorini/contact/geometry/local_faces.h>
 #include <signorini/contact/geometry/segments.h>
+#include <signorini/contact/geometry/self_contact.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -61,12 +62,13 @@ namespace Signorini
     {
       FacePatch<dim> patch;
       unsigned int   number; // on its own rank
+      FacePatch<dim> rest;   // where it was, if the master is the same surface
 
       template <class Archive>
       void
       serialize(Archive &ar, const unsigned int)
       {
-        ar &patch &number;
+        ar &patch &number &rest;
       }
     };
 
@@ -165,11 +167,24 @@ namespace Signorini
         if (foot.distance > reach(slave.patch, limit) ||
             !faces_each_other(slave.patch.normal(point.slave), pair.partner.normal))
           return {};
+        if (!master.rest.empty() && is_beyond_itself(slave, point.slave, face, foot.xi))
+          return {};
         pair.partner.position    = foot.position;
         pair.partner.distance    = foot.distance;
         pair.partner.face_center = patch.center();
         master.complete(face, foot.xi, pair.partner);
         return pair;
+      }
+
+      bool
+      is_beyond_itself(const TravellingFace<dim> &slave,
+                       const Point<dim - 1>      &xi,
+                       const unsigned int         face,
+                       const Point<dim - 1>      &at) const
+      {
+        return Signorini::is_beyond_itself<dim>(place_at_rest(slave.rest, xi),
+                                                place_at_rest(master.rest[face], at),
+                                                master.rest[face].diameter());
       }
 
       void
@@ -201,33 +216,38 @@ namespace Signorini
 
   template <int dim>
   Pairing<dim>
-  pair_by_segments(const std::vector<FacePatch<dim>> &slave,
-                   const MasterFaces<dim>            &master,
-                   const Integration                 &integration,
-                   const double                       limit,
-                   const MPI_Comm                     comm,
-                   SearchStatistics                  &statistics)
+  pair_by_segments(const SlaveSide<dim>   &slave,
+                   const MasterFaces<dim> &master,
+                   const Integration      &integration,
+                   const double            limit,
+                   const MPI_Comm          comm,
+                   SearchStatistics       &statistics)
   {
     const unsigned int      n     = integration.n_points;
     const unsigned int      more  = std::max(n, integration.n_points_of_distorted);
     const SegmentRules<dim> rules = {segment_rule<dim>(n), segment_rule<dim>(more), n};
     LocalSegments<dim>      segments(master, rules, limit, statistics);
     Pairing<dim>            pairing;
-    for (unsigned int i = 0; i < slave.size(); ++i)
-      segments.find({slave[i], i}, pairing);
+    const auto              travelling = [&](const unsigned int i) {
+      return TravellingFace<dim>{slave.patches[i],
+                                 i,
+                                 slave.rest ? (*slave.rest)[i] : FacePatch<dim>()};
+    };
+    for (unsigned int i = 0; i < slave.patches.size(); ++i)
+      segments.find(travelling(i), pairing);
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
       return pairing;
 
     const auto                    ranks = Utilities::MPI::all_gather(comm, segments.extent());
     std::vector<BoundingBox<dim>> boxes;
-    for (const FacePatch<dim> &face : slave)
+    for (const FacePatch<dim> &face : slave.patches)
       boxes.push_back(FacetedFace<dim>(face).extruded_box(reach(face, limit)));
     std::map<unsigned int, std::vector<TravellingFace<dim>>> outgoing;
     for (unsigned int rank = 0; rank < ranks.size(); ++rank)
       if (rank != Utilities::MPI::this_mpi_process(comm) && !ranks[rank].empty)
-        for (unsigned int i = 0; i < slave.size(); ++i)
+        for (unsigned int i = 0; i < slave.patches.size(); ++i)
           if (boxes[i].get_neighbor_type(ranks[rank].box) != NeighborType::not_neighbors)
-            outgoing[rank].push_back({slave[i], i});
+            outgoing[rank].push_back(travelling(i));
 
     std::map<unsigned int, Pairing<dim>> answers;
     for (const auto &[rank, visitors] : Utilities::MPI::some_to_some(comm, outgoing))
@@ -244,14 +264,14 @@ namespace Signorini
 
 
   template Pairing<2>
-  pair_by_segments(const std::vector<FacePatch<2>> &,
+  pair_by_segments(const SlaveSide<2> &,
                    const MasterFaces<2> &,
                    const Integration &,
                    double,
                    MPI_Comm,
                    SearchStatistics &);
   template Pairing<3>
-  pair_by_segments(const std::vector<FacePatch<3>> &,
+  pair_by_segments(const SlaveSide<3> &,
                    const MasterFaces<3> &,
                    const Integration &,
                    double,

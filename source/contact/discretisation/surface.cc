@@ -93,6 +93,7 @@ namespace Signorini
       {
         ContactPair<dim> other = pair;
         std::swap(other.slave, other.master);
+        other.self_side                                   = -pair.self_side;
         const std::vector<LaidPoint<dim>> &laid_on_master = former ? former->laid_on_master : none;
         const auto                         of_master      = one_sided_surface<dim>(
           configuration, other, nullptr, method, integration, range, laid_on_master);

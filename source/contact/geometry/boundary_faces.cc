@@ -38,6 +38,23 @@ namespace Signorini
 
 
   template <int dim>
+  BoundaryFaces<dim>
+  BoundaryFaces<dim>::among(const std::vector<bool> &chosen) const
+  {
+    BoundaryFaces result;
+    for (unsigned int i = 0; i < faces.size(); ++i)
+      if (chosen[i])
+        {
+          result.faces.push_back(faces[i]);
+          result.patches.push_back(patches[i]);
+          result.rest.push_back(rest[i]);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
   double
   BoundaryFaces<dim>::depth(const unsigned int i) const
   {

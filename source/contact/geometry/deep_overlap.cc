@@ -113,7 +113,7 @@ namespace Signorini
                  const Obstacle<dim>      *obstacle,
                  const BoundaryFaces<dim> &slave)
   {
-    if (pair.gap_is_given())
+    if (pair.gap_is_given() || pair.is_self())
       return 0;
     const Mesh<dim> &mesh    = elasticity.mesh();
     const MPI_Comm   comm    = mesh.communicator();

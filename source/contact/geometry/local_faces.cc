@@ -1,4 +1,5 @@
 #include <signorini/contact/geometry/local_faces.h>
+#include <signorini/contact/geometry/self_contact.h>
 #include <signorini/mesh/extent.h>
 
 #include <algorithm>
@@ -104,6 +105,10 @@ namespace Signorini
     const bool any_orientation = query.normal.norm_square() == 0;
     if (!(projection.distance <= query.limit) ||
         (!any_orientation && !faces_each_other(query.normal, c.partner.normal)))
+      return {};
+    if (!master.rest.empty() && is_beyond_itself(query.rest,
+                                                 place_at_rest(master.rest[face], projection.xi),
+                                                 master.rest[face].diameter()))
       return {};
     c.partner.position    = projection.position;
     c.partner.distance    = projection.distance;

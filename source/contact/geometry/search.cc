@@ -86,19 +86,35 @@ namespace Signorini
 
 
   template <int dim>
+  bool
+  is_beyond_itself(const PlaceAtRest<dim> &a, const PlaceAtRest<dim> &b, const double width)
+  {
+    // A sheet that is rolled up has its thickness over the length of a turn.
+    constexpr double     inward = 0.3;
+    const Tensor<1, dim> way    = b.x - a.x;
+    const double         length = way.norm();
+    return length <= 2 * width || way * (b.normal - a.normal) > 2 * inward * length;
+  }
+
+
+
+  template <int dim>
   std::vector<std::optional<Partner<dim>>>
-  find_partners(const std::vector<Point<dim>>      &points,
-                const std::vector<Tensor<1, dim>>  &slave_normals,
-                const MasterFaces<dim>             &master,
-                const double                        reach,
-                const MPI_Comm                      comm,
-                SearchStatistics                   *statistics,
-                const std::vector<FormerFace<dim>> &former)
+  find_partners(const std::vector<Point<dim>>       &points,
+                const std::vector<Tensor<1, dim>>   &slave_normals,
+                const MasterFaces<dim>              &master,
+                const double                         reach,
+                const MPI_Comm                       comm,
+                SearchStatistics                    *statistics,
+                const std::vector<FormerFace<dim>>  &former,
+                const std::vector<PlaceAtRest<dim>> &rest)
   {
     constexpr double staying = 1e-3; // in sizes of the former face
     AssertDimension(points.size(), slave_normals.size());
     Assert(former.empty() || former.size() == points.size(),
            ExcDimensionMismatch(former.size(), points.size()));
+    Assert(rest.empty() || rest.size() == points.size(),
+           ExcDimensionMismatch(rest.size(), points.size()));
     SearchStatistics own_statistics;
     own_statistics.points = points.size();
 
@@ -107,7 +123,9 @@ namespace Signorini
     std::vector<std::vector<Candidate<dim>>> found(points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       {
-        queries[i] = {points[i], slave_normals[i], reach, Point<dim>(), 0};
+        queries[i] = {points[i], slave_normals[i], reach, Point<dim>(), 0, {}};
+        if (!rest.empty())
+          queries[i].rest = rest[i];
         if (!former.empty())
           {
             queries[i].former_center = former[i].center;
@@ -163,7 +181,8 @@ namespace Signorini
                    double,
                    MPI_Comm,
                    SearchStatistics *,
-                   const std::vector<FormerFace<2>> &);
+                   const std::vector<FormerFace<2>> &,
+                   const std::vector<PlaceAtRest<2>> &);
   template std::vector<std::optional<Partner<3>>>
   find_partners<3>(const std::vector<Point<3>> &,
                    const std::vector<Tensor<1, 3>> &,
@@ -171,7 +190,12 @@ namespace Signorini
                    double,
                    MPI_Comm,
                    SearchStatistics *,
-                   const std::vector<FormerFace<3>> &);
+                   const std::vector<FormerFace<3>> &,
+                   const std::vector<PlaceAtRest<3>> &);
+  template bool
+  is_beyond_itself(const PlaceAtRest<2> &, const PlaceAtRest<2> &, double);
+  template bool
+  is_beyond_itself(const PlaceAtRest<3> &, const PlaceAtRest<3> &, double);
   template std::vector<double>
   depths<2>(
     const std::vector<Point<2>> &, const MasterFaces<2> &, double, MPI_Comm, SearchStatistics *);

@@ -63,6 +63,21 @@ namespace Signorini
     FormerFace<dim>        former; ///< of the master
   };
 
+  /// Faces of a slave on this rank. Converts from faces alone.
+  template <int dim>
+  struct SlaveSide
+  {
+    const std::vector<FacePatch<dim>> &patches;
+    /// Where they were, if the master is the same surface; null: it is another.
+    const std::vector<FacePatch<dim>> *rest = nullptr;
+
+    SlaveSide(const std::vector<FacePatch<dim>> &patches,
+              const std::vector<FacePatch<dim>> *rest = nullptr)
+      : patches(patches)
+      , rest(rest)
+    {}
+  };
+
   /// The points of quadrature on slave faces that have a partner. `nodes`: Gauss-Lobatto points,
   /// which are the nodes of the finite element; `quadrature`: Gauss points; `segments`: Gauss
   /// points on each segment (see segment_points()), with the partner on the segment's master face.
@@ -70,26 +85,26 @@ namespace Signorini
   /// it is the partner then, for the rim of the first one would be that of many points.
   ///
   /// A slave face that more than one layer of master faces lies opposite to, within the limit, is
-  /// covered more than once by segments; it is paired by Gauss points, which take the nearest
-  /// layer.
+  /// covered more than once by segments: those farther away by a face than the nearest are left
+  /// out; if that is not enough, it is paired by Gauss points, which take the nearest layer.
   ///
   /// Points come face by face. Faces take part as a whole, or not at all if no point of theirs has
   /// a partner within the limit. Collective.
   template <int dim>
   Pairing<dim>
-  pair_points(const std::vector<FacePatch<dim>> &slave,
-              const MasterFaces<dim>            &master,
-              const Integration                 &integration,
-              double                             limit,
-              MPI_Comm                           comm,
-              SearchStatistics                  &statistics);
+  pair_points(const SlaveSide<dim>   &slave,
+              const MasterFaces<dim> &master,
+              const Integration      &integration,
+              double                  limit,
+              MPI_Comm                comm,
+              SearchStatistics       &statistics);
 
   /// The closest partners of points that are laid already, on the faces that they had before if
   /// these are as good: so the rule stays as it is while Newton's method moves the surfaces to
   /// where they balance. Collective.
   template <int dim>
   std::vector<PairedPoint<dim>>
-  pair_laid_points(const std::vector<FacePatch<dim>> &slave,
+  pair_laid_points(const SlaveSide<dim>              &slave,
                    const std::vector<LaidPoint<dim>> &laid,
                    const MasterFaces<dim>            &master,
                    double                             limit,

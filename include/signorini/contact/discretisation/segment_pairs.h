@@ -13,10 +13,10 @@ namespace Signorini
   /// @param limit up to which distance partners are looked for
   template <int dim>
   Pairing<dim>
-  pair_by_segments(const std::vector<FacePatch<dim>> &slave,
-                   const MasterFaces<dim>            &master,
-                   const Integration                 &integration,
-                   double                             limit,
-                   MPI_Comm                           comm,
-                   SearchStatistics                  &statistics);
+  pair_by_segments(const SlaveSide<dim>   &slave,
+                   const MasterFaces<dim> &master,
+                   const Integration      &integration,
+                   double                  limit,
+                   MPI_Comm                comm,
+                   SearchStatistics       &statistics);
 } // namespace Signorini

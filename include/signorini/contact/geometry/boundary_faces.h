@@ -22,6 +22,10 @@ namespace Signorini
 
     BoundaryFaces(const Configuration<dim> &configuration, const std::string &boundary);
 
+    /// Those for which that is true. @param chosen one a face
+    BoundaryFaces
+    among(const std::vector<bool> &chosen) const;
+
     /// Of the cell behind face i: h.
     double
     depth(unsigned int i) const;
@@ -33,6 +37,9 @@ namespace Signorini
     /// E/h of that cell.
     double
     stiffness(const Elasticity<dim> &elasticity, unsigned int i) const;
+
+  private:
+    BoundaryFaces() = default;
   };
 
   /// The sides of a face, by the parameter that is constant there: 2 d + (0 or 1).

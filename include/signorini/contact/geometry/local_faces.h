@@ -19,13 +19,14 @@ namespace Signorini
     double                 limit;         // farther faces cannot win
     dealii::Point<dim>     former_center; // of the face that the point is to stay with
     double                 staying = 0;   // if that is no farther than this beyond the nearest
+    PlaceAtRest<dim>       rest;          // where the master says where it was
 
     // Demanded by the compiler, not called.
     template <class Archive>
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &point &normal &limit &former_center &staying;
+      ar &point &normal &limit &former_center &staying &rest.x &rest.normal;
     }
   };
 

@@ -43,7 +43,25 @@ namespace Signorini
     /// The sides of each face, by the parameter that is constant there (2 d + (0 or 1)), behind
     /// which the surface goes on. Empty: nobody wants to know.
     std::vector<std::array<bool, 2 * (dim - 1)>> inner_sides;
+    /// Where the faces were at rest, if points that were there on the same surface must not take
+    /// what is_beyond_itself() for their partner. Empty: slave and master are two surfaces.
+    std::vector<FacePatch<dim>> rest;
   };
+
+  /// A place of a surface at rest.
+  template <int dim>
+  struct PlaceAtRest
+  {
+    dealii::Point<dim>     x;
+    dealii::Tensor<1, dim> normal; ///< outward
+  };
+
+  /// Of two places of one surface: these cannot touch, since they are neighbours, or on two sides
+  /// of the body: what lies between them at rest is the body itself.
+  /// @param width of the faces there
+  template <int dim>
+  bool
+  is_beyond_itself(const PlaceAtRest<dim> &a, const PlaceAtRest<dim> &b, double width);
 
   /// What a search did on this rank; `projections` counts those for other ranks'
   /// points as well.
@@ -78,6 +96,7 @@ namespace Signorini
   /// with its face as long as that is no farther than 1e-3 of its size beyond the nearest: at an
   /// edge between two faces, each may push a point onto the other for ever.
   /// @param former empty, or one a point
+  /// @param rest one a point where `master` says where it was at rest, else empty
   template <int dim>
   std::vector<std::optional<Partner<dim>>>
   find_partners(const std::vector<dealii::Point<dim>>     &points,
@@ -86,7 +105,8 @@ namespace Signorini
                 double                                     reach,
                 MPI_Comm                                   comm,
                 SearchStatistics                          *statistics = nullptr,
-                const std::vector<FormerFace<dim>>        &former     = {});
+                const std::vector<FormerFace<dim>>        &former     = {},
+                const std::vector<PlaceAtRest<dim>>       &rest       = {});
 
   /// Of each point of this rank, how deep it lies inside of the master's body, as far as the
   /// closest place of the surface tells, of whatever orientation; negative outside, infinity if

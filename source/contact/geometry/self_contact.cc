@@ -1,0 +1,137 @@
+#include <signorini/contact/geometry/self_contact.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Point<dim - 1>
+    middle()
+    {
+      Point<dim - 1> result;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        result[d] = 0.5;
+      return result;
+    }
+
+    /// Along no edge of what people draw.
+    template <int dim>
+    Tensor<1, dim>
+    skew_direction()
+    {
+      Tensor<1, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = 1 / (1 + 0.37 * d);
+      return result / result.norm();
+    }
+
+    /// What parts of the surface that look at each other have in common.
+    template <int dim>
+    struct Facing
+    {
+      SymmetricTensor<2, dim> normals;  ///< sum of n n^T
+      Tensor<2, dim>          ways;     ///< sum of n D^T, D the way to the other part at rest
+      bool                    is_empty; ///< nothing looks at anything, on any rank
+    };
+
+    template <int dim>
+    Facing<dim>
+    facing_parts(const BoundaryFaces<dim> &faces, const double reach, const MPI_Comm comm)
+    {
+      std::vector<Point<dim>>       centers;
+      std::vector<Tensor<1, dim>>   normals;
+      std::vector<PlaceAtRest<dim>> rest;
+      for (unsigned int i = 0; i < faces.patches.size(); ++i)
+        {
+          centers.push_back(faces.patches[i].position(middle<dim>()));
+          normals.push_back(faces.patches[i].normal(middle<dim>()));
+          rest.push_back(place_at_rest(faces.rest[i], middle<dim>()));
+        }
+      const auto partners =
+        find_partners(centers, normals, faces_beyond(faces), reach, comm, nullptr, {}, rest);
+      Facing<dim> result;
+      double      sum = 0;
+      for (unsigned int i = 0; i < partners.size(); ++i)
+        {
+          if (!partners[i])
+            continue;
+          // Those that are close count most.
+          const double size   = faces.patches[i].diameter(),
+                       weight = faces.patches[i].jacobian(middle<dim>()) * size /
+                                (size + partners[i]->distance);
+          result.normals += weight * symmetrize(outer_product(normals[i], normals[i]));
+          result.ways += weight * outer_product(normals[i], partners[i]->rest - rest[i].x);
+          sum += weight;
+        }
+      result.normals  = Utilities::MPI::sum(result.normals, comm);
+      result.ways     = Utilities::MPI::sum(result.ways, comm);
+      result.is_empty = Utilities::MPI::sum(sum, comm) == 0;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SelfContact<dim>::SelfContact(const BoundaryFaces<dim> &faces,
+                                const double              reach,
+                                const double              side,
+                                const MPI_Comm            comm)
+  {
+    const Facing<dim>    facing = facing_parts(faces, reach, comm);
+    const Tensor<1, dim> e =
+      facing.is_empty ? skew_direction<dim>() : eigenvectors(facing.normals)[0].second;
+    const double sign = e * facing.ways * skew_direction<dim>() < 0 ? -side : side;
+    for (const FacePatch<dim> &patch : faces.patches)
+      slaves.push_back(sign * (patch.normal(middle<dim>()) * e) > 0);
+  }
+
+
+
+  template <int dim>
+  BoundaryFaces<dim>
+  SelfContact<dim>::masters(const BoundaryFaces<dim> &faces) const
+  {
+    std::vector<bool> masters = slaves;
+    masters.flip();
+    return faces.among(masters);
+  }
+
+
+
+  template <int dim>
+  MasterFaces<dim>
+  faces_beyond(const BoundaryFaces<dim> &faces)
+  {
+    const auto tell_rest = [&](unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner) {
+      partner.rest = faces.rest[i].position(xi);
+    };
+    return {faces.patches, tell_rest, {}, faces.rest};
+  }
+
+
+
+  template <int dim>
+  PlaceAtRest<dim>
+  place_at_rest(const FacePatch<dim> &rest, const Point<dim - 1> &xi)
+  {
+    return {rest.position(xi), rest.normal(xi)};
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template class SelfContact<dim>;                                                                 \
+  template MasterFaces<dim> faces_beyond(const BoundaryFaces<dim> &);                              \
+  template PlaceAtRest<dim> place_at_rest(const FacePatch<dim> &, const Point<dim - 1> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

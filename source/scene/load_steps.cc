@@ -1,0 +1,96 @@
+#include <signorini/parameters/section.h>
+#include <signorini/parameters/values.h>
+#include <signorini/scene/load_steps.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  void
+  LoadSteps::read_number(Section &section, const Formula &text)
+  {
+    is_automatic = text.text == "automatic";
+    if (is_automatic)
+      return;
+    try
+      {
+        from_text(text, number);
+      }
+    catch (const SceneError &error)
+      {
+        section.fail("Number", std::string(error.what()) + "; or write automatic");
+      }
+    if (number < 1 || number > 1e6)
+      section.fail("Number", "must be in [1, 1000000], or automatic");
+  }
+
+
+
+  void
+  LoadSteps::declare(Section &section)
+  {
+    section.add("End time",
+                end_time,
+                "t runs from 0 to this; supports, loads and obstacles depend on it",
+                positive);
+    Formula steps = is_automatic ? "automatic" : to_text(number);
+    section.add(
+      "Number",
+      steps,
+      "of equal steps, [1, 1000000]; automatic: the whole load at once, and where that cannot be solved in "
+      "steps that shrink and grow with the iterations that they take");
+    if (section.reading())
+      read_number(section, steps);
+    section.add("Times", times, "ends of the steps, instead of End time and Number; increasing");
+    section.add(
+      "Cut-backs",
+      cut_backs,
+      "how often a step that cannot be solved is halved; it grows again afterwards; automatic steps: at least 10 times",
+      Range{0, 20});
+    for (unsigned int i = 0; i < times.size(); ++i)
+      if (times[i] <= (i > 0 ? times[i - 1] : 0))
+        section.fail("Times", "must be positive and increasing");
+    if (section.reading() && !times.empty())
+      {
+        end_time     = times.back();
+        number       = times.size();
+        is_automatic = false;
+      }
+  }
+
+
+
+  std::vector<double>
+  LoadSteps::ends() const
+  {
+    if (!times.empty())
+      return times;
+    if (is_automatic)
+      return {end_time};
+    std::vector<double> result;
+    for (unsigned int step = 1; step <= number; ++step)
+      result.push_back(end_time * step / number);
+    return result;
+  }
+
+
+
+  double
+  LoadSteps::shortest(const double whole) const
+  {
+    constexpr unsigned int least = 10;
+    return whole / std::pow(2, is_automatic ? std::max(cut_backs, least) : cut_backs);
+  }
+
+
+
+  double
+  LoadSteps::next_length(const double       last,
+                         const unsigned int newton_steps,
+                         const double       so_far) const
+  {
+    constexpr unsigned int few = 15; // a step twice as long mostly takes less than twice of them
+    return is_automatic && newton_steps > few ? std::min(so_far, last) : std::max(so_far, 2 * last);
+  }
+} // namespace Signorini

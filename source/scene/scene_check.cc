@@ -1,0 +1,270 @@
+#include <signorini/parameters/raw.h>
+#include <signorini/scene/scene.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::vector<std::string>
+    boundary_names(const std::vector<Body<dim>> &bodies)
+    {
+      std::vector<std::string> names;
+      for (const Body<dim> &body : bodies)
+        for (const std::string &boundary : body.mesh.generator->boundaries())
+          names.push_back(body.name + "." + boundary);
+      return names;
+    }
+
+    template <int dim>
+    std::vector<std::string>
+    node_set_names(const std::vector<Body<dim>> &bodies)
+    {
+      std::vector<std::string> names;
+      for (const Body<dim> &body : bodies)
+        for (const std::string &set : body.mesh.generator->node_sets())
+          names.push_back(body.name + "." + set);
+      return names;
+    }
+
+    /// BODY.NUMBER of a node of a mesh file.
+    template <int dim>
+    bool
+    is_node_number(const std::vector<Body<dim>> &bodies, const std::string &name)
+    {
+      for (const Body<dim> &body : bodies)
+        if (const std::string start = body.name + "."; name.compare(0, start.size(), start) == 0)
+          return !body.mesh.generator->node_set(name.substr(start.size())).empty();
+      return false;
+    }
+
+    /// In one matrix, rounding of the stiff body is a force on the soft one.
+    template <int dim>
+    void
+    check_contrast(const std::vector<Body<dim>> &bodies)
+    {
+      constexpr double largest   = 1e8;
+      const auto       is_softer = [](const Body<dim> &a, const Body<dim> &b) {
+        return a.material.youngs_modulus < b.material.youngs_modulus;
+      };
+      const auto [soft, stiff] = std::minmax_element(bodies.begin(), bodies.end(), is_softer);
+      if (stiff->material.youngs_modulus > largest * soft->material.youngs_modulus)
+        throw SceneError("Bodies/" + stiff->name +
+                         "/Young's modulus: more than 1e8 times that of '" + soft->name +
+                         "', beyond what rounding allows; take an obstacle for a rigid body");
+    }
+
+    /// What keeps the symmetry about the axis: motions and forces along it.
+    template <int dim>
+    void
+    check_axisymmetric(const Scene<dim> &scene)
+    {
+      if (model_of(scene.model) != Model::axisymmetric)
+        return;
+      for (const Obstacle<dim> &obstacle : scene.obstacles)
+        {
+          const RigidBody<dim> &body = obstacle.body;
+          const bool            sideways =
+            body.displacement.given() && (body.is_free(0) || !body.displacement.is_zero(0));
+          if (sideways || body.rotation.given())
+            throw SceneError("Obstacles/" + obstacle.name +
+                             ": with Model = axisymmetric an obstacle moves along the axis only; "
+                             "write Displacement = 0; ... and no Rotation");
+        }
+    }
+
+    /// What a generator made of pieces that touch must have, if it was not told what they are.
+    template <int dim>
+    void
+    check_pieces(const Scene<dim> &scene)
+    {
+      for (const Body<dim> &body : scene.bodies)
+        {
+          const std::string reason = body.mesh.generator->needs_pair(), start = body.name + ".";
+          bool              joined = false;
+          for (const ContactPair<dim> &pair : scene.known_pairs())
+            joined |= pair.slave.compare(0, start.size(), start) == 0 &&
+                      pair.master.compare(0, start.size(), start) == 0;
+          if (!reason.empty() && !joined)
+            throw SceneError(reason);
+        }
+    }
+
+    /// Twice the same conditions would not say how pressure is shared.
+    template <int dim>
+    void
+    check_same_pairs(const std::vector<ContactPair<dim>> &pairs)
+    {
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          if ((pairs[i].slave == pairs[j].slave && pairs[i].master == pairs[j].master) ||
+              (pairs[i].slave == pairs[j].master && pairs[i].master == pairs[j].slave))
+            throw SceneError(pairs[i].slave_place + ": pairs '" + pairs[j].name + "' and '" +
+                             pairs[i].name + "' are of the same surfaces; remove one");
+    }
+
+    /// The surface is free of itself at rest, and nothing holds its parts together.
+    template <int dim>
+    void
+    check_self(const ContactPair<dim> &pair)
+    {
+      const std::string place = pair.master_place + ": a surface that touches itself ";
+      if (pair.gap_is_given())
+        throw SceneError(place + "has the gaps of its geometry; take Initial gap out");
+      if (!pair.separates)
+        throw SceneError(place + "may separate from itself; take Separates out");
+    }
+
+    void
+    require(const std::string              &what,
+            const std::vector<std::string> &wanted,
+            const std::vector<std::string> &existing,
+            const std::string              &place,
+            const std::vector<std::string> &node_sets = {})
+    {
+      for (const std::string &name : wanted)
+        if (std::find(existing.begin(), existing.end(), name) == existing.end())
+          {
+            const std::string close = nearest(name, existing);
+            if (what == "boundary" &&
+                std::find(node_sets.begin(), node_sets.end(), name) != node_sets.end())
+              throw SceneError(place + ": '" + name +
+                               "' is a set of nodes without all corners of any face; supports and "
+                               "loads take it by the key Nodes");
+            throw SceneError(place + ": there is no " + what + " '" + name + "'" +
+                             (close.empty() ? "." : "; did you mean '" + close + "'?") +
+                             " There are: " + join(existing) + ".");
+          }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::check() const
+  {
+    if (bodies.empty())
+      throw SceneError("Bodies/Names: a scene needs at least one body");
+    const auto body_names     = names_of(bodies);
+    const auto obstacle_names = names_of(obstacles);
+    const auto boundaries     = boundary_names(bodies);
+    const auto sets           = node_set_names(bodies);
+    const auto require_nodes  = [&](const NodeChoice &nodes) {
+      std::vector<std::string> named; // the others are numbers of nodes
+      for (const std::string &set : nodes.sets)
+        if (!is_node_number(bodies, set))
+          named.push_back(set);
+      require("set of nodes", named, sets, nodes.sets_place);
+      if (!nodes.body.empty())
+        require("body", {nodes.body}, body_names, nodes.point_place);
+    };
+    for (const Support<dim> &support : supports)
+      {
+        require("boundary", support.boundaries, boundaries, support.place, sets);
+        require_nodes(support.nodes);
+      }
+    for (const Load<dim> &load : loads)
+      {
+        require("boundary", load.boundaries, boundaries, load.place, sets);
+        require_nodes(load.nodes);
+        require("body", load.bodies, body_names, load.bodies_place);
+      }
+    std::vector<std::string> masters = boundaries;
+    masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
+    for (const ContactPair<dim> &pair : known_pairs())
+      {
+        require("boundary", {pair.slave}, boundaries, pair.slave_place, sets);
+        require("boundary or obstacle", {pair.master}, masters, pair.master_place, sets);
+        if (pair.is_self())
+          check_self(pair);
+        if (obstacle_of(pair) && std::count(boundaries.begin(), boundaries.end(), pair.master))
+          throw SceneError(pair.master_place +
+                           ": is the name of a boundary and of an obstacle; rename the obstacle");
+      }
+    check_same_pairs(known_pairs());
+    for (const RefinementZone<dim> &zone : mesh.zones)
+      require("body", zone.bodies, body_names, zone.place);
+    check_pieces(*this);
+    check_axisymmetric(*this);
+    check_integration();
+    check_contrast(bodies);
+    if (deformation == Deformation::finite)
+      check_finite();
+    if (deformation == Deformation::automatic)
+      for (const Body<dim> &body : bodies)
+        if (body.expansion.given())
+          throw SceneError("Bodies/" + body.name +
+                           "/Thermal expansion: is not there with Deformation = automatic, which "
+                           "may become finite; take small");
+    if (!auto_pairs)
+      quantities();
+    if (mesh.distribution == Distribution::METIS && most_cycles() > 0)
+      throw SceneError("Mesh/Distribution = METIS has a fixed mesh, but " +
+                       (goals.has_targets() ?
+                          "there is an Accuracy/Target error" :
+                          "Accuracy/Refinement cycles = " + std::to_string(refinement.cycles)) +
+                       "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::check_finite() const
+  {
+    const auto refuse = [](const std::string &key, const std::string &why) {
+      throw SceneError(key + ": " + why + " with Deformation = finite");
+    };
+    if (contact.chosen().predictor() == Predictor::normal_stress)
+      refuse("Contact method/Method = " + contact.method,
+             "is not there; take Lagrange multiplier, penalty, augmented or perturbed Lagrangian");
+    if (contact.geometry == ContactGeometry::reference)
+      refuse("Contact method/Contact geometry = reference", "surfaces are not where they were");
+    for (const Load<dim> &load : loads)
+      if (model_of(model) == Model::plane_stress && !load.pressure.is_zero())
+        refuse(
+          "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
+          "is not there for Model = plane stress, whose edges become thinner: take a Traction,");
+    for (const Body<dim> &body : bodies)
+      if (body.expansion.given())
+        refuse("Bodies/" + body.name + "/Thermal expansion", "is not there");
+    if (!goals.quantities.empty())
+      refuse("Accuracy/Quantity = " + goals.quantities.front(), "errors are not estimated");
+    if (output.linear_reference)
+      refuse("Output/Linear reference = yes", "nothing is linear");
+    if (solver.stiffness_form == StiffnessForm::matrix_free)
+      refuse("Solver/Operator = matrix-free", "tangents are assembled");
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::check_integration() const
+  {
+    for (const ContactPair<dim> &pair : known_pairs())
+      {
+        const Integration integration = integration_of(pair);
+        contact.chosen().check(integration, degree_of(pair.slave));
+        if (integration.rule == Rule::segments && contact.quadrature_points > 7)
+          throw SceneError(
+            "Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
+            ": on segments there are rules with up to 7");
+      }
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template void Scene<dim>::check() const;                                                         \
+  template void Scene<dim>::check_finite() const;                                                  \
+  template void Scene<dim>::check_integration() const;
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,94 @@
+#include <signorini/body_setup.h>
+#include <signorini/elasticity/deformation_change.h>
+#include <signorini/elasticity/material_law.h>
+#include <signorini/parameters/text.h>
+#include <signorini/simulation.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  bool
+  Simulation<dim>::solve(const double t, const double tolerance)
+  {
+    if (scene.deformation != Deformation::automatic)
+      return equilibrium->solve(t, tolerance);
+    const State before = state;
+    if (!equilibrium->solve(t, tolerance))
+      return false;
+    if (is_small_enough())
+      return true;
+    become_finite(before);
+    return equilibrium->solve(t, tolerance);
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_small_enough()
+  {
+    TimerOutput::Scope scope(timer, "deformation");
+    double             limit = scene.deformation_share;
+    for (const double target : scene.goals.targets)
+      limit = std::min(limit, target);
+    std::vector<std::shared_ptr<const Hyperelastic>> laws;
+    for (const Body<dim> &body : scene.bodies)
+      laws.push_back(law_of(body.material).make(body.material));
+    const DeformationChange change   = deformation_change(*elasticity, laws, state.displacement);
+    const bool              is_small = change.work <= limit;
+    neglected_work                   = std::max(neglected_work.value_or(0), change.work);
+    out << "  deformation: small strain neglects about " << short_text(100 * change.work, 2)
+        << " % of the work of the stresses (strains up to " << short_text(100 * change.strain, 2)
+        << " %, turns up to " << short_text(change.turn * 180 / numbers::PI, 2) << " degrees)"
+        << (is_small ? "" : ": large deformation from here on") << std::endl;
+    return is_small;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::become_finite(const State &before)
+  {
+    scene.become_finite();
+    scene.check(); // what goes with small deformation alone
+    auto finite = make_elasticity(scene, *mesh);
+    finite->setup();
+    replace_elasticity(std::move(finite), before, true);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
+                                      const State                     &carried,
+                                      const bool                       follows)
+  {
+    const Json known = contact->memory();
+    equilibrium.reset(); // these refer to it
+    contact.reset();
+    elasticity = std::move(other);
+    set_up_contact();
+    contact->remember(known);
+    equilibrium->set_state(carried, follows);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template bool Simulation<dim>::solve(double, double);                                            \
+  template bool Simulation<dim>::is_small_enough();                                                \
+  template void Simulation<dim>::become_finite(const State &);                                     \
+  template void Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>>,              \
+                                                    const State &,                                 \
+                                                    bool);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini
