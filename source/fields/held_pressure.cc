@@ -69,7 +69,7 @@ namespace Signorini
           for (const auto &[node, psi] : point.shape)
             {
               for (unsigned int d = 0; d < dim; ++d)
-                sums[d](node) += psi * point.weight * point.position[d];
+                sums[d](node) += psi * point.weight * point.slave_place[d];
               sums[dim](node) += psi * point.weight;
             }
         return summed(std::move(sums));

@@ -50,7 +50,7 @@ namespace Signorini
                   open_area(vertices[f][c]) += w;
                 for (unsigned int d = 0; d < dim; ++d)
                   offset[d](vertices[f][c]) +=
-                    w * (point.position[d] - Vertices::position(face, c)[d]);
+                    w * (point.slave_place[d] - Vertices::position(face, c)[d]);
               }
           }
         area.compress(VectorOperation::add);

@@ -52,6 +52,19 @@ def fold(test):
     test.check(abs(three / one - 1) <= 1e-8, f"{one:.12g} in one load step, {three:.12g} in three")
 
 
+def moved(test):
+    """Far from where they were at rest, bodies have the same forces, and the same pressures, which are not uniform."""
+    def solved(way):
+        return test.results(CYLINDER, ["Mesh/Degree=2", *COARSE_CYLINDER, f"Supports/base/Displacement=free; {way}*t",
+                                       f"Supports/top/Displacement=free; ({way}-0.2)*t"])["load_steps"][-1]["pairs"]["contact"]
+    here, there = solved(0), solved(3)
+    for quantity, tolerance in (("normal_force", 1e-8), ("max_pressure", 1e-6), ("area", 1e-6)):
+        a, b = here[quantity], there[quantity]
+        test.check(abs(b / a - 1) <= tolerance, f"{quantity}: {a:.10g}, moved by three radii {b:.10g}")
+    mean = here["normal_force"] / here["area"]
+    test.check(mean < here["max_pressure"] < 2 * mean, f"a largest pressure of {here['max_pressure']:.6g} with a mean of {mean:.6g}")
+
+
 def automatic_steps(test):
     """Steps that are cut and grow end where others do."""
     sets = ["Bodies/disc/Refinements=3", "Bodies/block/Subdivisions=24,16"]
@@ -139,6 +152,7 @@ def cases():
     yield Case("finite", "second order", second_order)
     yield Case("finite", "first touch", first_touch)
     yield Case("finite", "fold", fold)
+    yield Case("finite", "moved", moved)
     yield Case("finite", "steps/automatic", automatic_steps)
     yield Case("finite", "automatic", automatic_deformation)
     yield Case("finite", "refined", refined, ranks=2)
