@@ -90,6 +90,49 @@ def automatic_deformation(test):
     test.check(run.code == 2 and "Nitsche: is not there; take Lagrange" in run.err, "that is not refused by name")
 
 
+def contrast(test):
+    """A disc and a block whose moduli differ by factors of up to a thousand either way; in the end one of them is rigid."""
+    auto, forces = "Load steps/Number=automatic", {}
+    for ratio in (1e-3, 1e-2, 1e2, 1e3):
+        forces[ratio] = force_of(test.results(CYLINDER, [*COARSE_CYLINDER, f"Bodies/disc/Young's modulus={ratio}", auto]))
+    test.print(", ".join(f"{ratio:g}: {force:.6g}" for ratio, force in forces.items()))
+    test.check(abs(forces[1e-3] / forces[1e-2] / 0.1 - 1) <= 0.03, "a block that is a hundred times as stiff is not nearly rigid")
+    test.check(0 < forces[1e3] / forces[1e2] - 1 <= 0.03, "a disc that is a hundred times as stiff is not nearly rigid")
+
+
+def penalties(test):
+    """Penalties of any size: the stiffer, the nearer to multipliers, from below."""
+    exact = force_of(test.results(CYLINDER, COARSE_CYLINDER))
+    errors = []
+    for factor in (1, 10, 1e2, 1e4, 1e6):
+        force = force_of(test.results(CYLINDER, [*COARSE_CYLINDER, "Contact method/Method=penalty",
+                                                 f"Contact method/penalty/Factor={factor:g}"]))
+        errors.append(1 - force / exact)
+    test.print(" ".join(f"{error:.1e}" for error in errors))
+    test.check(all(0.5 * a >= b > -1e-7 for a, b in zip(errors, errors[1:])), "errors do not fall with stiffer penalties")
+    test.check(errors[0] < 0.2 and abs(errors[-1]) < 1e-5, "they are too large")
+
+
+def meshes(test):
+    """Coarse against fine either way, and slave and master exchanged."""
+    sets = {"fine block": ["Bodies/block/Subdivisions=48,32"], "coarse block": ["Bodies/block/Subdivisions=7,5"],
+            "exchanged": ["Contact pairs/contact/Slave=block.top", "Contact pairs/contact/Master=disc.arc",
+                          "Contact pairs/contact/Sides=as named"]}
+    for name, changes in sets.items():
+        force = 2 * abs(test.results(CYLINDER, changes)["load_steps"][-1]["pairs"]["contact"]["force"][1])
+        test.check(abs(force / 0.24125 - 1) <= 0.01, f"{name}: {force:.6g} instead of 0.24125")
+
+
+def compressed(test):
+    """To half of the height and less, in automatic steps; exact forces of the nominal stress at that stretch."""
+    for stretch, exact in ((0.6, 0.62434856875), (0.4, 1.4192582282)):
+        results = test.results(SCENES / "finite-stack-3d.prm", [f"Supports/top/Displacement=free; free; {2 * (stretch - 1)}*t",
+                                                                "Load steps/Number=automatic"])
+        force = force_of(results, "joint")
+        test.check(abs(force / exact - 1) <= 1e-8, f"at a stretch of {stretch} {force:.10g} instead of {exact}")
+        test.check(len(results["load_steps"]) <= 10, f"{len(results['load_steps'])} load steps")
+
+
 def refined(test):
     """Hanging nodes, and displacements that are carried over to them."""
     results = test.results(CYLINDER, ["Accuracy/Refinement cycles=2"], 2)
@@ -155,6 +198,10 @@ def cases():
     yield Case("finite", "moved", moved)
     yield Case("finite", "steps/automatic", automatic_steps)
     yield Case("finite", "automatic", automatic_deformation)
+    yield Case("finite", "contrast", contrast)
+    yield Case("finite", "penalties", penalties)
+    yield Case("finite", "meshes", meshes)
+    yield Case("finite", "compressed", compressed)
     yield Case("finite", "refined", refined, ranks=2)
     for model in ("plane strain", "plane stress", "axisymmetric"):
         yield Case("finite", f"limit/{model}", linear_limit(model))
