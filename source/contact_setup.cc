@@ -5,6 +5,7 @@
 #include <signorini/parameters/raw.h>
 #include <signorini/parameters/text.h>
 #include <signorini/scene/expected_motion.h>
+#include <signorini/solve/solver_failure.h>
 
 #include <algorithm>
 
@@ -174,15 +175,23 @@ namespace Signorini
     nearby.resize(scene.pairs.size(), 0.);
     known.resize(scene.pairs.size());
     {
-      TimerOutput::Scope                     scope(timer, "search");
-      const std::vector<SearchRange>         of_pairs = ranges(configuration);
-      const std::vector<ContactSurface<dim>> former   = std::move(my_surfaces);
+      TimerOutput::Scope               scope(timer, "search");
+      const std::vector<SearchRange>   of_pairs = ranges(configuration);
+      std::vector<ContactSurface<dim>> former   = std::move(my_surfaces);
       my_surfaces.clear();
-      for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      try
         {
-          my_surfaces.push_back(surface_of(
-            configuration, scene.pairs[i], of_pairs[i], keeps_points ? &former[i] : nullptr));
-          exchange_sides(configuration, i);
+          for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+            {
+              my_surfaces.push_back(surface_of(
+                configuration, scene.pairs[i], of_pairs[i], keeps_points ? &former[i] : nullptr));
+              exchange_sides(configuration, i);
+            }
+        }
+      catch (const SolverFailure &)
+        {
+          my_surfaces = std::move(former); // those of the rows that are there
+          throw;
         }
     }
     TimerOutput::Scope scope(timer, "contact");

@@ -220,9 +220,6 @@ namespace Signorini
     const auto refuse = [](const std::string &key, const std::string &why) {
       throw SceneError(key + ": " + why + " with Deformation = finite");
     };
-    if (contact.chosen().predictor() == Predictor::normal_stress)
-      refuse("Contact method/Method = " + contact.method,
-             "is not there; take Lagrange multiplier, penalty, augmented or perturbed Lagrangian");
     if (contact.geometry == ContactGeometry::reference)
       refuse("Contact method/Contact geometry = reference", "surfaces are not where they were");
     for (const Load<dim> &load : loads)

@@ -12,6 +12,7 @@
 
 #include <cmath>
 
+#include "small_scene.h"
 #include "two_blocks.h"
 
 using namespace Signorini;
@@ -142,4 +143,96 @@ TEST_CASE("a contact pressure exerts balanced forces")
     }
   // The points' areas sum up to the area of the slave, constant pressure to its resultant.
   CHECK(scene.contact->weight.l1_norm() == doctest::Approx(1));
+}
+
+namespace
+{
+  /// A block of large deformation at u + h du: what its stress is at a place of each boundary face.
+  template <int dim>
+  std::vector<CauchyStress>
+  stresses(const TestScene::SmallScene<dim> &scene,
+           const LA::Vector                 &u,
+           const LA::Vector                 &du,
+           const double                      h)
+  {
+    LA::Vector moved = u;
+    moved.add(h, du);
+    const Configuration<dim>  configuration(*scene.elasticity, moved);
+    NormalStress<dim>         stress(configuration);
+    Tensor<1, dim>            n;
+    Point<dim - 1>            xi;
+    std::vector<CauchyStress> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      n[d] = 1 - 0.3 * d;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      xi[d] = 0.3 + 0.2 * d;
+    for (const auto &cell : scene.elasticity->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              const FacePatch<dim> patch(scene.mesh->mapping(), 1, cell, f);
+              stress.reinit(cell);
+              result.push_back(
+                stress.cauchy(unit_point<dim>(f, xi), n / n.norm(), patch.normal(xi)));
+            }
+    return result;
+  }
+
+  template <int dim>
+  void
+  check_cauchy(const std::string &model, const unsigned int degree, const std::string &more)
+  {
+    CAPTURE(model);
+    CAPTURE(degree);
+    CAPTURE(more);
+    const TestScene::SmallScene<dim> scene(
+      {"Dimension=" + std::to_string(dim),
+       "Model=" + model,
+       "Deformation=finite",
+       "Bodies/Names=block",
+       "Bodies/block/Mesh=box",
+       dim == 2 ? "Bodies/block/Corners=1,0 : 2,1.5" : "Bodies/block/Corners=1,0,0 : 2,1.5,1.2",
+       dim == 2 ? "Bodies/block/Subdivisions=2,2" : "Bodies/block/Subdivisions=2,2,1",
+       "Bodies/block/Young's modulus=3",
+       "Bodies/block/Degree=" + std::to_string(degree),
+       more});
+    const LA::Vector u = scene.rough_field(0.05, 1), du = scene.rough_field(1, 2);
+    BulkStress<dim> &bulk = scene.elasticity->bulk_stress();
+    LA::Vector       m    = bulk.zero_vector();
+    for (const auto i : m.locally_owned_elements())
+      m(i) = 0.1 * std::sin(1. + i);
+    m.compress(VectorOperation::insert);
+    if (!bulk.empty())
+      bulk.set_coefficients(m);
+    constexpr double h      = 1e-5;
+    const auto       before = stresses(scene, u, du, -h), after = stresses(scene, u, du, h);
+    const auto       here = stresses(scene, u, du, 0.);
+    const Values     at_u = everywhere(u), at_du = everywhere(du), at_m = everywhere(m);
+    for (unsigned int i = 0; i < here.size(); ++i)
+      {
+        const double change = (after[i].value - before[i].value) / (2 * h),
+                     ratio  = (after[i].ratio - before[i].ratio) / (2 * h);
+        CHECK(at(here[i].stress, at_du) == doctest::Approx(change).epsilon(1e-6));
+        CHECK(at(here[i].ratio_row, at_du) == doctest::Approx(ratio).epsilon(1e-6));
+        const double of_bulk = bulk.empty() ? 0. : at(here[i].bulk_stress, at_m);
+        CHECK(here[i].offset + at(here[i].stress, at_u) + of_bulk ==
+              doctest::Approx(here[i].value).epsilon(1e-10));
+        CHECK(here[i].ratio_offset + at(here[i].ratio_row, at_u) ==
+              doctest::Approx(here[i].ratio).epsilon(1e-10));
+      }
+  }
+} // namespace
+
+TEST_CASE("Cauchy's normal stress has the derivatives that its differences show")
+{
+  const std::string plain = "Bodies/block/Poisson's ratio=0.3",
+                    mixed = "Bodies/block/Poisson's ratio=0.495";
+  for (const std::string model : {"plane strain", "plane stress", "axisymmetric"})
+    for (const unsigned int degree : {1, 2})
+      check_cauchy<2>(model, degree, plain);
+  for (const unsigned int degree : {1, 2})
+    check_cauchy<3>("solid", degree, plain);
+  check_cauchy<2>("axisymmetric", 2, mixed);
+  check_cauchy<3>("solid", 2, mixed);
 }

@@ -97,6 +97,30 @@ namespace Signorini
       point.bound          = share * own_bound;
     }
 
+    /// The same of Cauchy's stresses, times the area now per area at rest of the slave, since
+    /// pressures act on areas at rest.
+    template <int dim>
+    void
+    set_cauchy_stress(const CauchyStress &own,
+                      const double        own_bound,
+                      const Partner<dim> &partner,
+                      const bool          own_alone,
+                      ContactPoint<dim>  &point)
+    {
+      set_stress(
+        own.stress, {}, own.bulk_stress, own.stiffening * own_bound, partner, own_alone, point);
+      const double share = point.bound / (own.stiffening * own_bound),
+                   value = share * own.value + (1 - share) * partner.stress_value;
+      for (SparseRow *row : {&point.stress, &point.bulk_stress})
+        for (auto &entry : *row)
+          entry.second *= own.ratio;
+      for (const auto &[index, entry] : own.ratio_row)
+        point.stress.emplace_back(index, value * entry);
+      unite(point.stress);
+      point.stress_offset = own.ratio * (share * own.offset + (1 - share) * partner.stress_offset) +
+                            value * (own.ratio_offset - own.ratio);
+    }
+
     /// Area now per area at rest.
     template <int dim>
     double
@@ -179,7 +203,7 @@ namespace Signorini
     result.reserve(paired_points.size());
     double                face_depth = 0, face_stiffness = 0;
     Trace<dim>            trace(elasticity);
-    NormalStress<dim>     stress(elasticity);
+    NormalStress<dim>     stress(configuration);
     StressBounds<dim>     bound(slave);
     const InitialGap<dim> initial_gap(pair);
     const bool            with_stress = method.predictor() == Predictor::normal_stress;
@@ -219,6 +243,15 @@ namespace Signorini
           stress.reinit(cell);
         const Point<dim>     place = unit_point<dim>(face, paired.xi);
         const Tensor<1, dim> n     = rest.normal(paired.xi);
+        if (elasticity.is_finite())
+          {
+            set_cauchy_stress(stress.cauchy(place, paired.partner.normal, n),
+                              bound(stress, paired.face),
+                              paired.partner,
+                              method.unbiased(),
+                              point);
+            continue;
+          }
         set_stress(stress.row(place, paired.partner.normal, n),
                    stress.thermal_row(place, paired.partner.normal, n),
                    stress.bulk_row(place, paired.partner.normal, n),

@@ -15,17 +15,17 @@ namespace Signorini
     class BodyBehind
     {
     public:
-      BodyBehind(const Elasticity<dim>    &elasticity,
+      BodyBehind(const Configuration<dim> &configuration,
                  const BoundaryFaces<dim> &boundary,
-                 const bool                with_stress,
-                 const bool                with_bend)
+                 const bool                with_stress)
         : boundary(boundary)
-        , trace(elasticity)
-        , stress(std::make_shared<NormalStress<dim>>(elasticity))
+        , trace(configuration.elasticity())
+        , stress(with_stress ? std::make_shared<NormalStress<dim>>(configuration) : nullptr)
         , bound(boundary)
-        , with_stress(with_stress)
-        , with_bend(with_bend)
+        , is_finite(configuration.elasticity().is_finite())
+        , with_bend(!configuration.is_rest())
       {
+        const Elasticity<dim> &elasticity = configuration.elasticity();
         for (unsigned int i = 0; i < boundary.faces.size(); ++i)
           {
             stiffnesses.push_back(boundary.stiffness(elasticity, i));
@@ -46,16 +46,26 @@ namespace Signorini
         partner.rest      = boundary.rest[i].position(xi);
         if (with_bend && is_near_enough(partner.distance, sizes[i]))
           partner.bend = bend_of_master(boundary.patches[i], xi, partner.normal);
-        if (!with_stress)
+        if (!stress)
           return;
         stress->reinit(cell);
         const Point<dim>      place   = unit_point<dim>(face, xi);
         const Tensor<1, dim> &n       = partner.normal;
         const Tensor<1, dim>  at_rest = boundary.rest[i].normal(xi);
-        partner.stress                = stress->row(place, -n, at_rest);
-        partner.thermal_stress        = stress->thermal_row(place, -n, at_rest);
-        partner.bulk_stress           = stress->bulk_row(place, -n, at_rest);
         partner.bound                 = bound(*stress, i);
+        if (is_finite)
+          {
+            CauchyStress now      = stress->cauchy(place, -n, at_rest);
+            partner.stress        = std::move(now.stress);
+            partner.bulk_stress   = std::move(now.bulk_stress);
+            partner.stress_value  = now.value;
+            partner.stress_offset = now.offset;
+            partner.bound *= now.stiffening;
+            return;
+          }
+        partner.stress         = stress->row(place, -n, at_rest);
+        partner.thermal_stress = stress->thermal_row(place, -n, at_rest);
+        partner.bulk_stress    = stress->bulk_row(place, -n, at_rest);
       }
 
     private:
@@ -63,7 +73,7 @@ namespace Signorini
       Trace<dim>                         trace;
       std::shared_ptr<NormalStress<dim>> stress;
       StressBounds<dim>                  bound;
-      const bool                         with_stress, with_bend;
+      const bool                         is_finite, with_bend;
       std::vector<double>                stiffnesses, moduli, sizes;
     };
   } // namespace
@@ -72,18 +82,17 @@ namespace Signorini
 
   template <int dim>
   MasterFaces<dim>
-  master_faces(const Elasticity<dim>    &elasticity,
+  master_faces(const Configuration<dim> &configuration,
                const BoundaryFaces<dim> &boundary,
-               const bool                with_stress,
-               const bool                with_bend)
+               const bool                with_stress)
   {
-    return {boundary.patches, BodyBehind<dim>(elasticity, boundary, with_stress, with_bend)};
+    return {boundary.patches, BodyBehind<dim>(configuration, boundary, with_stress)};
   }
 
 
 
   template MasterFaces<2>
-  master_faces(const Elasticity<2> &, const BoundaryFaces<2> &, bool, bool);
+  master_faces(const Configuration<2> &, const BoundaryFaces<2> &, bool);
   template MasterFaces<3>
-  master_faces(const Elasticity<3> &, const BoundaryFaces<3> &, bool, bool);
+  master_faces(const Configuration<3> &, const BoundaryFaces<3> &, bool);
 } // namespace Signorini

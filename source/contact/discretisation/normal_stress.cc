@@ -1,12 +1,14 @@
 #include <signorini/contact/discretisation/normal_stress.h>
 #include <signorini/contact/geometry/face_patch.h>
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/deformation.h>
 #include <signorini/mesh/lagrange.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -28,6 +30,17 @@ namespace Signorini
         for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
           lattice.back()[d] = rest % n;
       }
+  }
+
+
+
+  template <int dim>
+  NormalStress<dim>::NormalStress(const Configuration<dim> &configuration)
+    : NormalStress(configuration.elasticity())
+  {
+    if (elasticity.is_finite())
+      displacement = elasticity.with_ghosts(configuration.is_rest() ? elasticity.zero_vector() :
+                                                                      configuration.displacement());
   }
 
 
@@ -115,12 +128,143 @@ namespace Signorini
                          const Tensor<1, dim> &n,
                          const Tensor<1, dim> &m) const
   {
-    const std::vector<double> values = coefficients(unit_point, n, m);
-    SparseRow                 result;
+    return resolved(coefficients(unit_point, n, m));
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  NormalStress<dim>::resolved(const std::vector<double> &values) const
+  {
+    SparseRow result;
     for (unsigned int i = 0; i < values.size(); ++i)
       if (values[i] != 0)
         result.emplace_back(indices[i], values[i]);
     resolve(elasticity.hanging_nodes(), result);
+    return result;
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    Tensor<1, 3>
+    in_space(const Tensor<1, dim> &v)
+    {
+      Tensor<1, 3> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = v[d];
+      return result;
+    }
+
+    /// n.(dP/dF) N, with dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK.
+    Tensor<2, 3>
+    derivative(const HyperelasticState &state,
+               const Tensor<2, 3>      &F,
+               const Tensor<1, 3>      &n,
+               const Tensor<1, 3>      &N)
+    {
+      const SymmetricTensor<2, 3> pulled = symmetrize(outer_product(transpose(F) * n, N));
+      return outer_product(n, Tensor<2, 3>(state.stress) * N) +
+             F * Tensor<2, 3>(pulled * state.tangent);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double>
+  NormalStress<dim>::product_with_gradient(const Tensor<2, 3> &V, const Point<dim> &place) const
+  {
+    const auto          &fe      = cell->get_fe();
+    const Tensor<2, dim> to_real = transpose(invert(jacobian(place)));
+    const double         r       = position(place)[0];
+    std::vector<double>  result(indices.size());
+    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+      {
+        const Tensor<1, dim> gradient = to_real * fe.base_element(0).shape_grad(i, place);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double &sum = result[fe.component_to_system_index(d, i)];
+            for (unsigned int e = 0; e < dim; ++e)
+              sum += V[d][e] * gradient[e];
+            if (d == 0 && elasticity.model() == Model::axisymmetric)
+              sum += V[2][2] * (r > 0 ? fe.base_element(0).shape_value(i, place) / r : gradient[0]);
+          }
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  CauchyStress
+  NormalStress<dim>::cauchy(const Point<dim>     &place,
+                            const Tensor<1, dim> &n_there,
+                            const Tensor<1, dim> &N_at_rest) const
+  {
+    const Material        &material = elasticity.material(cell->material_id());
+    const BulkStress<dim> &bulk     = elasticity.bulk_stress();
+    const auto            &fe       = cell->get_fe();
+    const Tensor<2, dim>   to_real  = transpose(invert(jacobian(place)));
+    const Point<dim>       X        = position(place);
+    std::vector<double>    u(indices.size());
+    Tensor<2, dim>         gradient;
+    Tensor<1, dim>         value;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      {
+        u[i]                       = displacement(indices[i]);
+        const auto [d, node]       = fe.system_to_component_index(i);
+        const Tensor<1, dim> slope = to_real * fe.base_element(0).shape_grad(node, place);
+        value[d] += u[i] * fe.base_element(0).shape_value(node, place);
+        gradient[d] += u[i] * slope;
+      }
+    const double       m = bulk.is_on(*cell) ? bulk.value(*cell, X) : 0.;
+    const Tensor<1, 3> n = in_space(n_there), N = in_space(N_at_rest);
+    Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, value, X);
+    CauchyStress       result;
+    if (!(determinant(F) > 0))
+      {
+        result.value = result.offset = std::nan("");
+        return result;
+      }
+    // In plane stress, of lengths in the plane: both bodies share these, not their thickness.
+    const Tensor<2, 3>      inverse  = invert(F);
+    const Tensor<1, 3>      cofactor = determinant(F) * (transpose(inverse) * N);
+    const double            j        = cofactor.norm();
+    const double            of_bulk  = n * (transpose(inverse) * N) / j;
+    const HyperelasticState state = hyperelastic_state(elasticity.model(), *material.energy, F, m);
+    const Tensor<1, 3>      now   = cofactor / j;
+    const Tensor<2, 3>      of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
+    const Tensor<2, 3>      of_force = derivative(state, F, n, N);
+
+    result.ratio                    = j;
+    result.value                    = n * (F * (Tensor<2, 3>(state.stress) * N)) / j;
+    const std::vector<double> ratio = product_with_gradient(of_ratio, place),
+                              stress =
+                                product_with_gradient(of_force / j - (result.value / j) * of_ratio,
+                                                      place);
+    result.ratio_row = resolved(ratio);
+    result.stress    = resolved(stress);
+    if (bulk.is_on(*cell))
+      {
+        const auto  phi    = bulk.functions(*cell, X);
+        const auto &number = bulk.indices(*cell);
+        for (unsigned int i = 0; i < phi.size(); ++i)
+          result.bulk_stress.emplace_back(number[i], phi[i] * of_bulk);
+      }
+    result.offset       = result.value - m * of_bulk;
+    result.ratio_offset = j;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      {
+        result.offset -= stress[i] * u[i];
+        result.ratio_offset -= ratio[i] * u[i];
+      }
+    const double at_rest = in_plane_lambda(elasticity.model(), material) + 2 * material.mu();
+    result.stiffening =
+      std::max(1., scalar_product(derivative(state, F, now, N), outer_product(now, N)) / at_rest);
     return result;
   }
 

@@ -15,6 +15,7 @@
 #include <signorini/contact/methods/method.h>
 #include <signorini/parameters/section.h>
 #include <signorini/parameters/text.h>
+#include <signorini/solve/solver_failure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,18 @@ namespace Signorini
       if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
         throw SceneError(pair.slave_place + ": Initial gap = " + pair.initial_gap.text +
                          " is not a number somewhere on '" + pair.slave + "'; correct the formula");
+    }
+
+    /// Folded cells have no stress. Throws SolverFailure. Collective.
+    template <int dim>
+    void
+    check_stresses(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm)
+    {
+      const bool bad = std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return std::isnan(point.stress_offset);
+      });
+      if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
+        throw SolverFailure("cells at a contact surface are folded; load in smaller steps");
     }
 
     template <int dim>
@@ -198,10 +211,8 @@ namespace Signorini
       {
         const BoundaryFaces<dim> boundary =
           self ? self->masters(slave) : BoundaryFaces<dim>(configuration, pair.master);
-        MasterFaces<dim> faces = master_faces(elasticity,
-                                              boundary,
-                                              method.predictor() == Predictor::normal_stress,
-                                              !at_rest);
+        MasterFaces<dim> faces =
+          master_faces(configuration, boundary, method.predictor() == Predictor::normal_stress);
         if (!at_rest && !is_laid && integration.rule == Rule::segments)
           faces.inner_sides = inner_sides(elasticity.mesh(), pair.master, boundary);
         if (self)
@@ -282,6 +293,7 @@ namespace Signorini
         surface.points =
           contact_points(configuration, pair, method, slave, integration, paired, gaps);
         check_gaps(pair, surface.points, comm);
+        check_stresses(surface.points, comm);
         surface.sees_nothing = Utilities::MPI::sum(paired.size(), comm) == 0;
       }
 

@@ -40,6 +40,25 @@ namespace Signorini
       inverse.compress(VectorOperation::insert);
       LA::scale_rows(S, inverse);
     }
+    template <int dim>
+    LA::Vector
+    offsets(const ContactRows                      &rows,
+            const std::vector<ContactSurface<dim>> &surfaces,
+            const GapOperator                      &contact)
+    {
+      LA::Vector sum;
+      sum.reinit(rows.owned, rows.writable, contact.weight.get_mpi_communicator(), true);
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        for (unsigned int q = 0; q < surfaces[p].points.size(); ++q)
+          for (const auto &[row, weight] : rows.shares[p][q])
+            sum(row) += weight * surfaces[p].points[q].stress_offset;
+      sum.compress(VectorOperation::add);
+      LA::Vector result = contact.zero();
+      for (const auto i : result.locally_owned_elements())
+        result(i) = sum(i) / contact.weight(i);
+      result.compress(VectorOperation::insert);
+      return result;
+    }
   } // namespace
 
 
@@ -58,6 +77,8 @@ namespace Signorini
                rows,
                surfaces,
                contact);
+    if (elasticity.is_finite())
+      contact.fixed_stress = offsets(rows, surfaces, contact);
     if (!elasticity.bulk_stress().empty())
       assemble(contact.S_bulk,
                &ContactPoint<dim>::bulk_stress,

@@ -6,12 +6,11 @@
 namespace Signorini
 {
   /// The master side of a pair: faces with what a partner on them has to tell of their body.
+  /// Where surfaces have moved, also how the gap bends, all but the factors.
   /// @param with_stress also its normal stress
-  /// @param with_bend also how the gap bends, all but the factors
   template <int dim>
   MasterFaces<dim>
-  master_faces(const Elasticity<dim>    &elasticity,
+  master_faces(const Configuration<dim> &configuration,
                const BoundaryFaces<dim> &boundary,
-               bool                      with_stress,
-               bool                      with_bend);
+               bool                      with_stress);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/contact/discretisation/trace.h>
+#include <signorini/contact/geometry/configuration.h>
 #include <signorini/elasticity/kernel.h>
 
 #include <array>
@@ -8,8 +9,26 @@
 
 namespace Signorini
 {
+  /// Cauchy's normal stress of a body of large deformation at a place of its boundary, positive in
+  /// compression, and how it changes with the displacement:
+  ///
+  ///   sigma = n.P N/j,  j = |cof F N|,
+  ///   d sigma = n.(dP/dF : dF) N/j - sigma dj/j,  dj = j (tr(dF F^-1) - m.dF F^-1 m),
+  ///
+  /// N being the normal at rest, m the one now, n that of contact, which stays.
+  struct CauchyStress
+  {
+    double    value = 0, ratio = 0; ///< sigma; j, area now per area at rest
+    double    offset = 0;           ///< sigma - stress.u - bulk_stress.m there
+    SparseRow stress;               ///< by degrees of freedom, hanging nodes resolved
+    SparseRow bulk_stress;          ///< by BulkStress::coefficients()
+    SparseRow ratio_row;            ///< of j
+    double    ratio_offset = 0;     ///< j - ratio_row.u there
+    double    stiffening   = 1;     ///< N.(dP/dF) along m over what it is at rest; 1 at least
+  };
+
   /// The stress of a body at its boundary, seen from the cell behind a face. Keeps a reference to
-  /// its argument.
+  /// its arguments.
   template <int dim>
   class NormalStress
   {
@@ -17,6 +36,9 @@ namespace Signorini
     using Cell = typename Trace<dim>::Cell;
 
     NormalStress(const Elasticity<dim> &elasticity);
+
+    /// Where bodies are, for cauchy(). Collective.
+    NormalStress(const Configuration<dim> &configuration);
 
     void
     reinit(const Cell &cell);
@@ -42,6 +64,14 @@ namespace Signorini
              const dealii::Tensor<1, dim> &n,
              const dealii::Tensor<1, dim> &m) const;
 
+    /// Of large deformation; not a number where the cell is folded.
+    /// @param N outward normal of the body at rest
+    /// @param n that of the other body, where it is
+    CauchyStress
+    cauchy(const dealii::Point<dim>     &unit_point,
+           const dealii::Tensor<1, dim> &n,
+           const dealii::Tensor<1, dim> &N) const;
+
     /// The smallest C with
     ///
     ///   int_F (n . sigma(u) n)^2 dA <= C int_T sigma(u) : eps(u) dV
@@ -63,6 +93,14 @@ namespace Signorini
     double
     bound_of_bulk_stress(unsigned int face) const;
 
+    /// In terms of degrees of freedom. @param values of those of the cell
+    SparseRow
+    resolved(const std::vector<double> &values) const;
+
+    /// V : Grad u, for each degree of freedom of the cell.
+    std::vector<double>
+    product_with_gradient(const dealii::Tensor<2, 3> &V, const dealii::Point<dim> &place) const;
+
     dealii::Point<dim>
     position(const dealii::Point<dim> &unit_point) const;
 
@@ -70,6 +108,7 @@ namespace Signorini
     jacobian(const dealii::Point<dim> &unit_point) const;
 
     const Elasticity<dim>                       &elasticity;
+    LA::Vector                                   displacement; ///< with ghosts; empty: at rest
     const unsigned int                           geometry_degree;
     StiffnessKernel<dim>                         kernel;
     std::vector<std::array<unsigned int, dim>>   lattice; ///< places of the geometry's nodes

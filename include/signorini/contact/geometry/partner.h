@@ -96,8 +96,10 @@ namespace Signorini
     /// hanging nodes resolved; for methods that ask for it.
     SparseRow stress;
     /// That of the rises of the temperature, in terms of ThermalStrain::coefficients().
-    SparseRow    thermal_stress;
-    SparseRow    bulk_stress; ///< that of mixed bodies, in terms of BulkStress::coefficients()
+    SparseRow thermal_stress;
+    SparseRow bulk_stress; ///< that of mixed bodies, in terms of BulkStress::coefficients()
+    /// Of large deformation, where it is Cauchy's: its value, and what it is beyond these rows.
+    double       stress_value = 0, stress_offset = 0;
     GapBend<dim> bend; ///< where surfaces have moved; its factors not yet, see bend_of_bodies()
 
     template <class Archive>
@@ -110,7 +112,7 @@ namespace Signorini
       serialize_bytes(ar, stress);
       serialize_bytes(ar, thermal_stress);
       serialize_bytes(ar, bulk_stress);
-      ar &bend;
+      ar &stress_value &stress_offset &bend;
     }
   };
 } // namespace Signorini
