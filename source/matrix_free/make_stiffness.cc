@@ -12,12 +12,13 @@ namespace Signorini
               const bool                          is_to_be_refined)
   {
     const auto &triangulation = elasticity.mesh().triangulation();
-    const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree,
-               has_levels =
-                 elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
+    const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
+                             !elasticity.is_finite(), // whose tangents are assembled
+      has_levels =
+        elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
     if (wanted == StiffnessForm::matrix_free && !is_possible)
       throw SceneError(
-        "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two; "
+        "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two and small deformation; "
         "take auto or assembled");
     return wanted.value_or(is_possible && has_levels && !needs_matrix ? StiffnessForm::matrix_free :
                                                                         StiffnessForm::assembled);
