@@ -212,7 +212,7 @@ namespace Signorini
     bodies.constraints().set_zero(forces.block(0));
     try
       {
-        linear_solver.solve(x, forces, enough, 0.);
+        linear_solver.solve(x, forces, enough, 0., true); // no farther than the first one
       }
     catch (const SolverFailure &)
       {} // what it has seen counts
