@@ -17,6 +17,24 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <int rank, int dim>
+    Tensor<rank, 3>
+    in_space(const Tensor<rank, dim> &v)
+    {
+      Tensor<rank, 3> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        if constexpr (rank == 1)
+          result[d] = v[d];
+        else
+          result[d] = in_space(v[d]);
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   NormalStress<dim>::NormalStress(const Elasticity<dim> &elasticity)
     : elasticity(elasticity)
@@ -99,25 +117,13 @@ namespace Signorini
                                   const Tensor<1, dim> &n,
                                   const Tensor<1, dim> &m) const
   {
+    // n . sigma m = lambda div u n.m + mu (n . grad u m + m . grad u n)
     const Material      &material = elasticity.material(cell->material_id());
-    const auto          &fe       = cell->get_fe();
-    const Tensor<2, dim> to_real  = transpose(invert(jacobian(unit_point)));
     const double         lambda   = in_plane_lambda(elasticity.model(), material);
-    const double         r        = position(unit_point)[0];
-    std::vector<double>  result(indices.size());
-    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
-      {
-        // u = N e_d: n . sigma m = lambda div u n.m + mu (n_d grad N . m + m_d grad N . n)
-        const Tensor<1, dim> gradient   = to_real * fe.base_element(0).shape_grad(i, unit_point);
-        Tensor<1, dim>       divergence = gradient; // of N e_d
-        if (elasticity.model() == Model::axisymmetric)
-          divergence[0] += r > 0 ? fe.base_element(0).shape_value(i, unit_point) / r : gradient[0];
-        for (unsigned int d = 0; d < dim; ++d)
-          result[fe.component_to_system_index(d, i)] =
-            lambda * divergence[d] * (n * m) +
-            material.mu() * (n[d] * (gradient * m) + m[d] * (gradient * n));
-      }
-    return result;
+    const Tensor<2, dim> nm       = outer_product(n, m);
+    return product_with_gradient(in_space(material.mu() * (nm + transpose(nm))) +
+                                   lambda * (n * m) * Tensor<2, 3>(unit_symmetric_tensor<3>()),
+                                 unit_point);
   }
 
 
@@ -149,16 +155,6 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    Tensor<1, 3>
-    in_space(const Tensor<1, dim> &v)
-    {
-      Tensor<1, 3> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = v[d];
-      return result;
-    }
-
     /// n.(dP/dF) N, with dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK.
     Tensor<2, 3>
     derivative(const HyperelasticState &state,
