@@ -96,6 +96,26 @@ namespace Signorini
 
 
 
+  std::optional<HyperelasticState>
+  state_if_any(const Model         model,
+               const Hyperelastic &law,
+               Tensor<2, 3>       &F,
+               const double        bulk_stress)
+  {
+    if (!(determinant(F) > 0))
+      return {};
+    try
+      {
+        return hyperelastic_state(model, law, F, bulk_stress);
+      }
+    catch (const std::domain_error &)
+      {
+        return {};
+      }
+  }
+
+
+
   SymmetricTensor<2, 3>
   cauchy_stress(const Model         model,
                 const Hyperelastic &law,

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace Signorini
 {
@@ -14,32 +13,30 @@ namespace Signorini
 
   namespace
   {
-    constexpr double folded = -1; // instead of a share
-
-    /// (P - sigma) : Grad u at one point, relative to nothing; not a number where there is no P.
-    template <int dim>
-    double
-    excess(const Model                  model,
-           const Hyperelastic          &law,
-           const Tensor<2, dim>        &gradient,
-           const Tensor<1, dim>        &u,
-           const Point<dim>            &x,
-           const SymmetricTensor<2, 3> &sigma,
-           const double                 bulk_stress)
+    /// At a point, or summed up; not numbers where the law has no stress.
+    struct Work
     {
-      Tensor<2, 3> F = deformation_gradient(model, gradient, u, x);
-      if (!(determinant(F) > 0))
-        return std::nan("");
-      const Tensor<2, 3> H = F - Tensor<2, 3>(unit_symmetric_tensor<3>());
-      try
-        {
-          const SymmetricTensor<2, 3> S = hyperelastic_state(model, law, F, bulk_stress).stress;
-          return scalar_product(F * Tensor<2, 3>(S) - Tensor<2, 3>(sigma), H);
-        }
-      catch (const std::domain_error &)
-        {
-          return std::nan("");
-        }
+      double of_small = 0; ///< |sigma : Grad u|
+      double change   = 0; ///< |(P - sigma) : Grad u|
+    };
+
+    template <int dim>
+    Work
+    work_at(const Elasticity<dim>   &elasticity,
+            const Hyperelastic      &law,
+            const CellAccessor<dim> &cell,
+            const Tensor<2, dim>    &gradient,
+            const Tensor<1, dim>    &u,
+            const Point<dim>        &x)
+    {
+      Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, u, x);
+      const Tensor<2, 3> H = F - Tensor<2, 3>(unit_symmetric_tensor<3>()),
+                         sigma(elasticity.stress(cell, gradient, u, x));
+      const auto state =
+        state_if_any(elasticity.model(), law, F, elasticity.bulk_stress().value(cell, x));
+      return {std::abs(scalar_product(sigma, H)),
+              state ? std::abs(scalar_product(F * Tensor<2, 3>(state->stress) - sigma, H)) :
+                      std::nan("")};
     }
   } // namespace
 
@@ -65,8 +62,7 @@ namespace Signorini
     std::vector<Tensor<1, dim>>      values;
     std::vector<Tensor<2, dim>>      gradients;
     DeformationChange                change;
-    double                           whole = 0, neglected = 0;
-    bool                             is_folded = false;
+    Work                             sum;
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -78,38 +74,23 @@ namespace Signorini
           fe[displacement].get_function_gradients(ghosted, gradients);
           for (const unsigned int q : fe.quadrature_point_indices())
             {
-              const Point<dim>           &x = fe.quadrature_point(q);
-              const SymmetricTensor<2, 3> sigma =
-                elasticity.stress(*cell, gradients[q], values[q], x);
-              const SymmetricTensor<2, dim> strain = symmetrize(gradients[q]);
-              const double                  weight = fe.JxW(q) * measure(elasticity.model(), x);
-              const Tensor<2, 3>            F =
-                deformation_gradient(elasticity.model(), gradients[q], values[q], x);
-              whole += std::abs(scalar_product(Tensor<2, 3>(sigma),
-                                               F - Tensor<2, 3>(unit_symmetric_tensor<3>()))) *
-                       weight;
-              const double more = excess(elasticity.model(),
-                                         *laws[cell->material_id()],
-                                         gradients[q],
-                                         values[q],
-                                         x,
-                                         sigma,
-                                         elasticity.bulk_stress().value(*cell, x));
-              is_folded |= std::isnan(more);
-              neglected += std::abs(more) * weight;
+              const Point<dim> &x      = fe.quadrature_point(q);
+              const double      weight = fe.JxW(q) * measure(elasticity.model(), x);
+              const Work        work =
+                work_at(elasticity, *laws[cell->material_id()], *cell, gradients[q], values[q], x);
+              sum.of_small += weight * work.of_small;
+              sum.change += weight * work.change;
+              const Tensor<2, dim> strain(symmetrize(gradients[q]));
               change.strain = std::max(change.strain, strain.norm());
-              change.turn   = std::max(change.turn,
-                                     (gradients[q] - Tensor<2, dim>(strain)).norm() / std::sqrt(2));
+              change.turn   = std::max(change.turn, (gradients[q] - strain).norm() / std::sqrt(2));
             }
         }
-    const MPI_Comm comm = mesh.communicator();
-    whole               = Utilities::MPI::sum(whole, comm);
-    neglected           = Utilities::MPI::sum(std::isnan(neglected) ? 0 : neglected, comm);
-    change.strain       = Utilities::MPI::max(change.strain, comm);
-    change.turn         = Utilities::MPI::max(change.turn, comm);
-    change.work         = Utilities::MPI::max(is_folded ? 1 : 0, comm) > 0 ? 1. :
-                          whole > 0 ? std::min(1., neglected / whole) :
-                                      0.;
+    const MPI_Comm comm  = mesh.communicator();
+    const double   whole = Utilities::MPI::sum(sum.of_small, comm),
+                 part    = Utilities::MPI::sum(sum.change, comm);
+    change.strain        = Utilities::MPI::max(change.strain, comm);
+    change.turn          = Utilities::MPI::max(change.turn, comm);
+    change.work = part < whole ? part / whole : part == 0 ? 0. : 1.; // folded: not a number
     return change;
   }
 

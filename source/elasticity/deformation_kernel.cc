@@ -2,7 +2,6 @@
 #include <signorini/elasticity/gradient_at_point.h>
 #include <signorini/elasticity/scalar_elements.h>
 
-#include <stdexcept>
 
 namespace Signorini
 {
@@ -174,19 +173,12 @@ namespace Signorini
     for (const unsigned int q : values->quadrature_point_indices())
       {
         Tensor<2, 3> F = gradient(q, u);
-        if (!(determinant(F) > 0))
-          return false;
         const double bulk =
           bulk_stress ? bulk_stress->value(*cell, values->quadrature_point(q)) : 0.;
-        HyperelasticState state;
-        try
-          {
-            state = hyperelastic_state(model, law, F, bulk);
-          }
-        catch (const std::domain_error &) // a sheet without a thickness
-          {
-            return false;
-          }
+        const std::optional<HyperelasticState> found = state_if_any(model, law, F, bulk);
+        if (!found)
+          return false;
+        const HyperelasticState &state = *found;
         const double weight = values->JxW(q) * measure(model, values->quadrature_point(q));
         read_slopes(q);
         add_forces(F * Tensor<2, 3>(state.stress), weight, forces);

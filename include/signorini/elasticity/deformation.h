@@ -3,6 +3,8 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/materials/hyperelastic.h>
 
+#include <optional>
+
 namespace Signorini
 {
   /// F = I + Grad u in space, thesis after (5). Axisymmetric: F_zz = 1 + u_r/R; plane stress: 1,
@@ -25,6 +27,13 @@ namespace Signorini
                      const Hyperelastic   &law,
                      dealii::Tensor<2, 3> &F,
                      double                bulk_stress = 0);
+
+  /// The same, or nothing where there is none: where J <= 0, or a sheet has no thickness.
+  std::optional<HyperelasticState>
+  state_if_any(Model                 model,
+               const Hyperelastic   &law,
+               dealii::Tensor<2, 3> &F,
+               double                bulk_stress = 0);
 
   /// sigma = F S F^T/J, the stress on areas as they are now, tension positive.
   dealii::SymmetricTensor<2, 3>

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace Signorini
 {
@@ -201,12 +202,14 @@ namespace Signorini
     const Elasticity<dim>         &elasticity = configuration.elasticity();
     std::vector<ContactPoint<dim>> result;
     result.reserve(paired_points.size());
-    double                face_depth = 0, face_stiffness = 0;
-    Trace<dim>            trace(elasticity);
-    NormalStress<dim>     stress(configuration);
-    StressBounds<dim>     bound(slave);
-    const InitialGap<dim> initial_gap(pair);
-    const bool            with_stress = method.predictor() == Predictor::normal_stress;
+    double                           face_depth = 0, face_stiffness = 0;
+    Trace<dim>                       trace(elasticity);
+    const bool                       with_stress = method.predictor() == Predictor::normal_stress;
+    StressBounds<dim>                bound(slave);
+    const InitialGap<dim>            initial_gap(pair);
+    std::optional<NormalStress<dim>> of_body;
+    if (with_stress)
+      of_body.emplace(configuration);
     for (const PairedPoint<dim> &paired : paired_points)
       {
         const auto &[cell, face] = slave.faces[paired.face];
@@ -239,6 +242,7 @@ namespace Signorini
         point.gap = initial_gap(point.position, point.gap);
         if (!with_stress)
           continue;
+        NormalStress<dim> &stress = *of_body;
         if (is_new)
           stress.reinit(cell);
         const Point<dim>     place = unit_point<dim>(face, paired.xi);

@@ -220,21 +220,23 @@ namespace Signorini
     const double       m = bulk.is_on(*cell) ? bulk.value(*cell, X) : 0.;
     const Tensor<1, 3> n = in_space(n_there), N = in_space(N_at_rest);
     Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, value, X);
+    // In plane stress, of lengths in the plane: both bodies share these, not their thickness.
+    const Tensor<2, 3> in_plane = F;
+    const auto         found    = state_if_any(elasticity.model(), *material.energy, F, m);
     CauchyStress       result;
-    if (!(determinant(F) > 0))
+    if (!found)
       {
         result.value = result.offset = std::nan("");
         return result;
       }
-    // In plane stress, of lengths in the plane: both bodies share these, not their thickness.
-    const Tensor<2, 3>      inverse  = invert(F);
-    const Tensor<1, 3>      cofactor = determinant(F) * (transpose(inverse) * N);
-    const double            j        = cofactor.norm();
-    const double            of_bulk  = n * (transpose(inverse) * N) / j;
-    const HyperelasticState state = hyperelastic_state(elasticity.model(), *material.energy, F, m);
-    const Tensor<1, 3>      now   = cofactor / j;
-    const Tensor<2, 3>      of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
-    const Tensor<2, 3>      of_force = derivative(state, F, n, N);
+    const HyperelasticState &state    = *found;
+    const Tensor<2, 3>       inverse  = invert(in_plane);
+    const Tensor<1, 3>       cofactor = determinant(in_plane) * (transpose(inverse) * N);
+    const double             j        = cofactor.norm();
+    const double             of_bulk  = n * (transpose(inverse) * N) / j;
+    const Tensor<1, 3>       now      = cofactor / j;
+    const Tensor<2, 3> of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
+    const Tensor<2, 3> of_force = derivative(state, F, n, N);
 
     result.ratio                    = j;
     result.value                    = n * (F * (Tensor<2, 3>(state.stress) * N)) / j;

@@ -124,67 +124,78 @@ namespace Signorini
       return sorted;
     }
 
-    // Which faces are covered more than once, one layer over the other.
     template <int dim>
-    std::vector<bool>
-    covered_twice(const std::vector<FacePatch<dim>>   &slave,
-                  const std::vector<PairedPoint<dim>> &points)
+    std::vector<double>
+    areas_of(const std::vector<FacePatch<dim>> &faces)
     {
       unsigned int degree = 1;
-      for (const FacePatch<dim> &face : slave)
+      for (const FacePatch<dim> &face : faces)
         degree = std::max(degree, face.get_degree());
       const QGauss<dim - 1> rule(degree + 2);
-      std::vector<double>   covered(slave.size(), 0.);
-      for (const PairedPoint<dim> &point : points)
-        covered[point.face] += point.weight;
-
-      std::vector<bool> result;
-      for (unsigned int i = 0; i < slave.size(); ++i)
+      std::vector<double>   areas;
+      for (const FacePatch<dim> &face : faces)
         {
-          double area = 0;
+          areas.push_back(0);
           for (unsigned int q = 0; q < rule.size(); ++q)
-            area += rule.weight(q) * slave[i].jacobian(rule.point(q));
-          result.push_back(covered[i] > covered_once * area);
+            areas.back() += rule.weight(q) * face.jacobian(rule.point(q));
         }
-      return result;
+      return areas;
     }
 
-    // Of faces that are covered more than once, take the points out of the list that are farther
-    // away by a face than others: a layer behind the first one.
+    // Faces that points cover more than once, one layer over the other.
+    template <int dim>
+    std::vector<unsigned int>
+    covered_twice(const std::vector<double> &areas, const std::vector<PairedPoint<dim>> &points)
+    {
+      std::vector<double> covered(areas.size(), 0.);
+      for (const PairedPoint<dim> &point : points)
+        covered[point.face] += point.weight;
+      std::vector<unsigned int> faces;
+      for (unsigned int i = 0; i < areas.size(); ++i)
+        if (covered[i] > covered_once * areas[i])
+          faces.push_back(i);
+      return faces;
+    }
+
+    // Take the points of these faces out of the list that are farther away than `most` of the face.
     template <int dim>
     void
-    remove_far_layers(const std::vector<FacePatch<dim>> &slave,
-                      std::vector<PairedPoint<dim>>     &points)
+    remove_points(const std::vector<unsigned int> &faces,
+                  const std::vector<double>       &most,
+                  std::vector<PairedPoint<dim>>   &points)
     {
-      const std::vector<bool> twice = covered_twice(slave, points);
-      std::vector<double>     nearest(slave.size(), std::numeric_limits<double>::max());
-      for (const PairedPoint<dim> &point : points)
-        nearest[point.face] = std::min(nearest[point.face], point.partner.distance);
+      std::vector<bool> is_one(most.size(), false);
+      for (const unsigned int face : faces)
+        is_one[face] = true;
       points.erase(std::remove_if(points.begin(),
                                   points.end(),
                                   [&](const auto &point) {
-                                    const unsigned int i = point.face;
-                                    return twice[i] && point.partner.distance >
-                                                         nearest[i] + slave[i].diameter();
+                                    return is_one[point.face] &&
+                                           point.partner.distance > most[point.face];
                                   }),
                    points.end());
     }
 
-    // Take the points of faces that are covered more than once out of the list.
+    // Of faces that are covered more than once, take the points out of the list that are farther
+    // away by a face than others: a layer behind the first one. If that is not enough, all of
+    // their points. Returns those faces.
     template <int dim>
     std::vector<unsigned int>
     remove_overcovered(const std::vector<FacePatch<dim>> &slave,
                        std::vector<PairedPoint<dim>>     &points)
     {
-      const std::vector<bool>   twice = covered_twice(slave, points);
-      std::vector<unsigned int> faces;
-      for (unsigned int i = 0; i < slave.size(); ++i)
-        if (twice[i])
-          faces.push_back(i);
-      points.erase(std::remove_if(points.begin(),
-                                  points.end(),
-                                  [&](const auto &point) { return twice[point.face]; }),
-                   points.end());
+      const std::vector<double> areas = areas_of(slave);
+      std::vector<unsigned int> faces = covered_twice(areas, points);
+      if (faces.empty())
+        return faces;
+      std::vector<double> most(slave.size(), std::numeric_limits<double>::max());
+      for (const PairedPoint<dim> &point : points)
+        most[point.face] = std::min(most[point.face], point.partner.distance);
+      for (const unsigned int face : faces)
+        most[face] += slave[face].diameter();
+      remove_points(faces, most, points);
+      faces = covered_twice(areas, points);
+      remove_points(faces, std::vector<double>(slave.size(), -1.), points);
       return faces;
     }
   } // namespace
@@ -219,8 +230,7 @@ namespace Signorini
     if (integration.rule == Rule::segments)
       {
         pairing = pair_by_segments(slave, master, integration, limit, comm, statistics);
-        remove_far_layers(slave.patches, points);
-        faces = remove_overcovered(slave.patches, points);
+        faces   = remove_overcovered(slave.patches, points);
         move_to_closest(slave, master, comm, statistics, points);
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
