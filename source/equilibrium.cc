@@ -1,9 +1,6 @@
 #include <signorini/contact/methods/method.h>
-#include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/equilibrium.h>
-#include <signorini/matrix_free/make_stiffness.h>
 #include <signorini/parameters/text.h>
-#include <signorini/solve/finite_bodies.h>
 
 #include <cmath>
 #include <limits>
@@ -26,29 +23,9 @@ namespace Signorini
     , state(state)
     , timer(timer)
     , out(out)
-    , watch(std::move(watch))
+    , in_place(scene, elasticity, contact, state, timer, std::move(watch))
     , my_follows(elasticity.is_finite())
-  {
-    clock.reset();
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::find_contact()
-  {
-    build_contact(my_follows);
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::check_motions()
-  {
-    make_free_motions();
-  }
+  {}
 
 
 
@@ -59,16 +36,7 @@ namespace Signorini
     state = other;
     recall_bulk_stress();
     my_follows = follows;
-    placed     = follows ? state.displacement : LA::Vector();
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::recall_active_set()
-  {
-    rows_of_places(state.contact, contact.gap_operator(), pressure, active);
+    in_place.place(follows ? state.displacement : LA::Vector());
   }
 
 
@@ -87,34 +55,11 @@ namespace Signorini
   void
   Equilibrium<dim>::forget_mesh()
   {
-    solver.reset();
-    hierarchies.reset();
-    bodies.reset();
-    clock.reset();
-    former_cycles     = 0;
+    in_place.forget_mesh();
     state.bulk_stress = LA::Vector();
     if (my_follows)
-      placed = state.displacement;
+      in_place.place(state.displacement);
     contact.forget_mesh();
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::release()
-  {
-    forget_solver();
-    hierarchies.reset();
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Equilibrium<dim>::multigrid_cycles() const
-  {
-    return former_cycles + (solver ? solver->multigrid_cycles() : 0);
   }
 
 
@@ -145,7 +90,7 @@ namespace Signorini
   Snapshot<dim>
   Equilibrium<dim>::snapshot(const unsigned int step) const
   {
-    return snapshot(state, gap, pressure, active, step);
+    return snapshot(state, gap, in_place.pressure(), in_place.active(), step);
   }
 
 
@@ -164,25 +109,6 @@ namespace Signorini
 
 
   template <int dim>
-  DualSolution
-  Equilibrium<dim>::dual(const Functional &functional)
-  {
-    constexpr double   reduction = 1e-3; // what recovery makes of it is not better
-    TimerOutput::Scope scope(timer, "dual");
-    clock.start();
-    const DualSolution result = solver->dual(state.displacement,
-                                             pressure,
-                                             active,
-                                             functional.of_displacement,
-                                             functional.of_pressure,
-                                             reduction);
-    clock.stop();
-    return result;
-  }
-
-
-
-  template <int dim>
   bool
   Equilibrium<dim>::solve(const double t, const double tolerance)
   {
@@ -194,7 +120,7 @@ namespace Signorini
           {
             state.time = t;
             if (elasticity.is_finite())
-              my_report.curves_down = solver->curves_down(state.displacement);
+              my_report.curves_down = in_place.curves_down();
             gap = contact.gap_operator().gap(state.displacement);
             return true;
           }
@@ -203,11 +129,12 @@ namespace Signorini
       {
         my_report        = NewtonReport();
         my_report.reason = failure.what();
-        my_report.reason += contact.pressed_twice(active);
+        my_report.reason += contact.pressed_twice(in_place.active());
       }
+    my_report.curves_down = elasticity.is_finite() && in_place.has_curved_down();
     keep_failure(t);
     state = before;
-    recall_active_set();
+    in_place.recall_active_set();
     recall_bulk_stress();
     return false;
   }
@@ -218,11 +145,14 @@ namespace Signorini
   void
   Equilibrium<dim>::keep_failure(const double t)
   {
-    my_failure = Failure{state, contact.gap_operator().gap(state.displacement), pressure, active};
+    my_failure                   = Failure{state,
+                         contact.gap_operator().gap(state.displacement),
+                         in_place.pressure(),
+                         in_place.active()};
     my_failure->state.time       = t;
     const LA::Vector &chattering = my_report.chattering;
     for (const auto i : chattering.locally_owned_elements())
-      my_failure->active(i) = chattering(i) > 0 ? 2 : active(i);
+      my_failure->active(i) = chattering(i) > 0 ? 2 : in_place.active()(i);
     my_failure->active.compress(VectorOperation::insert);
   }
 
@@ -233,20 +163,22 @@ namespace Signorini
   Equilibrium<dim>::solve_from_state(const double t, const double tolerance)
   {
     elasticity.set_time(t);
-    left = state.displacement;
+    LA::Vector left = state.displacement;
+    in_place.go_on_from(left);
     elasticity.distribute(state.displacement);
     steps_before.clear();
     if (my_follows && t == state.time)
       return follow_surfaces(t, tolerance, true); // only the mesh is another
     if (my_follows)
       {
-        placed = state.displacement;
+        LA::Vector place = state.displacement;
         if (elasticity.is_finite()) // what supports move alone would fold surfaces
           {
-            placed = left;
-            elasticity.set_rigid_motion(elasticity.rigid_motion(state.displacement), placed);
+            place = left;
+            elasticity.set_rigid_motion(elasticity.rigid_motion(state.displacement), place);
           }
-        build_contact();
+        in_place.place(std::move(place));
+        in_place.find_contact(false);
       }
     if (!solve_in_place(t, first_goal(tolerance)))
       return false;
@@ -295,9 +227,10 @@ namespace Signorini
               << "' says nothing of other places" << std::endl;
         else
           {
-            const double change = contact.neglected(state.displacement, pressure).pressure;
-            my_follows          = change > scene.contact.geometry_share;
-            my_neglected        = change;
+            const double change =
+              contact.neglected(state.displacement, in_place.pressure()).pressure;
+            my_follows   = change > scene.contact.geometry_share;
+            my_neglected = change;
             out << "  contact geometry: surfaces as they are now change the pressure by about "
                 << short_text(100 * change, 2) << " %"
                 << (my_follows ? ": contact is found again there" : "") << std::endl;
@@ -331,8 +264,8 @@ namespace Signorini
             const bool keeps_points =
               n > 1 && (is_finite ? in_vain > patience / 2 :
                                     n > most_rules || contact.has_settled(state.displacement));
-            placed = state.displacement;
-            build_contact(true, keeps_points);
+            in_place.place(state.displacement);
+            in_place.find_contact(true, keeps_points);
             steps_before = my_report.steps;
           }
         if (!solve_in_place(t, next_goal(tolerance, before), true))
@@ -365,162 +298,10 @@ namespace Signorini
   bool
   Equilibrium<dim>::solve_in_place(const double t, const NewtonGoal &goal, const bool is_near)
   {
-    for (;;)
-      {
-        solve_with_candidates(t, goal);
-        if (my_report.converged ? !contact.needs_more(state.displacement) :
-                                  !my_report.is_loose || !contact.look_farther())
-          return my_report.converged;
-        build_contact(is_near);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::solve_with_candidates(const double t, const NewtonGoal &goal)
-  {
-    if (!solver)
-      make_solver();
-    solver->set_goal(goal);
-    clock.start();
-    {
-      TimerOutput::Scope scope(timer, "assembly");
-      LA::Vector         f = elasticity.load();
-      if (placed.size() > 0)
-        elasticity.turn_moments(elasticity.rigid_motion(placed), f);
-      bodies->set_load(std::move(f));
-      if (left.size() > 0)
-        bodies->start_from(std::exchange(left, LA::Vector()));
-    }
-    elasticity.distribute(state.displacement);
-    contact.set_time(t);
-    my_report = solver->solve(state.displacement, pressure, active, watch());
+    const bool is_solved = in_place.solve(t, goal, is_near);
+    my_report            = in_place.report();
     my_report.steps.insert(my_report.steps.begin(), steps_before.begin(), steps_before.end());
-    elasticity.distribute(state.displacement);
-    state.contact     = places_of_rows(contact.gap_operator(), pressure, active, dim);
-    state.bulk_stress = elasticity.bulk_stress().coefficients();
-    clock.stop();
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::make_solver()
-  {
-    if (!bodies)
-      assemble();
-    FreeMotions free_motions = make_free_motions(); // may search farther
-    clock.start();
-    if (!hierarchies)
-      hierarchies.emplace(solver_settings(), bodies->stiffness(), elasticity);
-    contact.turn_forces(pressure);
-    solver = std::make_unique<ContactSolver>(scene.newton,
-                                             scene.solver,
-                                             scene.contact.chosen(),
-                                             *bodies,
-                                             contact.gap_operator(),
-                                             std::move(free_motions),
-                                             *hierarchies,
-                                             timer);
-    clock.stop();
-  }
-
-
-
-  template <int dim>
-  LinearSolverSettings
-  Equilibrium<dim>::solver_settings() const
-  {
-    LinearSolverSettings result = scene.solver;
-    if (elasticity.is_finite()) // coarser spaces know the stiffness at rest alone
-      result.coarsening = Coarsening::algebraic;
-    return result;
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::assemble()
-  {
-    clock.start();
-    TimerOutput::Scope scope(timer, "assembly");
-    if (elasticity.is_finite())
-      {
-        elasticity.assemble();
-        bodies = std::make_unique<FiniteBodies<dim>>(elasticity, bodies_of_dofs(elasticity), timer);
-      }
-    else
-      bodies =
-        std::make_unique<LinearBodies>(make_stiffness(choose_form(scene.solver.stiffness_form,
-                                                                  scene.solver.needs_matrix(),
-                                                                  elasticity),
-                                                      elasticity),
-                                       elasticity.stabilising_springs(),
-                                       elasticity.constraints(),
-                                       bodies_of_dofs(elasticity),
-                                       BulkBalance<dim>::create(elasticity));
-    clock.stop();
-  }
-
-
-
-  template <int dim>
-  FreeMotions
-  Equilibrium<dim>::make_free_motions()
-  {
-    if (!elasticity.has_free_motions())
-      return {};
-    const auto make = [&] {
-      return FreeMotions(elasticity.free_motions(),
-                         elasticity.stabilising_springs(),
-                         contact.gap_operator());
-    };
-    FreeMotions motions = make();
-    while (!motions.never_held().empty() && contact.look_farther())
-      {
-        build_contact();
-        motions = make();
-      }
-    if (motions.never_held().empty() || scene.newton.undetermined != Undetermined::refuse)
-      return motions;
-    if (placed.size() > 0 && placed.linfty_norm() > 0) // on the way to somewhere else
-      throw SolverFailure("where surfaces are now, no contact can hold " +
-                          join(motions.never_held()) + "; load in smaller steps");
-    throw SceneError("Supports/Names: no support holds " + join(motions.never_held()) +
-                     ", and no contact can; " + NewtonSettings::how_to_hold() +
-                     ". There are these boundaries: " + join(elasticity.mesh().boundaries()) + ".");
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::build_contact(const bool is_near, const bool keeps_points)
-  {
-    forget_solver();
-    clock.start();
-    contact.build(placed.size() > 0 ? Configuration<dim>(elasticity, placed) :
-                                      Configuration<dim>(elasticity),
-                  is_near,
-                  keeps_points);
-    rows_of_places(state.contact, contact.gap_operator(), pressure, active);
-    active = contact.gap_operator().zero(); // the law finds it better: there may be more points
-    clock.stop();
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::forget_solver()
-  {
-    if (solver)
-      former_cycles += solver->multigrid_cycles();
-    solver.reset(); // it refers to what is replaced
+    return is_solved;
   }
 
 

@@ -355,7 +355,9 @@ namespace Signorini
                 longest = (next - t) / 2;
                 if (longest < 0.999 * shortest || report().is_loose)
                   return false;
-                out << "  not solved (" << report().reason << "): half the load step" << std::endl;
+                out << "  not solved (" << report().reason
+                    << (report().curves_down ? "; the tangent was not positive definite" : "")
+                    << "): half the load step" << std::endl;
               }
           }
       }
@@ -411,8 +413,13 @@ namespace Signorini
 
   template <int dim>
   ExitCode
-  Simulation<dim>::finish(const NewtonReport &end)
+  Simulation<dim>::finish(NewtonReport end)
   {
+    if (!end.converged && end.curves_down)
+      end.reason +=
+        "; the last load that was solved is that of t = " + short_text(state.time) +
+        ", and beyond the tangent was not positive definite: where bodies snap through or "
+        "buckle, no load near by is in balance; prescribe displacements instead of forces";
     recorder->add_sizes(*elasticity, *contact);
     std::ostringstream text;
     if (!end.converged)

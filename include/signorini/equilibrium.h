@@ -1,20 +1,17 @@
 #pragma once
 
 #include <signorini/accuracy/quantity.h>
-#include <signorini/contact_setup.h>
+#include <signorini/equilibrium_in_place.h>
 #include <signorini/fields/snapshot.h>
-#include <signorini/solve/contact_solver.h>
-#include <signorini/state/state.h>
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 namespace Signorini
 {
-  /// The bodies in balance at a time: Newton's method, on contact that is found again where
-  /// surfaces come closer or move farther than it was looked for. Lives as long as a run; what
-  /// depends on the mesh it makes when it is needed, and forgets when that changes.
+  /// The bodies in balance at a time: in place, and from there on where the surfaces have got to,
+  /// as far as that counts. Lives as long as a run; what depends on the mesh is made when it is
+  /// needed, and forgotten when that changes.
   template <int dim>
   class Equilibrium
   {
@@ -32,11 +29,17 @@ namespace Signorini
 
     /// Look for contact where the surfaces are placed now.
     void
-    find_contact();
+    find_contact()
+    {
+      in_place.find_contact(my_follows);
+    }
 
     /// Throws SceneError for motions that nothing can stop.
     void
-    check_motions();
+    check_motions()
+    {
+      in_place.check_motions();
+    }
 
     /// Solve at time t, starting from `state`, which becomes the solution. If there is none, it
     /// stays as it was.
@@ -51,7 +54,10 @@ namespace Signorini
     /// Pressure and active set of the state, as the last load step left them; find_contact() keeps
     /// the pressure only.
     void
-    recall_active_set();
+    recall_active_set()
+    {
+      in_place.recall_active_set();
+    }
 
     /// The mesh is another one, and the state carried over to it.
     void
@@ -59,13 +65,19 @@ namespace Signorini
 
     /// Newton's method, multigrid and all that they hold; the results stay.
     void
-    release();
+    release()
+    {
+      in_place.release();
+    }
 
     // Of the last solution:
 
     /// Its reaction to changes, seen by a quantity. Collective.
     DualSolution
-    dual(const Functional &functional);
+    dual(const Functional &functional)
+    {
+      return in_place.dual(functional);
+    }
 
     const NewtonReport &
     report() const
@@ -98,13 +110,16 @@ namespace Signorini
     // On this mesh so far:
 
     unsigned int
-    multigrid_cycles() const;
+    multigrid_cycles() const
+    {
+      return in_place.multigrid_cycles();
+    }
 
     /// Of this rank.
     double
     seconds() const
     {
-      return clock.wall_time();
+      return in_place.seconds();
     }
 
   private:
@@ -115,7 +130,7 @@ namespace Signorini
     /// That of the state.
     void
     recall_bulk_stress();
-    /// With contact on the surfaces as they are placed.
+    /// With the steps before in the report.
     bool
     solve_in_place(double t, const NewtonGoal &goal, bool is_near = false);
     /// Of the first solution of a load step, before surfaces are placed.
@@ -133,22 +148,6 @@ namespace Signorini
     /// @param is_placed they are where they are
     bool
     follow_surfaces(double t, double tolerance, bool is_placed);
-    void
-    solve_with_candidates(double t, const NewtonGoal &goal);
-    void
-    make_solver();
-    /// Those of the scene, as far as bodies allow for them.
-    LinearSolverSettings
-    solver_settings() const;
-    void
-    assemble();
-    FreeMotions
-    make_free_motions();
-    /// See ContactSetup::build().
-    void
-    build_contact(bool is_near = false, bool keeps_points = false);
-    void
-    forget_solver();
     Snapshot<dim>
     snapshot(const State      &state,
              const LA::Vector &gap,
@@ -156,29 +155,19 @@ namespace Signorini
              const LA::Vector &active,
              unsigned int      step) const;
 
-    const Scene<dim>                  &scene;
-    Elasticity<dim>                   &elasticity;
-    ContactSetup<dim>                 &contact;
-    State                             &state;
-    dealii::TimerOutput               &timer;
-    dealii::ConditionalOStream        &out;
-    const std::function<StepVisitor()> watch;
+    const Scene<dim>           &scene;
+    Elasticity<dim>            &elasticity;
+    ContactSetup<dim>          &contact;
+    State                      &state;
+    dealii::TimerOutput        &timer;
+    dealii::ConditionalOStream &out;
 
-    LA::Vector            pressure, active, gap; ///< state.contact at the rows of the gap operator
-    LA::Vector            placed;                ///< displacement of surfaces; empty: at rest
-    LA::Vector            left;                  ///< the last solution, until the next has begun
-    bool                  my_follows = false;
-    std::optional<double> my_neglected;
-
-    // On this mesh:
-    std::unique_ptr<Bodies>        bodies; ///< once they are assembled
-    std::optional<BodiesHierarchy> hierarchies;
-    std::unique_ptr<ContactSolver> solver; ///< for contact as it was found last
-
+    EquilibriumInPlace<dim> in_place;
+    LA::Vector              gap; ///< at the rows of the gap operator
+    bool                    my_follows = false;
+    std::optional<double>   my_neglected;
     NewtonReport            my_report;
-    std::vector<NewtonStep> steps_before;      ///< of this load step, with surfaces placed before
-    unsigned int            former_cycles = 0; ///< of multigrid, before `solver`
-    dealii::Timer           clock;             ///< of the solves on this mesh
+    std::vector<NewtonStep> steps_before; ///< of this load step, with surfaces placed before
 
     struct Failure
     {

@@ -92,7 +92,7 @@ namespace Signorini
     void
     compare_with_linear_solve();
     ExitCode
-    finish(const NewtonReport &end);
+    finish(NewtonReport end);
 
     // Small or large deformation, in simulation_deformation.cc:
 

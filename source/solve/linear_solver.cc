@@ -329,6 +329,7 @@ namespace Signorini
                   is_indefinite = is_indefinite || alpha < 0 || beta < 0;
                   if (is_indefinite && only_positive)
                     throw IndefiniteSystem("the system is not positive definite");
+                  was_indefinite = was_indefinite || is_indefinite;
                 });
                 solver.solve(system, x, rhs, *preconditioner);
                 break;

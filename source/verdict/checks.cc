@@ -103,7 +103,10 @@ namespace Signorini
                              check_balance(results, scale, small)})
       all.insert(all.end(), some.begin(), some.end());
     if (now.elasticity.is_finite())
-      all.push_back(check_stability(results));
+      {
+        all.push_back(check_stability(results));
+        all.push_back(check_unseen_contact(scene, now));
+      }
     return all;
   }
 

@@ -52,6 +52,118 @@ def fold(test):
     test.check(abs(three / one - 1) <= 1e-8, f"{one:.12g} in one load step, {three:.12g} in three")
 
 
+SLITS = """
+set Dimension   = 2
+set Deformation = finite
+subsection Bodies
+  set Names = block
+  subsection block
+    set Mesh = file
+    set File = {mesh}
+    set Young's modulus = 1
+    set Poisson's ratio = 0.3
+  end
+end
+subsection Supports
+  set Names = left, bottom, right, top
+  subsection left
+    set Boundaries = block.left
+    set Displacement = 0; free
+  end
+  subsection bottom
+    set Boundaries = block.bottom
+    set Displacement = free; 0
+  end
+  subsection right
+    set Boundaries = block.right
+    set Displacement = -0.5*t; free
+  end
+  subsection top
+    set Boundaries = block.top
+    set Displacement = free; -0.5*t
+  end
+end
+subsection Contact pairs
+  set Names = {pairs}
+{sections}end
+subsection Load steps
+  set Number = automatic
+end
+"""
+
+
+def write_slits(file):
+    """A block of 4 x 4 with a slit like an L, 0.3 wide."""
+    cells, corners, surfaces = [], {}, {}
+    is_void = lambda i, j: (8 <= i < 20 and 19 <= j < 22) or (17 <= i < 20 and 22 <= j < 32)
+    is_cell = lambda i, j: 0 <= i < 40 and 0 <= j < 40 and not is_void(i, j)
+    for i in range(40):
+        for j in range(40):
+            if not is_cell(i, j):
+                continue
+            square = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+            cells.append([corners.setdefault(corner, len(corners) + 1) for corner in square])
+            for side, (di, dj, outside) in enumerate(((0, -1, "bottom"), (1, 0, "right"), (0, 1, "top"), (-1, 0, "left")), 1):
+                if not is_cell(i + di, j + dj):
+                    inside = 0 <= i + di < 40 and 0 <= j + dj < 40
+                    for name in ("slit", {1: "down", 2: "east", 3: "up", 4: "west"}[side]) if inside else (outside,):
+                        surfaces.setdefault(name, []).append(f"{len(cells)}, S{side}")
+    lines = ["*NODE", *(f"{n}, {x / 10}, {y / 10}" for (x, y), n in corners.items()), "*ELEMENT, TYPE=CPE4, ELSET=ALL",
+             *(f"{n}, " + ", ".join(map(str, cell)) for n, cell in enumerate(cells, 1))]
+    for name, faces in surfaces.items():
+        lines += [f"*SURFACE, NAME={name}, TYPE=ELEMENT", *faces]
+    file.write_text("\n".join(lines) + "\n")
+
+
+def slits(test):
+    """A surface that touches itself in directions at a right angle, with the same forces as pairs of its sides."""
+    test.directory.mkdir(parents=True, exist_ok=True)
+    write_slits(test.directory / "slits.inp")
+
+    def forces(name, **pairs):
+        scene = test.directory / f"slits-{name}.prm"
+        sections = "".join(f"  subsection {pair}\n    set Slave = block.{slave}\n    set Master = block.{master}\n"
+                           "    set Sides = as named\n  end\n" for pair, (slave, master) in pairs.items())
+        scene.write_text(SLITS.format(mesh=test.directory / "slits.inp", pairs=", ".join(pairs), sections=sections))
+        return test.results(scene)
+
+    itself, apart = forces("itself", slit=("slit", "slit")), forces("apart", across=("up", "down"), along=("east", "west"))
+    a = force_of(itself, "slit")
+    across, along = (force_of(apart, pair) for pair in ("across", "along"))
+    test.print(f"{a:.6g} against itself, {across:.6g} + {along:.6g} of its sides")
+    test.check(min(across, along) > 0.05 * a, "it does not touch itself in both directions")
+    test.check(abs(a / (across + along) - 1) <= 5e-3, f"{a:.6g} against itself, {across + along:.6g} of its sides")
+    test.check(not unseen(itself), f"{unseen(itself)} of a surface that is seen")
+
+
+def unseen(results):
+    """What the verdict says of contact that no pair looks for."""
+    found = [check for check in results["verdict"]["checks"] if check["check"] == "unseen contact"]
+    return found[0]["what"] if found[0]["outcome"] != "passed" else ""
+
+
+def unseen_contact(test):
+    """Who goes through what, where no pair looks for contact."""
+    half = ["Bodies/fold/File=../../meshes/bellows-half-wave.inp", "Supports/upper/Displacement=free; 0"]
+    far = ["Contact pairs/flanks/Master=plane", "Obstacles/plane/Point=0, 100"]
+    block = SCENES / "finite-block.prm"
+    wall = ["Obstacles/Names=plate, wall", "Obstacles/wall/Shape=plane", "Obstacles/wall/Point=1.05, 0", "Obstacles/wall/Normal=-1, 0"]
+    beside = ["Bodies/Names=block, post", "Bodies/post/Mesh=box", "Bodies/post/Corners=1.05,0 : 2,1", "Bodies/post/Subdivisions=3,3",
+              "Bodies/post/Young's modulus=1", "Bodies/post/Poisson's ratio=0.3",
+              "Supports/Names=base, side, foot", "Supports/foot/Boundaries=post.bottom",
+              "Supports/foot/Displacement=0; 0"]
+    for what, scene, sets, expected in (
+            ("with its pair", FOLD, [], ""),
+            ("a fold", FOLD, far, "'fold.outside' goes through 'fold.outside'"),
+            ("half of a fold", FOLD, half + far, "'fold.outside' goes through the plane of symmetry 'fold.top'"),
+            ("a block", block, [], ""),
+            ("a block beside a wall", block, wall, "'block.right' goes through the obstacle 'wall'"),
+            ("a block beside another", block, beside, "'block.right' goes through 'post.left'")):
+        for ranks in (1, 2):
+            found = unseen(test.results(scene, sets, ranks))
+            test.check(found.startswith(expected) and bool(found) == bool(expected), f"{what}, {ranks} ranks: {found or 'nothing'}")
+
+
 def moved(test):
     """Far from where they were at rest, bodies have the same forces, and the same pressures, which are not uniform."""
     def solved(way):
@@ -195,6 +307,8 @@ def cases():
     yield Case("finite", "second order", second_order)
     yield Case("finite", "first touch", first_touch)
     yield Case("finite", "fold", fold)
+    yield Case("finite", "slits", slits)
+    yield Case("finite", "unseen contact", unseen_contact, ranks=2)
     yield Case("finite", "moved", moved)
     yield Case("finite", "steps/automatic", automatic_steps)
     yield Case("finite", "automatic", automatic_deformation)

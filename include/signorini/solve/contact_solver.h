@@ -62,6 +62,13 @@ namespace Signorini
       return newton.curves_down(u);
     }
 
+    /// See LinearSolver::has_curved_down().
+    bool
+    has_curved_down() const
+    {
+      return linear_solver.has_curved_down();
+    }
+
     unsigned int
     multigrid_cycles() const
     {

@@ -106,6 +106,13 @@ namespace Signorini
       return is_indefinite;
     }
 
+    /// So in any solve so far that went on from there.
+    bool
+    has_curved_down() const
+    {
+      return was_indefinite;
+    }
+
   private:
     /// Returns the number of iterations; throws SolverFailure.
     unsigned int
@@ -133,6 +140,7 @@ namespace Signorini
     unsigned int                     version                = 0; ///< of the stiffness, made for
     bool                             has_given_up_iterating = false;
     bool                             is_indefinite          = false; ///< see curves_down()
+    bool                             was_indefinite         = false; ///< see has_curved_down()
     unsigned int                     cycles_before          = 0;     ///< of former preconditioners
   };
 } // namespace Signorini

@@ -31,7 +31,8 @@ namespace Signorini
     double                   holding_force = 0;
     bool                     is_loose      = false; ///< that is why it did not converge
     LA::Vector               chattering; ///< if not: 1 at the contact points that change to and fro
-    /// The solution may be unstable, see Newton::curves_down(); where that was asked for.
+    /// The solution, or what was tried where there is none, may be unstable, see
+    /// Newton::curves_down(); where that was asked for.
     bool         curves_down = false;
     unsigned int worst_body  = dealii::numbers::invalid_unsigned_int; ///< likewise, out of balance
 

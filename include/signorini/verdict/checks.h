@@ -56,6 +56,14 @@ namespace Signorini
               const Snapshot<dim>         &now,
               const std::vector<Extremes> &extremes);
 
+  /// Surfaces that go through each other where no pair looks for contact, through an obstacle, or
+  /// through a plane of symmetry of their body; and places of a surface that touches itself which
+  /// SelfContact has not told apart. It is seen where they do so by less than half a cell, as they
+  /// do somewhere.
+  template <int dim>
+  Finding
+  check_unseen_contact(const Scene<dim> &scene, const Snapshot<dim> &now);
+
   /// Pressures and tractions that change within faces, as those that jump: their integrals by two
   /// rules.
   template <int dim>

@@ -20,14 +20,36 @@ namespace Signorini
   BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration,
                                     const std::string        &boundary)
   {
+    const BoundaryIds &ids = configuration.elasticity().mesh().boundary_ids(boundary);
+    collect(configuration, [&](const auto &cell, const unsigned int f) {
+      return ids.count(cell->face(f)->boundary_id()) > 0;
+    });
+  }
+
+
+
+  template <int dim>
+  BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration,
+                                    const unsigned int        body)
+  {
+    collect(configuration,
+            [&](const auto &cell, unsigned int) { return cell->material_id() == body; });
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryFaces<dim>::collect(
+    const Configuration<dim>                                           &configuration,
+    const std::function<bool(const CellIterator<dim> &, unsigned int)> &belongs)
+  {
     const Elasticity<dim> &elasticity = configuration.elasticity();
-    const Mesh<dim>       &mesh       = elasticity.mesh();
-    const BoundaryIds     &ids        = mesh.boundary_ids(boundary);
-    FacePatches<dim>       patch_of(mesh);
+    FacePatches<dim>       patch_of(elasticity.mesh());
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
+          if (cell->face(f)->at_boundary() && belongs(cell, f))
             {
               faces.emplace_back(cell, f);
               rest.push_back(patch_of(cell, f));

@@ -1,7 +1,6 @@
 #include <signorini/contact/geometry/self_contact.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,13 +55,33 @@ namespace Signorini
       return result;
     }
 
+    /// All, with their opposites: a degree apart (2D), some four degrees (3D).
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    directions()
+    {
+      constexpr unsigned int      many   = dim == 2 ? 180 : 1000;
+      const double                golden = numbers::PI * (3 - std::sqrt(5.)); // a spiral
+      std::vector<Tensor<1, dim>> result(many);
+      for (unsigned int k = 0; k < many; ++k)
+        {
+          const double angle  = dim == 2 ? numbers::PI * k / many : golden * k,
+                       height = dim == 2 ? 0 : (k + 0.5) / many;
+          result[k][0]        = std::sqrt(1 - height * height) * std::cos(angle);
+          result[k][1]        = std::sqrt(1 - height * height) * std::sin(angle);
+          if (dim == 3)
+            result[k][dim - 1] = height;
+        }
+      return result;
+    }
+
     /// What parts of the surface that look at each other have in common.
     template <int dim>
     struct Facing
     {
-      SymmetricTensor<2, dim> normals;  ///< sum of n n^T
-      Tensor<2, dim>          ways;     ///< sum of n D^T, D the way to the other part at rest
-      bool                    is_empty; ///< nothing looks at anything, on any rank
+      Tensor<1, dim>
+        direction;         ///< to which their normals are least perpendicular; 0: there are none
+      Tensor<2, dim> ways; ///< sum of n D^T, D the way to the other part at rest
     };
 
     template <int dim>
@@ -82,21 +101,32 @@ namespace Signorini
         }
       const auto partners =
         find_partners(centers, normals, faces_beyond(faces), reach, comm, nullptr, {}, rest);
-      Facing<dim> result;
-      double      sum = 0;
+      constexpr double    sharp = 0.05; // that perpendicular is as bad as any
+      const auto          all   = directions<dim>();
+      std::vector<double> scores(all.size(), 0.);
+      Facing<dim>         result;
+      bool                is_empty = true;
       for (unsigned int i = 0; i < partners.size(); ++i)
         {
           if (!partners[i])
             continue;
           // Those that are close count most.
           const double weight = std::pow(sizes[i], dim) / (sizes[i] + partners[i]->distance);
-          result.normals += weight * symmetrize(outer_product(normals[i], normals[i]));
+          for (unsigned int k = 0; k < all.size(); ++k)
+            scores[k] += weight * std::log(std::abs(normals[i] * all[k]) + sharp);
           result.ways += weight * outer_product(normals[i], partners[i]->rest - rest[i].x);
-          sum += weight;
+          is_empty = false;
         }
-      result.normals  = Utilities::MPI::sum(result.normals, comm);
-      result.ways     = Utilities::MPI::sum(result.ways, comm);
-      result.is_empty = Utilities::MPI::sum(sum, comm) == 0;
+      Utilities::MPI::sum(scores, comm, scores);
+      result.ways = Utilities::MPI::sum(result.ways, comm);
+      if (Utilities::MPI::min(is_empty ? 1 : 0, comm) == 1)
+        return result;
+      // Of those that are as good but for rounding, the first.
+      const double best  = *std::max_element(scores.begin(), scores.end());
+      const auto   first = std::find_if(scores.begin(), scores.end(), [&](const double score) {
+        return score >= best - 1e-9 * std::abs(best);
+      });
+      result.direction   = all[first - scores.begin()];
       return result;
     }
   } // namespace
@@ -111,7 +141,7 @@ namespace Signorini
   {
     const Facing<dim>    facing = facing_parts(faces, reach, comm);
     const Tensor<1, dim> e =
-      facing.is_empty ? skew_direction<dim>() : eigenvectors(facing.normals)[0].second;
+      facing.direction.norm() == 0 ? skew_direction<dim>() : facing.direction;
     const double sign = e * facing.ways * skew_direction<dim>() < 0 ? -side : side;
     for (const FacePatch<dim> &patch : faces.patches)
       slaves.push_back(sign * (patch.normal(middle<dim>()) * e) > 0);

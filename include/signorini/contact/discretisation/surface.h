@@ -47,8 +47,7 @@ namespace Signorini
     dealii::Point<dim - 1> xi;            ///< the parameter there
 
     // For methods that predict the pressure by the stress of the bodies:
-    SparseRow
-      stress; ///< normal stress by area at rest, positive in compression, a mean of both bodies
+    SparseRow stress; ///< normal stress by area at rest of both bodies, positive in compression
     SparseRow thermal_stress;    ///< likewise that of rises, of ThermalStrain::coefficients()
     SparseRow bulk_stress;       ///< likewise that of BulkStress::coefficients()
     double    stress_offset = 0; ///< of large deformation: what it is beyond, where surfaces are

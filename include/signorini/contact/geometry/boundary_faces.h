@@ -3,6 +3,7 @@
 #include <signorini/contact/geometry/configuration.h>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,9 @@ namespace Signorini
 
     BoundaryFaces(const Configuration<dim> &configuration, const std::string &boundary);
 
+    /// All of a body.
+    BoundaryFaces(const Configuration<dim> &configuration, unsigned int body);
+
     /// Those for which that is true. @param chosen one a face
     BoundaryFaces
     among(const std::vector<bool> &chosen) const;
@@ -40,6 +44,11 @@ namespace Signorini
 
   private:
     BoundaryFaces() = default;
+
+    /// @param belongs what of cell and face makes it one of these
+    void
+    collect(const Configuration<dim>                                           &configuration,
+            const std::function<bool(const CellIterator<dim> &, unsigned int)> &belongs);
   };
 
   /// The sides of a face, by the parameter that is constant there: 2 d + (0 or 1).

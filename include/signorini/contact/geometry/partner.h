@@ -48,12 +48,13 @@ namespace Signorini
     dealii::Tensor<1, dim> normal;   ///< outward unit normal of the master there
     double                 distance; ///< closest point distance
     dealii::Point<dim>
-           face_center;      ///< identity of the face: breaks ties alike on any number of ranks
-    double stiffness;        ///< E/h of the master cell (force / length^3)
-    double modulus = 0;      ///< E of the master cell; 0: rigid
-    double size    = 0;      ///< of the master's face
-    double bound   = 0;      ///< of the master cell's normal stress, see NormalStress::bound()
-    dealii::Point<dim> rest; ///< the position before anything moved
+           face_center;          ///< identity of the face: breaks ties alike on any number of ranks
+    double stiffness;            ///< E/h of the master cell (force / length^3)
+    double modulus = 0;          ///< E of the master cell; 0: rigid
+    double size    = 0;          ///< of the master's face
+    double bound   = 0;          ///< of the master cell's normal stress, see NormalStress::bound()
+    dealii::Point<dim> rest;     ///< the position before anything moved
+    unsigned int       kind = 0; ///< of its face, for who asked for the kinds of faces
   };
 
   /// How the gap bends: its second variation is sum_ij C_ij (T_i.d) (T_j.d') for changes d and d'

@@ -13,9 +13,11 @@ namespace Signorini
   /// place of contact is seen once, as multipliers need it. With that, the pair is one like any
   /// other, but for partners that is_beyond_itself() excludes.
   ///
-  /// e is the principal direction of the normals where the surface looks at itself now. Its sign is
-  /// that for which masters lie beyond their slaves at rest as seen along a direction of the body,
-  /// so that it depends neither on the history nor on the partition, and turns with the body.
+  /// e is the direction to which the normals are least perpendicular where the surface looks at
+  /// itself now: the largest sum of log |n.e|. Its sign is that for which masters lie beyond their
+  /// slaves at rest as seen along a direction of the body, so that it depends neither on the
+  /// history nor on the partition. Of parts that touch with normals across e, two slaves or two
+  /// masters may meet: check_unseen_contact() looks for that.
   template <int dim>
   class SelfContact
   {

@@ -1,0 +1,65 @@
+#include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/verdict/symmetry_planes.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The direction in which a support holds, if it may be symmetry.
+    template <int dim>
+    bool
+    may_be_symmetry(const Support<dim> &support, const Tensor<1, dim> &normal)
+    {
+      if (support.type != SupportType::displacement)
+        return support.type == SupportType::symmetry;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const bool is_normal = std::abs(normal[d]) > 1 - 1e-6;
+          if (support.displacement.prescribed(d) != is_normal || !support.displacement.is_zero(d))
+            return false;
+        }
+      return true;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<SymmetryPlane<dim>>
+  symmetry_planes(const Scene<dim> &scene, const Elasticity<dim> &elasticity)
+  {
+    const MPI_Comm                  comm = elasticity.mesh().communicator();
+    std::vector<SymmetryPlane<dim>> result;
+    for (const Support<dim> &support : scene.supports)
+      for (const std::string &boundary : support.boundaries)
+        {
+          const BoundaryFaces<dim> faces(elasticity, boundary);
+          Point<dim>               centers;
+          Tensor<1, dim>           normals;
+          for (const FacePatch<dim> &patch : faces.rest)
+            {
+              centers += patch.center();
+              normals += patch.normal(Point<dim - 1>());
+            }
+          const double n = Utilities::MPI::sum(faces.rest.size(), comm);
+          normals        = Utilities::MPI::sum(normals, comm) / n;
+          centers =
+            Point<dim>(Utilities::MPI::sum(static_cast<const Tensor<1, dim> &>(centers), comm) / n);
+          if (normals.norm() > 1 - 1e-9 && may_be_symmetry(support, normals))
+            result.push_back(
+              {boundary, support.name, *elasticity.mesh().body_of(boundary), centers, normals});
+        }
+    return result;
+  }
+
+
+
+  template std::vector<SymmetryPlane<2>>
+  symmetry_planes(const Scene<2> &, const Elasticity<2> &);
+  template std::vector<SymmetryPlane<3>>
+  symmetry_planes(const Scene<3> &, const Elasticity<3> &);
+} // namespace Signorini

@@ -1,0 +1,375 @@
+#include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/contact/geometry/search.h>
+#include <signorini/contact/geometry/self_contact.h>
+#include <signorini/mesh/extent.h>
+#include <signorini/parameters/text.h>
+#include <signorini/verdict/checks.h>
+#include <signorini/verdict/symmetry_planes.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What a surface goes through.
+    enum class Through
+    {
+      other,    ///< surface, of the same body or another
+      itself,   ///< where a pair looks for that
+      obstacle, ///< of the scene
+      symmetry  ///< of its own body, a plane of which the other side is the image of this one
+    };
+
+    /// The deepest place.
+    struct Overlap
+    {
+      double       share = 0, depth = 0; ///< of the cells behind; and as a length
+      unsigned int surface = 0;          ///< its kind, see Watched
+      Through      through = Through::other;
+      unsigned int what    = 0; ///< the kind of the other surface; or which obstacle or plane
+
+      void
+      take(const Overlap &other)
+      {
+        if (other.share > share)
+          *this = other;
+      }
+    };
+
+    /// Where pairs look for contact. A kind of faces is the number of a boundary; plus that of all
+    /// boundaries if it is a slave of a surface that touches itself.
+    template <int dim>
+    class Watched
+    {
+    public:
+      Watched(const Scene<dim> &scene, const Snapshot<dim> &now)
+        : mesh(now.elasticity.mesh())
+      {
+        for (unsigned int i = 0; i < now.pairs.size(); ++i)
+          {
+            const ContactPair<dim> &pair = now.pairs[i];
+            for (const unsigned int slave : mesh.boundary_ids(pair.slave))
+              if (scene.obstacle_of(pair))
+                at_obstacles.insert({slave, pair.master});
+              else
+                for (const unsigned int master : mesh.boundary_ids(pair.master))
+                  (pair.is_self() ? selves : pairs).insert(std::minmax(slave, master));
+            if (pair.is_self())
+              for (const SlaveFace<dim> &face : now.surfaces[i].slave_faces)
+                if (face.degree > 0)
+                  slaves.insert({face.cell, face.face});
+          }
+      }
+
+      unsigned int
+      kind(const CellIterator<dim> &cell, const unsigned int face) const
+      {
+        return cell->face(face)->boundary_id() +
+               (slaves.count({cell->id(), face}) > 0 ? mesh.end_of_boundary_ids() : 0);
+      }
+
+      bool
+      is_self(const unsigned int a, const unsigned int b) const
+      {
+        return selves.count(boundaries(a, b)) > 0;
+      }
+
+      bool
+      sees(const unsigned int a, const unsigned int b) const
+      {
+        const unsigned int end = mesh.end_of_boundary_ids();
+        return pairs.count(boundaries(a, b)) > 0 || (is_self(a, b) && (a < end) != (b < end));
+      }
+
+      bool
+      sees(const unsigned int a, const std::string &obstacle) const
+      {
+        return at_obstacles.count({a % mesh.end_of_boundary_ids(), obstacle}) > 0;
+      }
+
+      /// The first one.
+      std::string
+      name(const unsigned int kind) const
+      {
+        for (const std::string &boundary : mesh.boundaries())
+          if (mesh.boundary_ids(boundary).count(kind % mesh.end_of_boundary_ids()) > 0)
+            return boundary;
+        return "";
+      }
+
+    private:
+      std::pair<unsigned int, unsigned int>
+      boundaries(const unsigned int a, const unsigned int b) const
+      {
+        const unsigned int end = mesh.end_of_boundary_ids();
+        return std::minmax({a % end, b % end});
+      }
+
+      const Mesh<dim>                                &mesh;
+      std::set<std::pair<unsigned int, unsigned int>> pairs, selves;
+      std::set<std::pair<unsigned int, std::string>>  at_obstacles;
+      std::set<std::pair<CellId, unsigned int>>       slaves;
+    };
+
+    /// The surface of one body as it is, and places on it that ask what they are in.
+    template <int dim>
+    struct Outside
+    {
+      Outside(const Configuration<dim> &configuration,
+              const unsigned int        body,
+              const Watched<dim>       &watched)
+        : faces(configuration, body)
+      {
+        const QGauss<dim - 1> inner(2);
+        Extent<dim>           extent;
+        for (unsigned int i = 0; i < faces.faces.size(); ++i)
+          {
+            const auto &[cell, face] = faces.faces[i];
+            kinds.push_back(watched.kind(cell, face));
+            const FacePatch<dim> &patch = faces.patches[i];
+            extent.add(patch.box().get_boundary_points().first);
+            extent.add(patch.box().get_boundary_points().second);
+            deepest = std::max(deepest, faces.depth(i));
+            for (const Point<dim - 1> &xi : inner.get_points())
+              {
+                places.push_back(patch.position(xi));
+                normals.push_back(patch.normal(xi));
+                rest.push_back(place_at_rest(faces.rest[i], xi));
+                face_of.push_back(i);
+              }
+          }
+        const MPI_Comm comm = configuration.elasticity().mesh().communicator();
+        deepest             = Utilities::MPI::max(deepest, comm);
+        box                 = extent.over_ranks(comm);
+      }
+
+      /// Of places deeper than that, who knows what they are in: beyond half a cell, its other side
+      /// may have been passed.
+      double
+      depth(const unsigned int place) const
+      {
+        return faces.depth(face_of[place]) / 2;
+      }
+
+      MasterFaces<dim>
+      masters(const bool know_rest) const
+      {
+        const auto tell = [this](unsigned int i, const Point<dim - 1> &, Partner<dim> &partner) {
+          partner.kind = kinds[i];
+          partner.size = faces.depth(i) / 2;
+        };
+        MasterFaces<dim> result{faces.patches, tell, {}, {}};
+        if (know_rest)
+          result.rest = faces.rest;
+        return result;
+      }
+
+      BoundaryFaces<dim>            faces;
+      std::vector<unsigned int>     kinds; ///< one a face
+      std::vector<Point<dim>>       places;
+      std::vector<Tensor<1, dim>>   normals;
+      std::vector<PlaceAtRest<dim>> rest;
+      std::vector<unsigned int>     face_of;
+      double                        deepest = 0;
+      BoundingBox<dim>              box;
+    };
+
+    template <int dim>
+    Overlap
+    overlap_of(const Outside<dim> &a,
+               const Outside<dim> &b,
+               const Watched<dim> &watched,
+               const MPI_Comm      comm)
+    {
+      const bool is_self  = &a == &b;
+      const auto partners = find_partners(a.places,
+                                          a.normals,
+                                          b.masters(is_self),
+                                          a.deepest / 2,
+                                          comm,
+                                          nullptr,
+                                          {},
+                                          is_self ? a.rest : std::vector<PlaceAtRest<dim>>());
+      Overlap    largest;
+      for (unsigned int i = 0; i < partners.size(); ++i)
+        {
+          if (!partners[i])
+            continue;
+          const unsigned int kind = a.kinds[a.face_of[i]], other = partners[i]->kind;
+          const double       depth = (partners[i]->position - a.places[i]) * partners[i]->normal,
+                       room        = std::min(a.depth(i), partners[i]->size);
+          if (depth > 0 && depth < room && !watched.sees(kind, other))
+            largest.take({depth / (2 * room),
+                          depth,
+                          kind,
+                          watched.is_self(kind, other) ? Through::itself : Through::other,
+                          other});
+        }
+      return largest;
+    }
+
+    /// @param closest place of what is rigid, to place i, if there is one
+    template <int dim, typename Closest>
+    Overlap
+    overlap_with_rigid(const Outside<dim> &a,
+                       const Through       through,
+                       const unsigned int  what,
+                       const Closest      &closest)
+    {
+      Overlap largest;
+      for (unsigned int i = 0; i < a.places.size(); ++i)
+        {
+          const std::optional<ObstaclePlace<dim>> place = closest(i);
+          if (place && place->gap < 0 && -place->gap < a.depth(i) &&
+              faces_each_other<dim>(a.normals[i], place->normal))
+            largest.take(
+              {-place->gap / (2 * a.depth(i)), -place->gap, a.kinds[a.face_of[i]], through, what});
+        }
+      return largest;
+    }
+
+    template <int dim>
+    Overlap
+    overlap_of(const Configuration<dim> &configuration,
+               const Outside<dim>       &a,
+               const Obstacle<dim>      &obstacle,
+               const unsigned int        number,
+               const Watched<dim>       &watched)
+    {
+      const RigidPose<dim> pose   = configuration.pose(obstacle);
+      const double         length = configuration.elasticity().lever();
+      return overlap_with_rigid(a,
+                                Through::obstacle,
+                                number,
+                                [&](const unsigned int i) -> std::optional<ObstaclePlace<dim>> {
+                                  if (watched.sees(a.kinds[a.face_of[i]], obstacle.name) ||
+                                      !obstacle.shape->has_closest_point(a.rest[i].x, length))
+                                    return {};
+                                  return configuration.closest(obstacle, pose, a.places[i]);
+                                });
+    }
+
+    template <int dim>
+    Overlap
+    overlap_of(const Configuration<dim> &configuration,
+               const Outside<dim>       &a,
+               const SymmetryPlane<dim> &plane,
+               const unsigned int        number,
+               const Scene<dim>         &scene,
+               const Watched<dim>       &watched)
+    {
+      // Obstacles are put there in place of the other half, and penalties let surfaces into them.
+      const auto is_held = [&](const unsigned int i) {
+        return std::any_of(
+          scene.obstacles.begin(), scene.obstacles.end(), [&](const auto &obstacle) {
+            return watched.sees(a.kinds[a.face_of[i]], obstacle.name) &&
+                   configuration.closest(obstacle, configuration.pose(obstacle), a.places[i]).gap <
+                     a.depth(i);
+          });
+      };
+      return overlap_with_rigid(a,
+                                Through::symmetry,
+                                number,
+                                [&](const unsigned int i) -> std::optional<ObstaclePlace<dim>> {
+                                  const double gap = (plane.center - a.places[i]) * plane.normal;
+                                  if (gap >= 0 || is_held(i))
+                                    return {};
+                                  return ObstaclePlace<dim>{gap, -plane.normal};
+                                });
+    }
+
+    /// Of all ranks.
+    Overlap
+    largest_of(const Overlap &own, const MPI_Comm comm)
+    {
+      Overlap largest;
+      for (const Overlap &of_rank : Utilities::MPI::all_gather(comm, own))
+        largest.take(of_rank);
+      return largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Finding
+  check_unseen_contact(const Scene<dim> &scene, const Snapshot<dim> &now)
+  {
+    constexpr double          small = 0.02;
+    const Mesh<dim>          &mesh  = now.elasticity.mesh();
+    const Configuration<dim>  configuration(now.elasticity, now.displacement);
+    const Watched<dim>        watched(scene, now);
+    std::vector<Outside<dim>> bodies;
+    for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+      bodies.emplace_back(configuration, body, watched);
+    const auto planes = symmetry_planes(scene, now.elasticity);
+    Overlap    largest;
+    for (unsigned int body = 0; body < bodies.size(); ++body)
+      {
+        const Outside<dim> &a = bodies[body];
+        for (const Outside<dim> &b : bodies)
+          if (a.box.get_neighbor_type(b.box) != NeighborType::not_neighbors)
+            largest.take(overlap_of(a, b, watched, mesh.communicator()));
+        for (unsigned int i = 0; i < scene.obstacles.size(); ++i)
+          largest.take(overlap_of(configuration, a, scene.obstacles[i], i, watched));
+        for (unsigned int i = 0; i < planes.size(); ++i)
+          if (planes[i].body == body)
+            largest.take(overlap_of(configuration, a, planes[i], i, scene, watched));
+      }
+    largest = largest_of(largest, mesh.communicator());
+    Finding finding;
+    finding.check           = "unseen contact";
+    finding.value           = largest.share;
+    finding.limit           = small;
+    finding.outcome         = largest.share <= small             ? Outcome::passed :
+                              largest.through == Through::itself ? Outcome::failed :
+                                                                   Outcome::warned;
+    const std::string name  = "'" + watched.name(largest.surface) + "' goes through ",
+                      depth = " by up to " + short_text(largest.depth, 2);
+    const auto pair         = [&](const std::string &master) {
+      return "add a pair with Slave = " + watched.name(largest.surface) + ", Master = " + master +
+             " to Contact pairs, if these may touch";
+    };
+    switch (largest.through)
+      {
+        case Through::other:
+          finding.what = name + "'" + watched.name(largest.what) + "'" + depth +
+                         ", where no pair looks for contact";
+          finding.cure = pair(watched.name(largest.what));
+          break;
+        case Through::itself:
+          finding.what =
+            name + "itself" + depth +
+            ": where it touches, normals point in so many directions that slaves and masters cannot be told apart";
+          finding.cure =
+            "divide the boundary there, and name its parts as slaves and masters of pairs";
+          break;
+        case Through::obstacle:
+          finding.what = name + "the obstacle '" + scene.obstacles[largest.what].name + "'" +
+                         depth + ", where no pair looks for contact";
+          finding.cure = pair(scene.obstacles[largest.what].name);
+          break;
+        case Through::symmetry:
+          finding.what = name + "the plane of symmetry '" + planes[largest.what].boundary + "'" +
+                         depth + ", where it would meet its other half";
+          finding.cure =
+            "add that plane to Obstacles, and a pair with it, if it is one of symmetry";
+          break;
+      }
+    return finding;
+  }
+
+
+
+  template Finding
+  check_unseen_contact(const Scene<2> &, const Snapshot<2> &);
+  template Finding
+  check_unseen_contact(const Scene<3> &, const Snapshot<3> &);
+} // namespace Signorini
