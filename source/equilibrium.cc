@@ -120,7 +120,10 @@ namespace Signorini
           {
             state.time = t;
             if (elasticity.is_finite())
-              my_report.curves_down = in_place.curves_down();
+              {
+                my_report.curves_down = in_place.curves_down(state.displacement);
+                my_report.jump        = jump_since(before);
+              }
             gap = contact.gap_operator().gap(state.displacement);
             return true;
           }
@@ -137,6 +140,30 @@ namespace Signorini
     in_place.recall_active_set();
     recall_bulk_stress();
     return false;
+  }
+
+
+
+  template <int dim>
+  double
+  Equilibrium<dim>::jump_since(const State &before)
+  {
+    constexpr double fast = 3; // slower ones are no jumps
+    LA::Vector       way  = state.displacement;
+    way -= before.displacement;
+    const double speed = way.l2_norm() / (state.time - before.time),
+                 times = last_speed > 0 ? speed / last_speed : 0;
+    last_speed         = speed;
+    if (times <= fast)
+      return 0;
+    for (const double share : {0.25, 0.5, 0.75})
+      {
+        LA::Vector between = before.displacement;
+        between.add(share, way);
+        if (in_place.curves_down(between))
+          return times;
+      }
+    return 0;
   }
 
 

@@ -127,6 +127,9 @@ namespace Signorini
     solve_from_state(double t, double tolerance);
     void
     keep_failure(double t);
+    /// See NewtonReport::jump.
+    double
+    jump_since(const State &before);
     /// That of the state.
     void
     recall_bulk_stress();
@@ -168,6 +171,8 @@ namespace Signorini
     std::optional<double>   my_neglected;
     NewtonReport            my_report;
     std::vector<NewtonStep> steps_before; ///< of this load step, with surfaces placed before
+
+    double last_speed = 0; ///< displacement per time of the last load step
 
     struct Failure
     {

@@ -96,11 +96,11 @@ namespace Signorini
       return my_active;
     }
 
-    /// Its tangent is not positive definite. Collective.
+    /// See Newton::curves_down(). Collective.
     bool
-    curves_down()
+    curves_down(const LA::Vector &u)
     {
-      return solver->curves_down(state.displacement);
+      return solver->curves_down(u);
     }
 
     /// So was one on the way, since go_on_from().

@@ -246,6 +246,7 @@ namespace Signorini
                    {"active_points", report.steps.back().active},
                    {"residual", report.steps.back().residual},
                    {"definite", !report.curves_down},
+                   {"jump", report.jump},
                    {"krylov_iterations", krylov},
                    {"newton_iterations_before_augmentations", augmentations}};
     if (!report.undetermined.empty())

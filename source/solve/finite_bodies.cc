@@ -182,7 +182,8 @@ namespace Signorini
     Vector<double>     values, of_cell, push;
     FullMatrix<double> tangent, of_push;
     std::string        folded;
-    K = 0;
+    linearised = LA::Vector(); // of nothing, if cells are folded there
+    K          = 0;
     for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
       values.reinit(indices.size());
       cell->get_dof_values(at, values);

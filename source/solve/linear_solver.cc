@@ -236,6 +236,18 @@ namespace Signorini
 
 
 
+  bool
+  LinearSolver::renew()
+  {
+    if (!hierarchies.renew())
+      return false;
+    make_preconditioner();
+    preconditioner->update();
+    return true;
+  }
+
+
+
   unsigned int
   LinearSolver::solve(LA::BlockVector       &x,
                       const LA::BlockVector &rhs,
@@ -287,7 +299,7 @@ namespace Signorini
       }
     catch (const SolverFailure &)
       {
-        renews = hierarchies.renew();
+        renews = renew();
         if (!renews && !can_factorise())
           throw;
       }
@@ -296,9 +308,9 @@ namespace Signorini
       {
         has_given_up_iterating  = true;
         settings.preconditioner = "direct";
+        make_preconditioner();
+        preconditioner->update();
       }
-    make_preconditioner();
-    preconditioner->update();
     return solve(x, rhs, reduction, absolute_tolerance);
   }
 

@@ -204,19 +204,30 @@ namespace Signorini
     constexpr double enough = 1e-8; // each iteration sees more
     if (bodies.bulk())
       return false; // saddle points are not solved by CG
-    linearise(u);
+    try
+      {
+        linearise(u);
+      }
+    catch (const SolverFailure &)
+      {
+        return false; // cells are folded there
+      }
     LA::BlockVector forces = system.zero();
     for (const auto i : forces.block(0).locally_owned_elements())
       forces.block(0)(i) = std::sin(37. * i * i + 11. * i);
     forces.block(0).compress(VectorOperation::insert);
     bodies.constraints().set_zero(forces.block(0));
-    try
-      {
-        linear_solver.solve(x, forces, enough, 0., true); // no farther than the first one
-      }
-    catch (const SolverFailure &)
-      {} // what it has seen counts
-    return linear_solver.curves_down();
+    const auto sees_one = [&] {
+      try
+        {
+          linear_solver.solve(x, forces, enough, 0., true); // no farther than the first one
+        }
+      catch (const SolverFailure &)
+        {} // what it has seen counts
+      return linear_solver.curves_down();
+    };
+    // A preconditioner that is left from where the tangent curved down sees that everywhere.
+    return sees_one() && (!linear_solver.renew() || sees_one());
   }
 
 

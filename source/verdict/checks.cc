@@ -64,6 +64,23 @@ namespace Signorini
       return finding;
     }
 
+    /// From one load step to the next.
+    Finding
+    check_jump(const nlohmann::ordered_json &results)
+    {
+      Finding finding;
+      finding.check   = "jump";
+      finding.value   = results["jump"];
+      finding.limit   = 3;
+      finding.outcome = finding.value == 0 ? Outcome::passed : Outcome::warned;
+      finding.what =
+        "in this load step the bodies have moved that many times as far per time as before, through "
+        "states whose tangent is not positive definite: they have probably snapped through";
+      finding.cure =
+        "prescribe displacements instead of forces to see the way there; what is dynamic about it is not in these equations";
+      return finding;
+    }
+
     /// Of the stress that the largest strains would be over the whole scene.
     template <int dim>
     double
@@ -105,6 +122,7 @@ namespace Signorini
     if (now.elasticity.is_finite())
       {
         all.push_back(check_stability(results));
+        all.push_back(check_jump(results));
         all.push_back(check_unseen_contact(scene, now));
       }
     return all;

@@ -299,7 +299,81 @@ def stability(test):
         test.check(warned is not stable, f"at a stretch of {stretch} the verdict says the contrary")
 
 
+ARCH = """
+set Dimension   = 2
+set Deformation = finite
+subsection Bodies
+  set Names = arch
+  subsection arch
+    set Mesh = box
+    set Corners = -10,0 : 10,0.5
+    set Subdivisions = 30,2
+    set Transformation = x; y + 1.5*(1-x^2/100)
+    set Young's modulus = 1000
+    set Poisson's ratio = 0.3
+  end
+end
+subsection Obstacles
+  set Names = roller
+  subsection roller
+    set Shape = sphere
+    set Center = 0,4
+    set Radius = 2
+    set Force = 0; -F*t
+    set Displacement = 0; free
+  end
+end
+subsection Supports
+  set Names = ends
+  subsection ends
+    set Boundaries = arch.left, arch.right
+    set Displacement = 0; 0
+  end
+end
+subsection Contact pairs
+  set Names = top
+  subsection top
+    set Slave = arch.top
+    set Master = roller
+  end
+end
+subsection Mesh
+  set Degree = 2
+end
+subsection Load steps
+  set Number = {number}
+  set Cut-backs = {cuts}
+end
+"""
+
+
+def snap_through(test):
+    """A shallow arch under a force: where it snaps through is said, and so it is if cut-backs end before the other side is found."""
+    test.directory.mkdir(parents=True, exist_ok=True)
+
+    def scene(force, number, cuts=8):
+        file = test.directory / f"arch-{force}-{number}-{cuts}.prm"
+        file.write_text(ARCH.format(number=number, cuts=cuts).replace("F*t", f"{force}*t"))
+        return file
+
+    def warnings(results):
+        return {check["check"]: check["time"] for check in results["verdict"]["checks"] if check["outcome"] == "warned"}
+
+    held = test.results(scene(0.3, 5))
+    test.check(not warnings(held).keys() & {"jump", "definiteness"}, f"warned below the load: {warnings(held)}")
+    snapped = test.results(scene(2.5, 10))
+    moved = [step["obstacles"]["roller"]["displacement"][1] for step in snapped["load_steps"]]
+    far = max(range(1, len(moved)), key=lambda i: moved[i - 1] - moved[i])
+    time = snapped["load_steps"][far]["time"]
+    test.print(f"at a force of {2.5 * time:g} from {moved[far - 1]:.4g} to {moved[far]:.4g}")
+    test.check(warnings(snapped).get("jump") == time, f"it jumps at t = {time}, warned of {warnings(snapped)}")
+    run = test.run(scene(2.5, 20, 0))
+    test.check(run.code == 3 and "the last load that was solved is that of t = 0.15" in run.err + run.out and
+               "snap through" in run.err + run.out, f"exit code {run.code}: {run.err[-500:]}")
+
+
 def cases():
+    yield Case("finite", "snap-through", snap_through)
     yield Case("finite", "stability", stability)
     yield Case("finite", "steps/o-ring", same_in_steps(RING, COARSE_RING, 1e-8, (1, 2, 5)))
     yield Case("finite", "steps/half cylinder", same_in_steps(CYLINDER, COARSE_CYLINDER, 1e-8, (1, 2, 5)))

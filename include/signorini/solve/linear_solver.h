@@ -86,6 +86,10 @@ namespace Signorini
           double                 absolute_tolerance,
           bool                   only_positive = false);
 
+    /// Take a hierarchy of the stiffness as it is now. @return false: it was that
+    bool
+    renew();
+
     unsigned int
     multigrid_cycles() const
     {

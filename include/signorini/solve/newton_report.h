@@ -33,8 +33,11 @@ namespace Signorini
     LA::Vector               chattering; ///< if not: 1 at the contact points that change to and fro
     /// The solution, or what was tried where there is none, may be unstable, see
     /// Newton::curves_down(); where that was asked for.
-    bool         curves_down = false;
-    unsigned int worst_body  = dealii::numbers::invalid_unsigned_int; ///< likewise, out of balance
+    bool curves_down = false;
+    /// How many times as far per time as in the load step before the bodies have moved, if that is
+    /// more than 3, and the tangent curves down somewhere on the straight way; else 0.
+    double       jump       = 0;
+    unsigned int worst_body = dealii::numbers::invalid_unsigned_int; ///< likewise, out of balance
 
     bool
     is_over() const
