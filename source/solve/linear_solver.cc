@@ -249,11 +249,11 @@ namespace Signorini
 
 
   unsigned int
-  LinearSolver::solve(LA::BlockVector       &x,
-                      const LA::BlockVector &rhs,
-                      const double           reduction,
-                      const double           absolute_tolerance,
-                      const bool             only_positive)
+  LinearSolver::solve(LA::BlockVector        &x,
+                      const LA::BlockVector  &rhs,
+                      const double            reduction,
+                      const double            absolute_tolerance,
+                      const NegativeCurvature curvature)
   {
     TimerOutput::Scope scope(timer, "krylov");
     const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
@@ -291,7 +291,7 @@ namespace Signorini
     bool renews = false;
     try
       {
-        return iterate(krylov, tolerance, x, rhs, only_positive);
+        return iterate(krylov, tolerance, x, rhs, curvature);
       }
     catch (const IndefiniteSystem &)
       {
@@ -311,17 +311,69 @@ namespace Signorini
         make_preconditioner();
         preconditioner->update();
       }
-    return solve(x, rhs, reduction, absolute_tolerance);
+    return solve(x, rhs, reduction, absolute_tolerance, curvature);
   }
 
 
 
   unsigned int
-  LinearSolver::iterate(const Krylov           krylov,
-                        const double           tolerance,
-                        LA::BlockVector       &x,
-                        const LA::BlockVector &rhs,
-                        const bool             only_positive)
+  LinearSolver::conjugate_gradients(SolverControl          &control,
+                                    LA::BlockVector        &x,
+                                    const LA::BlockVector  &rhs,
+                                    const NegativeCurvature curvature)
+  {
+    const LA::BlockVector     start = x;
+    unsigned int              n     = 0;
+    SolverCG<LA::BlockVector> solver(control);
+    // alpha = r.z/p.Ap, beta = r.z/(r.z before): the preconditioner has the sign of its coarsest
+    // level, which may be that of the system.
+    solver.connect_coefficients_slot([&](const double alpha, const double beta) {
+      ++n;
+      is_indefinite = is_indefinite || alpha < 0 || beta < 0;
+      if (is_indefinite && curvature != NegativeCurvature::goes_on)
+        throw IndefiniteSystem("the system is not positive definite");
+      was_indefinite = was_indefinite || is_indefinite;
+    });
+    try
+      {
+        solver.solve(system, x, rhs, *preconditioner);
+        judge(control.last_step(), control.initial_value(), control.last_value());
+        return control.last_step();
+      }
+    catch (const IndefiniteSystem &)
+      {
+        if (curvature == NegativeCurvature::refuses)
+          throw;
+      }
+    x = start;
+    if (renew()) // it may have been that of the preconditioner
+      {
+        is_indefinite = false;
+        return n + conjugate_gradients(control, x, rhs, curvature);
+      }
+    was_indefinite = true;
+    if (n == 1)
+      {
+        LA::BlockVector rest = rhs, down = rhs;
+        system.vmult(rest, x);
+        rest.sadd(-1, 1, rhs);
+        preconditioner->vmult(down, rest);
+        x += down;
+        return n;
+      }
+    IterationNumberControl few(n - 1, control.tolerance());
+    SolverCG<LA::BlockVector>(few).solve(system, x, rhs, *preconditioner);
+    return 2 * n - 1;
+  }
+
+
+
+  unsigned int
+  LinearSolver::iterate(const Krylov            krylov,
+                        const double            tolerance,
+                        LA::BlockVector        &x,
+                        const LA::BlockVector  &rhs,
+                        const NegativeCurvature curvature)
   {
     // From there on a factorisation is quicker.
     constexpr unsigned int patience = 200;
@@ -333,19 +385,7 @@ namespace Signorini
         switch (krylov)
           {
             case Krylov::CG:
-              {
-                SolverCG<LA::BlockVector> solver(control);
-                // alpha = r.z/p.Ap, beta = r.z/(r.z before): the preconditioner has the sign of its
-                // coarsest level, which may be that of the system.
-                solver.connect_coefficients_slot([&](const double alpha, const double beta) {
-                  is_indefinite = is_indefinite || alpha < 0 || beta < 0;
-                  if (is_indefinite && only_positive)
-                    throw IndefiniteSystem("the system is not positive definite");
-                  was_indefinite = was_indefinite || is_indefinite;
-                });
-                solver.solve(system, x, rhs, *preconditioner);
-                break;
-              }
+              return conjugate_gradients(control, x, rhs, curvature);
             case Krylov::MINRES:
               SolverMinRes<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
               break;

@@ -220,7 +220,8 @@ namespace Signorini
     const auto sees_one = [&] {
       try
         {
-          linear_solver.solve(x, forces, enough, 0., true); // no farther than the first one
+          linear_solver.solve(
+            x, forces, enough, 0., NegativeCurvature::refuses); // no farther than the first one
         }
       catch (const SolverFailure &)
         {} // what it has seen counts
@@ -261,12 +262,12 @@ namespace Signorini
       return linear_solver.solve(x, rhs, reduction, tolerance);
     try
       {
-        return linear_solver.solve(x, rhs, reduction, tolerance, true);
+        return linear_solver.solve(x, rhs, reduction, tolerance, NegativeCurvature::refuses);
       }
     catch (const IndefiniteSystem &)
       {
         system.turn_forces(false);
-        return linear_solver.solve(x, rhs, reduction, tolerance);
+        return linear_solver.solve(x, rhs, reduction, tolerance, NegativeCurvature::stops);
       }
   }
 

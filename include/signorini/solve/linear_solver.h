@@ -5,6 +5,7 @@
 #include <signorini/solve/solver_failure.h>
 
 #include <deal.II/base/timer.h>
+#include <deal.II/lac/solver_control.h>
 
 #include <functional>
 #include <memory>
@@ -57,6 +58,14 @@ namespace Signorini
     double       at_first = 0;     ///< iterations per digit; 0: not known yet
   };
 
+  /// What CG does where it meets a direction along which the system is not positive.
+  enum class NegativeCurvature
+  {
+    goes_on,
+    stops,  ///< with what it had before (Steihaug, SIAM J. Numer. Anal. 20 (1983) 626)
+    refuses ///< throws IndefiniteSystem
+  };
+
   /// Solves the contact systems of one mesh. Rebuilds as much as has changed: with the active set,
   /// what the preconditioner keeps on the surface; with the values of the stiffness (its version),
   /// the preconditioner and the multigrid hierarchy.
@@ -78,13 +87,12 @@ namespace Signorini
     /// takes away the forces of stiff penalties, next to which all others look small. Returns the
     /// number of iterations; throws SolverFailure. Where the contact filter does not get there and
     /// the system is not too large for it, it is factorised from then on.
-    /// @param only_positive CG throws IndefiniteSystem, instead of going on
     unsigned int
     solve(LA::BlockVector       &x,
           const LA::BlockVector &rhs,
           double                 reduction,
           double                 absolute_tolerance,
-          bool                   only_positive = false);
+          NegativeCurvature      curvature = NegativeCurvature::goes_on);
 
     /// Take a hierarchy of the stiffness as it is now. @return false: it was that
     bool
@@ -124,7 +132,13 @@ namespace Signorini
             double                 tolerance,
             LA::BlockVector       &x,
             const LA::BlockVector &rhs,
-            bool                   only_positive);
+            NegativeCurvature      curvature);
+    /// The same of CG.
+    unsigned int
+    conjugate_gradients(dealii::SolverControl &control,
+                        LA::BlockVector       &x,
+                        const LA::BlockVector &rhs,
+                        NegativeCurvature      curvature);
 
     /// For the stiffness as it is now.
     void
