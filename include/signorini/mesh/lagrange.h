@@ -14,6 +14,15 @@ namespace Signorini
   /// Value, first and second derivative of every basis function at one place, without the heap.
   using LagrangeBasis = std::array<std::array<double, 3>, max_degree + 1>;
 
+  /// Of those beyond the middle, functions of -s as they come, the first derivative by s.
+  inline LagrangeBasis
+  mirrored(LagrangeBasis basis, const unsigned int k)
+  {
+    for (unsigned int i = k / 2 + 1; i <= k; ++i)
+      basis[i][1] *= -1;
+    return basis;
+  }
+
   /// The polynomials of degree k on k+1 equidistant nodes of [0,1], at x.
   inline LagrangeBasis
   lagrange(const unsigned int k, const double x)
@@ -24,24 +33,36 @@ namespace Signorini
       return {{{{(2 * x - 1) * (x - 1), 4 * x - 3, 4.}},
                {{4 * x * (1 - x), 4 - 8 * x, -8.}},
                {{x * (2 * x - 1), 4 * x - 1, 4.}}}};
-    // L_i(x) is the product of (kx-j)/(i-j) over j != i; each factor is linear, so the product rule
-    // carries the derivatives along.
-    LagrangeBasis basis;
-    for (unsigned int i = 0; i <= k; ++i)
+    // By s = kx - k/2, in which functions are the mirror images of each other. Values are products
+    // of factors, exact at the nodes.
+    const double s = k * x - 0.5 * k, ss = s * s;
+    if (k == 3)
       {
-        double value = 1, first = 0, second = 0, divisor = 1;
-        for (unsigned int j = 0; j <= k; ++j)
-          if (j != i)
-            {
-              const double factor = k * x - j;
-              second              = second * factor + 2. * k * first;
-              first               = first * factor + k * value;
-              value *= factor;
-              divisor *= double(i) - double(j);
-            }
-        basis[i] = {{value / divisor, first / divisor, second / divisor}};
+        const auto outer = [ss](const double s) {
+          return std::array<double, 3>{{(ss - 0.25) * (1.5 - s) / 6,
+                                        (0.25 + (3 - 3 * s) * s) * (3. / 6),
+                                        (3 - 6 * s) * (9. / 6)}};
+        };
+        const auto inner = [ss](const double s) {
+          return std::array<double, 3>{{(ss - 2.25) * (s - 0.5) / 2,
+                                        ((3 * s - 1) * s - 2.25) * (3. / 2),
+                                        (6 * s - 1) * (9. / 2)}};
+        };
+        return mirrored({{outer(s), inner(s), inner(-s), outer(-s)}}, k);
       }
-    return basis;
+    const auto outer = [ss](const double s) {
+      return std::array<double, 3>{{s * (ss - 1) * (s - 2) / 24,
+                                    (((4 * s - 6) * s - 2) * s + 2) * (4. / 24),
+                                    ((12 * s - 12) * s - 2) * (16. / 24)}};
+    };
+    const auto inner = [ss](const double s) {
+      return std::array<double, 3>{{s * (ss - 4) * (1 - s) / 6,
+                                    (((3 - 4 * s) * s + 8) * s - 4) * (4. / 6),
+                                    ((6 - 12 * s) * s + 8) * (16. / 6)}};
+    };
+    const std::array<double, 3> middle = {
+      {(ss - 1) * (ss - 4) / 4, (4 * ss - 10) * s, (12 * ss - 10) * 4}};
+    return mirrored({{outer(s), inner(s), middle, inner(-s), outer(-s)}}, k);
   }
 
   /// The tensor product polynomials of degree k on the (k+1)^m equidistant nodes of [0,1]^m, at one
