@@ -1,5 +1,6 @@
 #include <signorini/contact/discretisation/geometric_stiffness.h>
 #include <signorini/contact/geometry/reach.h>
+#include <signorini/contact/geometry/sweep.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/contact_setup.h>
 #include <signorini/parameters/raw.h>
@@ -217,6 +218,21 @@ namespace Signorini
             "' touches the master of this pair, which is never to separate; move them "
             "together, or set its Search distance");
       }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::check_ways(const LA::Vector &from, const LA::Vector &to) const
+  {
+    TimerOutput::Scope       scope(timer, "search");
+    const Configuration<dim> start(elasticity, from);
+    for (const ContactPair<dim> &pair : scene.pairs)
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair))
+        if (goes_through(start, to, pair.slave, *obstacle))
+          throw SolverFailure("the obstacle '" + obstacle->name + "' would go through '" +
+                              pair.slave + "' in one load step; load in smaller steps");
   }
 
 

@@ -201,6 +201,7 @@ namespace Signorini
         LA::Vector place = state.displacement;
         if (elasticity.is_finite()) // what supports move alone would fold surfaces
           {
+            contact.check_ways(left, state.displacement);
             place = left;
             elasticity.set_rigid_motion(elasticity.rigid_motion(state.displacement), place);
           }

@@ -72,6 +72,11 @@ namespace Signorini
       return *contact;
     }
 
+    /// Throws SolverFailure if obstacles would go through slaves on their way from one place to
+    /// another. @param from, to displacements. Collective.
+    void
+    check_ways(const LA::Vector &from, const LA::Vector &to) const;
+
     /// Where surfaces have moved: let forces of such pressures turn with them, by
     /// geometric_stiffness(). Collective.
     void

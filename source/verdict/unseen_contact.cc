@@ -215,20 +215,27 @@ namespace Signorini
       return largest;
     }
 
+    /// What was outside at rest has gone through the surface, however deep it is; what was inside
+    /// may belong there.
     /// @param closest place of what is rigid, to place i, if there is one
-    template <int dim, typename Closest>
+    /// @param was_outside at rest, of place i
+    template <int dim, typename Closest, typename WasOutside>
     Overlap
     overlap_with_rigid(const Outside<dim> &a,
                        const Through       through,
                        const unsigned int  what,
-                       const Closest      &closest)
+                       const Closest      &closest,
+                       const WasOutside   &was_outside)
     {
       Overlap largest;
       for (unsigned int i = 0; i < a.places.size(); ++i)
         {
           const std::optional<ObstaclePlace<dim>> place = closest(i);
-          if (place && place->gap < 0 && -place->gap < a.depth(i) &&
-              faces_each_other<dim>(a.normals[i], place->normal))
+          if (!place || place->gap >= 0)
+            continue;
+          const bool is_near =
+            -place->gap < a.depth(i) && faces_each_other<dim>(a.normals[i], place->normal);
+          if (is_near || was_outside(i))
             largest.take(
               {-place->gap / (2 * a.depth(i)), -place->gap, a.kinds[a.face_of[i]], through, what});
         }
@@ -243,17 +250,18 @@ namespace Signorini
                const unsigned int        number,
                const Watched<dim>       &watched)
     {
-      const RigidPose<dim> pose   = configuration.pose(obstacle);
-      const double         length = configuration.elasticity().lever();
-      return overlap_with_rigid(a,
-                                Through::obstacle,
-                                number,
-                                [&](const unsigned int i) -> std::optional<ObstaclePlace<dim>> {
-                                  if (watched.sees(a.kinds[a.face_of[i]], obstacle.name) ||
-                                      !obstacle.shape->has_closest_point(a.rest[i].x, length))
-                                    return {};
-                                  return configuration.closest(obstacle, pose, a.places[i]);
-                                });
+      const Configuration<dim> at_rest(configuration.elasticity());
+      const RigidPose<dim>     pose = configuration.pose(obstacle), rest = at_rest.pose(obstacle);
+      const double             length = configuration.elasticity().lever();
+      const auto closest = [&](const unsigned int i) -> std::optional<ObstaclePlace<dim>> {
+        if (watched.sees(a.kinds[a.face_of[i]], obstacle.name) ||
+            !obstacle.shape->has_closest_point(a.rest[i].x, length))
+          return {};
+        return configuration.closest(obstacle, pose, a.places[i]);
+      };
+      return overlap_with_rigid(a, Through::obstacle, number, closest, [&](const unsigned int i) {
+        return at_rest.closest(obstacle, rest, a.rest[i].x).gap >= 0;
+      });
     }
 
     template <int dim>
@@ -274,15 +282,15 @@ namespace Signorini
                      a.depth(i);
           });
       };
-      return overlap_with_rigid(a,
-                                Through::symmetry,
-                                number,
-                                [&](const unsigned int i) -> std::optional<ObstaclePlace<dim>> {
-                                  const double gap = (plane.center - a.places[i]) * plane.normal;
-                                  if (gap >= 0 || is_held(i))
-                                    return {};
-                                  return ObstaclePlace<dim>{gap, -plane.normal};
-                                });
+      const auto closest = [&](const unsigned int i) -> std::optional<ObstaclePlace<dim>> {
+        const double gap = (plane.center - a.places[i]) * plane.normal;
+        if (gap >= 0 || is_held(i))
+          return {};
+        return ObstaclePlace<dim>{gap, -plane.normal};
+      };
+      return overlap_with_rigid(a, Through::symmetry, number, closest, [&](const unsigned int i) {
+        return (plane.center - a.rest[i].x) * plane.normal >= 0;
+      });
     }
 
     /// Of all ranks.
