@@ -9,8 +9,10 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
+#include <tuple>
 
 namespace Signorini
 {
@@ -38,7 +40,10 @@ namespace Signorini
       void
       take(const Overlap &other)
       {
-        if (other.share > share)
+        // Of those that are as deep but for rounding, the first.
+        const bool is_alike = std::abs(other.share - share) <= 1e-6 * share;
+        if (is_alike ? std::tie(other.surface, other.what) < std::tie(surface, what) :
+                       other.share > share)
           *this = other;
       }
     };
@@ -208,9 +213,9 @@ namespace Signorini
           if (depth > 0 && depth < room && !watched.sees(kind, other))
             largest.take({depth / (2 * room),
                           depth,
-                          kind,
+                          std::min(kind, other),
                           watched.is_self(kind, other) ? Through::itself : Through::other,
-                          other});
+                          std::max(kind, other)});
         }
       return largest;
     }

@@ -148,7 +148,7 @@ def unseen_contact(test):
     far = ["Contact pairs/flanks/Master=plane", "Obstacles/plane/Point=0, 100"]
     block = SCENES / "finite-block.prm"
     wall = ["Obstacles/Names=plate, wall", "Obstacles/wall/Shape=plane", "Obstacles/wall/Point=1.05, 0", "Obstacles/wall/Normal=-1, 0"]
-    beside = ["Bodies/Names=block, post", "Bodies/post/Mesh=box", "Bodies/post/Corners=1.05,0 : 2,1", "Bodies/post/Subdivisions=3,3",
+    beside = ["Bodies/Names=block, post", "Bodies/post/Mesh=box", "Bodies/post/Corners=1.05,0 : 2,0.6", "Bodies/post/Subdivisions=3,3",
               "Bodies/post/Young's modulus=1", "Bodies/post/Poisson's ratio=0.3",
               "Supports/Names=base, side, foot", "Supports/foot/Boundaries=post.bottom",
               "Supports/foot/Displacement=0; 0"]

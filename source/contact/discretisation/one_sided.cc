@@ -257,12 +257,8 @@ namespace Signorini
         else
           {
             auto pairing =
-              pair_points(side, master(), integration, limit, comm, surface.statistics);
-            if (self)
-              {
-                keep_slaves(pairing.points);
-                keep_slaves(pairing.seams);
-              }
+              self ? pair_of_itself() :
+                     pair_points(side, master(), integration, limit, comm, surface.statistics);
             paired = std::move(pairing.points);
             seams  = std::move(pairing.seams);
             weigh_at_rest(slave, seams);
@@ -270,14 +266,29 @@ namespace Signorini
         drop_empty_points(slave.patches, paired);
       }
 
-      /// The masters were asked for as well, since faces are numbered as those of all.
-      void
-      keep_slaves(std::vector<PairedPoint<dim>> &points) const
+      /// Slaves alone look for partners; they are numbered as the faces of the whole surface.
+      Pairing<dim>
+      pair_of_itself()
       {
-        points.erase(std::remove_if(points.begin(),
-                                    points.end(),
-                                    [&](const auto &point) { return !self->is_slave(point.face); }),
-                     points.end());
+        std::vector<bool>         is_slave;
+        std::vector<unsigned int> numbers;
+        for (unsigned int i = 0; i < slave.faces.size(); ++i)
+          {
+            is_slave.push_back(self->is_slave(i));
+            if (is_slave[i])
+              numbers.push_back(i);
+          }
+        const BoundaryFaces<dim> slaves = slave.among(is_slave);
+        Pairing<dim>             result = pair_points(SlaveSide<dim>(slaves.patches, &slaves.rest),
+                                          master(),
+                                          integration,
+                                          limit,
+                                          comm,
+                                          surface.statistics);
+        for (auto *points : {&result.points, &result.seams})
+          for (PairedPoint<dim> &point : *points)
+            point.face = numbers[point.face];
+        return result;
       }
 
       void

@@ -81,13 +81,15 @@ namespace Signorini
                     std::vector<PairedPoint<dim>> &points)
     {
       constexpr double                closer = 1 - 1e-6; // over an edge two faces are equally close
+      constexpr double                far    = 4; // faces; what may fold onto itself sees all of it
       std::vector<PairedPoint<dim> *> beside_faces;
       std::vector<Point<dim>>         positions;
       std::vector<Tensor<1, dim>>     normals;
       std::vector<PlaceAtRest<dim>>   rest;
       double                          farthest = 0;
       for (PairedPoint<dim> &point : points)
-        if (point.is_beside)
+        if (point.is_beside &&
+            (!slave.rest || point.partner.distance < far * slave.patches[point.face].diameter()))
           {
             beside_faces.push_back(&point);
             positions.push_back(slave.patches[point.face].position(point.xi));

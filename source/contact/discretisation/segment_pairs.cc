@@ -193,10 +193,16 @@ namespace Signorini
                const SeamPoint<dim>          &point,
                std::vector<PairedPoint<dim>> &seams)
       {
+        constexpr double steepest = 10; // way along the slave's normal over the distance
         if (!master.inner_sides[face][point.side])
           return;
+        const FacePatch<dim> &patch = master.patches[face];
+        if (!is_near_enough(
+              slave.patch.position(point.slave).distance(patch.position(point.master)) / steepest,
+              patch.diameter()))
+          return;
         auto seam = paired(slave, face, point);
-        if (!seam || !is_near_enough(seam->partner.distance, master.patches[face].diameter()))
+        if (!seam || !is_near_enough(seam->partner.distance, patch.diameter()))
           return;
         seam->partner.bend = bend_of_seam(seam->partner.normal, point.outward);
         seams.push_back(std::move(*seam));

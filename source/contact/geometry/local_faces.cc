@@ -85,7 +85,27 @@ namespace Signorini
         rank_box.box.merge_with(patch.box());
         rank_box.empty     = false;
         rank_box.tolerance = std::max(rank_box.tolerance, same * patch.diameter());
+        normals.push_back(normals_of(patch));
       }
+  }
+
+
+
+  // A tangent differs from that in the middle by no more than the bend times half a diagonal, and
+  // the normal by no more than the two of them together over the least stretch.
+  template <int dim>
+  typename LocalFaces<dim>::Normals
+  LocalFaces<dim>::normals_of(const FacePatch<dim> &face)
+  {
+    Point<dim - 1> middle;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = 0.5;
+    double squares = 0;
+    for (const Tensor<1, dim> &tangent : face.tangents(middle))
+      squares += tangent.norm_square();
+    const double area = face.jacobian(middle), // the product of the largest and the least stretch
+      stretch         = dim == 2 ? area : area / std::sqrt(squares);
+    return {face.normal(middle), 2 * face.bend() / stretch};
   }
 
 
@@ -94,6 +114,11 @@ namespace Signorini
   std::optional<Candidate<dim>>
   LocalFaces<dim>::candidate(const Query<dim> &query, const unsigned int face)
   {
+    const bool any_orientation = query.normal.norm_square() == 0;
+    // What looks the other way need not be projected on.
+    if (const auto &[middle, spread] = normals[face];
+        !any_orientation && query.normal * middle - spread > 0)
+      return {};
     const FacePatch<dim> &patch      = master.patches[face];
     const Projection<dim> projection = project(query.point, patch);
     ++statistics.projections;
@@ -101,8 +126,7 @@ namespace Signorini
       ++statistics.fallbacks;
 
     Candidate<dim> c;
-    c.partner.normal           = patch.normal(projection.xi);
-    const bool any_orientation = query.normal.norm_square() == 0;
+    c.partner.normal = patch.normal(projection.xi);
     if (!(projection.distance <= query.limit) ||
         (!any_orientation && !faces_each_other(query.normal, c.partner.normal)))
       return {};

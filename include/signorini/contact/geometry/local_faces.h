@@ -93,6 +93,16 @@ namespace Signorini
     }
 
   private:
+    /// Normals of a face: that in the middle, and by how much others may differ from it.
+    struct Normals
+    {
+      dealii::Tensor<1, dim> middle;
+      double                 spread;
+    };
+
+    static Normals
+    normals_of(const FacePatch<dim> &face);
+
     std::optional<Candidate<dim>>
     candidate(const Query<dim> &query, const unsigned int face);
 
@@ -111,6 +121,7 @@ namespace Signorini
     RankBox<dim>                          rank_box;
     std::vector<dealii::BoundingBox<dim>> boxes;
     Tree                                  tree;
+    std::vector<Normals>                  normals;
 
     // Kept between queries to spare the heap.
     std::vector<Candidate<dim>>                  candidates;
