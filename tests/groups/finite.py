@@ -372,7 +372,63 @@ def snap_through(test):
                "snap through" in run.err + run.out, f"exit code {run.code}: {run.err[-500:]}")
 
 
+WALL = """
+set Dimension   = 2
+set Deformation = finite
+subsection Bodies
+  set Names = ring
+  subsection ring
+    set Mesh = ring
+    set Inner radius = 0.8
+    set Outer radius = 1
+    set Part = lower half
+    set Cells around = 40
+    set Cells through = 3
+    set Young's modulus = 1
+    set Poisson's ratio = 0.3
+  end
+end
+subsection Obstacles
+  set Names = roller
+  subsection roller
+    set Shape = sphere
+    set Center = 0,-1.4
+    set Radius = 0.3
+    set Displacement = 0; 0.7*t
+  end
+end
+subsection Supports
+  set Names = ends
+  subsection ends
+    set Boundaries = ring.symmetry_y
+    set Displacement = 0; 0
+  end
+end
+subsection Contact pairs
+  set Names = contact
+  subsection contact
+    set Slave = ring.outer
+    set Master = roller
+  end
+end
+"""
+
+
+def thin_wall(test):
+    """A roller that would be on the other side of a wall after one load step does not get there."""
+    test.directory.mkdir(parents=True, exist_ok=True)
+    scene = test.directory / "wall.prm"
+    scene.write_text(WALL)
+    many, auto = (test.results(scene, [f"Load steps/Number={n}"]) for n in (10, "automatic"))
+    a, b = force_of(many), force_of(auto)
+    test.print(f"{a:.10g} in 10 load steps, {b:.10g} in {len(auto['load_steps'])} of their own")
+    test.check(a > 0 and abs(b / a - 1) <= 1e-8, f"{a:.10g} in 10 load steps, {b:.10g} in {len(auto['load_steps'])}")
+    run = test.run(scene, ["Load steps/Number=1", "Load steps/Cut-backs=0"])
+    test.check(run.code == 3 and "would go through 'ring.outer' in one load step" in run.out + run.err, f"exit code {run.code}")
+
+
 def cases():
+    yield Case("finite", "thin wall", thin_wall)
     yield Case("finite", "snap-through", snap_through)
     yield Case("finite", "stability", stability)
     yield Case("finite", "steps/o-ring", same_in_steps(RING, COARSE_RING, 1e-8, (1, 2, 5)))
