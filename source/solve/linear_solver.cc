@@ -322,9 +322,14 @@ namespace Signorini
                                     const LA::BlockVector  &rhs,
                                     const NegativeCurvature curvature)
   {
+    constexpr unsigned int patience = 50;
+    const bool             is_limited =
+      curvature == NegativeCurvature::refuses || curvature == NegativeCurvature::stops;
     const LA::BlockVector     start = x;
     unsigned int              n     = 0;
-    SolverCG<LA::BlockVector> solver(control);
+    IterationNumberControl    limited(patience, control.tolerance());
+    SolverControl            &chosen = is_limited ? limited : control;
+    SolverCG<LA::BlockVector> solver(chosen);
     // alpha = r.z/p.Ap, beta = r.z/(r.z before): the preconditioner has the sign of its coarsest
     // level, which may be that of the system.
     solver.connect_coefficients_slot([&](const double alpha, const double beta) {
@@ -337,12 +342,14 @@ namespace Signorini
     try
       {
         solver.solve(system, x, rhs, *preconditioner);
-        judge(control.last_step(), control.initial_value(), control.last_value());
-        return control.last_step();
+        if (curvature == NegativeCurvature::refuses && chosen.last_value() > chosen.tolerance())
+          throw IndefiniteSystem("the system is as good as indefinite");
+        judge(chosen.last_step(), chosen.initial_value(), chosen.last_value());
+        return chosen.last_step();
       }
     catch (const IndefiniteSystem &)
       {
-        if (curvature == NegativeCurvature::refuses)
+        if (curvature != NegativeCurvature::stops)
           throw;
       }
     x = start;

@@ -221,7 +221,7 @@ namespace Signorini
       try
         {
           linear_solver.solve(
-            x, forces, enough, 0., NegativeCurvature::refuses); // no farther than the first one
+            x, forces, enough, 0., NegativeCurvature::is_told); // no farther than the first one
         }
       catch (const SolverFailure &)
         {} // what it has seen counts

@@ -62,8 +62,9 @@ namespace Signorini
   enum class NegativeCurvature
   {
     goes_on,
-    stops,  ///< with what it had before (Steihaug, SIAM J. Numer. Anal. 20 (1983) 626)
-    refuses ///< throws IndefiniteSystem
+    is_told, ///< throws IndefiniteSystem
+    refuses, ///< likewise, also if it takes so many iterations that one cannot be far
+    stops    ///< with what it had before (Steihaug, SIAM J. Numer. Anal. 20 (1983) 626), likewise
   };
 
   /// Solves the contact systems of one mesh. Rebuilds as much as has changed: with the active set,
