@@ -135,6 +135,8 @@ namespace Signorini
         my_report.reason += contact.pressed_twice(in_place.active());
       }
     my_report.curves_down = elasticity.is_finite() && in_place.has_curved_down();
+    if (my_report.curves_down) // so may hierarchies
+      in_place.release();
     keep_failure(t);
     state = before;
     in_place.recall_active_set();
