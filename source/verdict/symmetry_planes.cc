@@ -50,8 +50,7 @@ namespace Signorini
           centers =
             Point<dim>(Utilities::MPI::sum(static_cast<const Tensor<1, dim> &>(centers), comm) / n);
           if (normals.norm() > 1 - 1e-9 && may_be_symmetry(support, normals))
-            result.push_back(
-              {boundary, support.name, *elasticity.mesh().body_of(boundary), centers, normals});
+            result.push_back({boundary, *elasticity.mesh().body_of(boundary), centers, normals});
         }
     return result;
   }

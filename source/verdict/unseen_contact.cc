@@ -1,7 +1,7 @@
 #include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/contact/geometry/reach.h>
 #include <signorini/contact/geometry/search.h>
 #include <signorini/contact/geometry/self_contact.h>
-#include <signorini/mesh/extent.h>
 #include <signorini/parameters/text.h>
 #include <signorini/verdict/checks.h>
 #include <signorini/verdict/symmetry_planes.h>
@@ -133,15 +133,12 @@ namespace Signorini
         : faces(configuration, body)
       {
         const QGauss<dim - 1> inner(2);
-        Extent<dim>           extent;
         for (unsigned int i = 0; i < faces.faces.size(); ++i)
           {
             const auto &[cell, face] = faces.faces[i];
             kinds.push_back(watched.kind(cell, face));
             const FacePatch<dim> &patch = faces.patches[i];
-            extent.add(patch.box().get_boundary_points().first);
-            extent.add(patch.box().get_boundary_points().second);
-            deepest = std::max(deepest, faces.depth(i));
+            deepest                     = std::max(deepest, faces.depth(i));
             for (const Point<dim - 1> &xi : inner.get_points())
               {
                 places.push_back(patch.position(xi));
@@ -152,7 +149,7 @@ namespace Signorini
           }
         const MPI_Comm comm = configuration.elasticity().mesh().communicator();
         deepest             = Utilities::MPI::max(deepest, comm);
-        box                 = extent.over_ranks(comm);
+        box                 = box_of(faces.patches, comm);
       }
 
       /// Of places deeper than that, who knows what they are in: beyond half a cell, its other side

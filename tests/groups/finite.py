@@ -92,7 +92,7 @@ end
 """
 
 
-def write_slits(file):
+def mesh_of_slits():
     """A block of 4 x 4 with a slit like an L, 0.3 wide."""
     cells, corners, surfaces = [], {}, {}
     is_void = lambda i, j: (8 <= i < 20 and 19 <= j < 22) or (17 <= i < 20 and 22 <= j < 32)
@@ -112,20 +112,26 @@ def write_slits(file):
              *(f"{n}, " + ", ".join(map(str, cell)) for n, cell in enumerate(cells, 1))]
     for name, faces in surfaces.items():
         lines += [f"*SURFACE, NAME={name}, TYPE=ELEMENT", *faces]
-    file.write_text("\n".join(lines) + "\n")
+    return "\n".join(lines) + "\n"
+
+
+def write(test, name, text):
+    """A file beside the runs of a test."""
+    test.directory.mkdir(parents=True, exist_ok=True)
+    file = test.directory / name
+    file.write_text(text)
+    return file
 
 
 def slits(test):
     """A surface that touches itself in directions at a right angle, with the same forces as pairs of its sides."""
-    test.directory.mkdir(parents=True, exist_ok=True)
-    write_slits(test.directory / "slits.inp")
+    mesh = write(test, "slits.inp", mesh_of_slits())
 
     def forces(name, **pairs):
-        scene = test.directory / f"slits-{name}.prm"
         sections = "".join(f"  subsection {pair}\n    set Slave = block.{slave}\n    set Master = block.{master}\n"
                            "    set Sides = as named\n  end\n" for pair, (slave, master) in pairs.items())
-        scene.write_text(SLITS.format(mesh=test.directory / "slits.inp", pairs=", ".join(pairs), sections=sections))
-        return test.results(scene)
+        text = SLITS.format(mesh=mesh, pairs=", ".join(pairs), sections=sections)
+        return test.results(write(test, f"slits-{name}.prm", text))
 
     itself, apart = forces("itself", slit=("slit", "slit")), forces("apart", across=("up", "down"), along=("east", "west"))
     a = force_of(itself, "slit")
@@ -349,12 +355,9 @@ end
 
 def snap_through(test):
     """A shallow arch under a force: where it snaps through is said, and so it is if cut-backs end before the other side is found."""
-    test.directory.mkdir(parents=True, exist_ok=True)
-
     def scene(force, number, cuts=8):
-        file = test.directory / f"arch-{force}-{number}-{cuts}.prm"
-        file.write_text(ARCH.format(number=number, cuts=cuts).replace("F*t", f"{force}*t"))
-        return file
+        text = ARCH.format(number=number, cuts=cuts).replace("F*t", f"{force}*t")
+        return write(test, f"arch-{force}-{number}-{cuts}.prm", text)
 
     def warnings(results):
         return {check["check"]: check["time"] for check in results["verdict"]["checks"] if check["outcome"] == "warned"}
@@ -416,9 +419,7 @@ end
 
 def thin_wall(test):
     """A roller that would be on the other side of a wall after one load step does not get there."""
-    test.directory.mkdir(parents=True, exist_ok=True)
-    scene = test.directory / "wall.prm"
-    scene.write_text(WALL)
+    scene = write(test, "wall.prm", WALL)
     many, auto = (test.results(scene, [f"Load steps/Number={n}"]) for n in (10, "automatic"))
     a, b = force_of(many), force_of(auto)
     test.print(f"{a:.10g} in 10 load steps, {b:.10g} in {len(auto['load_steps'])} of their own")

@@ -12,7 +12,7 @@ namespace Signorini
   template <int dim>
   struct SymmetryPlane
   {
-    std::string            boundary, support;
+    std::string            boundary;
     unsigned int           body;
     dealii::Point<dim>     center;
     dealii::Tensor<1, dim> normal; ///< out of the body

@@ -10,44 +10,42 @@ namespace Signorini
 {
   using namespace dealii;
 
-  namespace
+  template <int dim>
+  BoundingBox<dim>
+  box_of(const std::vector<FacePatch<dim>> &patches, const MPI_Comm comm)
   {
-    /// Of the faces on all ranks.
-    template <int dim>
-    BoundingBox<dim>
-    box_of(const std::vector<FacePatch<dim>> &patches, const MPI_Comm comm)
-    {
-      Extent<dim> extent;
-      for (const FacePatch<dim> &patch : patches)
-        {
-          const auto &[low, high] = patch.box().get_boundary_points();
-          extent.add(low);
-          extent.add(high);
-        }
-      return extent.over_ranks(comm);
-    }
+    Extent<dim> extent;
+    for (const FacePatch<dim> &patch : patches)
+      {
+        const auto &[low, high] = patch.box().get_boundary_points();
+        extent.add(low);
+        extent.add(high);
+      }
+    return extent.over_ranks(comm);
+  }
 
-    template <int dim>
-    double
-    largest_displacement(const Elasticity<dim> &elasticity,
-                         const Obstacle<dim>   &obstacle,
-                         const LA::Vector      &u)
-    {
-      const std::vector<double> motion = elasticity.rigid_motion(u);
-      for (unsigned int b = 0; b < elasticity.rigid_bodies().size(); ++b)
-        if (elasticity.rigid_bodies()[b].name == obstacle.name)
-          {
-            const double arm =
-              elasticity.rigid_bodies()[b].arm(elasticity.mesh().extent()) / elasticity.lever();
-            double     sum   = 0;
-            const auto first = motion.begin() + b * RigidBody<dim>::n_dofs;
-            for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
-              sum += (i < dim ? 1 : arm) * std::abs(first[i]);
-            return sum;
-          }
-      return 0;
-    }
-  } // namespace
+
+
+  template <int dim>
+  double
+  largest_displacement(const Elasticity<dim> &elasticity,
+                       const Obstacle<dim>   &obstacle,
+                       const LA::Vector      &u)
+  {
+    const std::vector<double> motion = elasticity.rigid_motion(u);
+    for (unsigned int b = 0; b < elasticity.rigid_bodies().size(); ++b)
+      if (elasticity.rigid_bodies()[b].name == obstacle.name)
+        {
+          const double arm =
+            elasticity.rigid_bodies()[b].arm(elasticity.mesh().extent()) / elasticity.lever();
+          double     sum   = 0;
+          const auto first = motion.begin() + b * RigidBody<dim>::n_dofs;
+          for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+            sum += (i < dim ? 1 : arm) * std::abs(first[i]);
+          return sum;
+        }
+    return 0;
+  }
 
 
 
@@ -139,18 +137,22 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                                           \
-  template double search_limit(const Elasticity<dim> &, const ContactPair<dim> &, double);         \
-  template bool   is_apart(const Elasticity<dim> &,                                                \
-                           const ContactPair<dim> &,                                               \
-                           const Obstacle<dim> *,                                                  \
-                           const BoundaryFaces<dim> &,                                             \
-                           double);                                                                \
-  template std::vector<double> largest_displacements(const Elasticity<dim> &, const LA::Vector &); \
-  template double              largest_approach(const Elasticity<dim> &,                           \
-                                                const ContactPair<dim> &,                          \
-                                                const Obstacle<dim> *,                             \
-                                                const LA::Vector &,                                \
+#define INSTANTIATE(dim)                                                                             \
+  template BoundingBox<dim> box_of(const std::vector<FacePatch<dim>> &, MPI_Comm);                   \
+  template double           largest_displacement(const Elasticity<dim> &,                            \
+                                                 const Obstacle<dim> &,                              \
+                                                 const LA::Vector &);                                \
+  template double           search_limit(const Elasticity<dim> &, const ContactPair<dim> &, double); \
+  template bool             is_apart(const Elasticity<dim> &,                                        \
+                                     const ContactPair<dim> &,                                       \
+                                     const Obstacle<dim> *,                                          \
+                                     const BoundaryFaces<dim> &,                                     \
+                                     double);                                                        \
+  template std::vector<double> largest_displacements(const Elasticity<dim> &, const LA::Vector &);   \
+  template double              largest_approach(const Elasticity<dim> &,                             \
+                                                const ContactPair<dim> &,                            \
+                                                const Obstacle<dim> *,                               \
+                                                const LA::Vector &,                                  \
                                                 const std::vector<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

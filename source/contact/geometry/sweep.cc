@@ -1,4 +1,5 @@
 #include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/contact/geometry/reach.h>
 #include <signorini/contact/geometry/sweep.h>
 
 #include <deal.II/base/mpi.h>
@@ -69,45 +70,31 @@ namespace Signorini
                const std::string        &surface,
                const Obstacle<dim>      &obstacle)
   {
-    constexpr unsigned int    most       = 50;
-    const Elasticity<dim>    &elasticity = from.elasticity();
-    const MPI_Comm            comm       = elasticity.mesh().communicator();
-    const auto               &bodies     = elasticity.rigid_bodies();
-    const std::vector<double> start      = elasticity.rigid_motion(from.displacement()),
-                              end        = elasticity.rigid_motion(to);
-    for (unsigned int b = 0; b < bodies.size(); ++b)
+    constexpr unsigned int most       = 50;
+    const Elasticity<dim> &elasticity = from.elasticity();
+    const MPI_Comm         comm       = elasticity.mesh().communicator();
+    LA::Vector             change     = to;
+    change -= from.displacement();
+    const double way = largest_displacement(elasticity, obstacle, change);
+    if (way == 0)
+      return false;
+    const std::vector<Place<dim>> places = reachable(from, surface, obstacle, way);
+    double                        thin   = std::numeric_limits<double>::max();
+    for (const Place<dim> &place : places)
+      thin = std::min(thin, place.depth);
+    thin                       = Utilities::MPI::min(thin, comm);
+    const unsigned int n_poses = std::clamp(std::ceil(way / thin), 1., double(most));
+    bool               any     = false;
+    for (unsigned int k = 1; k <= n_poses; ++k)
       {
-        if (bodies[b].name != obstacle.name)
-          continue;
-        constexpr unsigned int n     = RigidBody<dim>::n_dofs;
-        const double           lever = elasticity.lever(),
-                     arm             = bodies[b].arm(elasticity.mesh().extent()) / lever;
-        double way                   = 0;
-        for (unsigned int i = 0; i < n; ++i)
-          way += (i < dim ? 1 : arm) * std::abs(end[b * n + i] - start[b * n + i]);
-        if (way == 0)
-          return false;
-        const std::vector<Place<dim>> places = reachable(from, surface, obstacle, way);
-        double                        thin   = std::numeric_limits<double>::max();
-        for (const Place<dim> &place : places)
-          thin = std::min(thin, place.depth);
-        thin                       = Utilities::MPI::min(thin, comm);
-        const unsigned int n_poses = std::clamp(std::ceil(way / thin), 1., double(most));
-        bool               any     = false;
-        for (unsigned int k = 1; k <= n_poses && !any; ++k)
-          {
-            std::array<double, n> motion;
-            for (unsigned int i = 0; i < n; ++i)
-              motion[i] =
-                start[b * n + i] + (end[b * n + i] - start[b * n + i]) * (double(k) / n_poses);
-            const RigidPose<dim> pose(bodies[b].reference, motion, lever);
-            any = std::any_of(places.begin(), places.end(), [&](const Place<dim> &place) {
-              return is_behind(from, obstacle, pose, place);
-            });
-          }
-        return Utilities::MPI::max(any ? 1 : 0, comm) > 0;
+        LA::Vector between = from.displacement();
+        between.add(double(k) / n_poses, change);
+        const RigidPose<dim> pose = Configuration<dim>(elasticity, between).pose(obstacle);
+        any = any || std::any_of(places.begin(), places.end(), [&](const Place<dim> &place) {
+                return is_behind(from, obstacle, pose, place);
+              });
       }
-    return false;
+    return Utilities::MPI::max(any ? 1 : 0, comm) > 0;
   }
 
 

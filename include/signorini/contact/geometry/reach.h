@@ -23,6 +23,18 @@ namespace Signorini
            const BoundaryFaces<dim> &slave,
            double                    distance);
 
+  /// Of faces on all ranks. Collective.
+  template <int dim>
+  dealii::BoundingBox<dim>
+  box_of(const std::vector<FacePatch<dim>> &patches, MPI_Comm comm);
+
+  /// Of a point of an obstacle in the scene, at most. Collective.
+  template <int dim>
+  double
+  largest_displacement(const Elasticity<dim> &elasticity,
+                       const Obstacle<dim>   &obstacle,
+                       const LA::Vector      &u);
+
   /// Of the nodes of each boundary, by its id. Collective.
   template <int dim>
   std::vector<double>
