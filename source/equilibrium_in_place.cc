@@ -107,7 +107,7 @@ namespace Signorini
     FreeMotions free_motions = make_free_motions(); // may search farther
     clock.start();
     if (!hierarchies)
-      hierarchies.emplace(solver_settings(), bodies->stiffness(), elasticity);
+      hierarchies.emplace(scene.solver, bodies->stiffness(), elasticity);
     contact.turn_forces(my_pressure);
     solver = std::make_unique<ContactSolver>(scene.newton,
                                              scene.solver,
@@ -123,38 +123,22 @@ namespace Signorini
 
 
   template <int dim>
-  LinearSolverSettings
-  EquilibriumInPlace<dim>::solver_settings() const
-  {
-    LinearSolverSettings result = scene.solver;
-    if (elasticity.is_finite()) // coarser spaces know the stiffness at rest alone
-      result.coarsening = Coarsening::algebraic;
-    return result;
-  }
-
-
-
-  template <int dim>
   void
   EquilibriumInPlace<dim>::assemble()
   {
     clock.start();
-    TimerOutput::Scope scope(timer, "assembly");
+    TimerOutput::Scope  scope(timer, "assembly");
+    const StiffnessForm form =
+      choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity);
     if (elasticity.is_finite())
-      {
-        elasticity.assemble();
-        bodies = std::make_unique<FiniteBodies<dim>>(elasticity, bodies_of_dofs(elasticity), timer);
-      }
-    else
       bodies =
-        std::make_unique<LinearBodies>(make_stiffness(choose_form(scene.solver.stiffness_form,
-                                                                  scene.solver.needs_matrix(),
-                                                                  elasticity),
-                                                      elasticity),
-                                       elasticity.stabilising_springs(),
-                                       elasticity.constraints(),
-                                       bodies_of_dofs(elasticity),
-                                       BulkBalance<dim>::create(elasticity));
+        std::make_unique<FiniteBodies<dim>>(form, elasticity, bodies_of_dofs(elasticity), timer);
+    else
+      bodies = std::make_unique<LinearBodies>(make_stiffness(form, elasticity),
+                                              elasticity.stabilising_springs(),
+                                              elasticity.constraints(),
+                                              bodies_of_dofs(elasticity),
+                                              BulkBalance<dim>::create(elasticity));
     clock.stop();
   }
 

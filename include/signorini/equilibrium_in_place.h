@@ -134,9 +134,6 @@ namespace Signorini
     solve_with_candidates(double t, const NewtonGoal &goal);
     void
     make_solver();
-    /// Those of the scene, as far as bodies allow for them.
-    LinearSolverSettings
-    solver_settings() const;
     void
     assemble();
     FreeMotions

@@ -32,6 +32,21 @@ namespace Signorini
   StiffnessAssembly<dim>::assemble(LA::SparseMatrix                        &K,
                                    const std::function<bool(const Cell &)> &takes) const
   {
+    StiffnessKernel<dim> kernel(mesh, elements, model);
+    assemble(K, takes, [&](const Cell &cell, FullMatrix<double> &cell_matrix) {
+      kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  StiffnessAssembly<dim>::assemble(
+    LA::SparseMatrix                                              &K,
+    const std::function<bool(const Cell &)>                       &takes,
+    const std::function<void(const Cell &, FullMatrix<double> &)> &matrix_of) const
+  {
     LA::SparsityPattern                  pattern(owned, owned, relevant, mesh.communicator());
     std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
@@ -45,12 +60,11 @@ namespace Signorini
     pattern.compress();
     K.reinit(pattern);
 
-    StiffnessKernel<dim> kernel(mesh, elements, model);
-    FullMatrix<double>   cell_matrix;
+    FullMatrix<double> cell_matrix;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned() && takes(cell))
         {
-          kernel.assemble(cell, materials[cell->material_id()], cell_matrix);
+          matrix_of(cell, cell_matrix);
           read_indices<dim>(cell, indices);
           constraints.distribute_local_to_global(cell_matrix, indices, K);
         }

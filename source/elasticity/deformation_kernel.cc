@@ -19,7 +19,8 @@ namespace Signorini
     , all_values(mesh.mappings(),
                  elements,
                  gauss_rules(all_elements, 1),
-                 update_values | update_gradients | update_JxW_values | update_quadrature_points)
+                 update_values | update_gradients | update_JxW_values | update_quadrature_points |
+                   update_inverse_jacobians)
     , all_dofs(dofs_of_nodes(all_elements))
   {}
 
@@ -107,6 +108,74 @@ namespace Signorini
 
 
   template <int dim>
+  std::optional<HyperelasticState>
+  DeformationKernel<dim>::state(const Cell         &cell,
+                                const unsigned int  q,
+                                const Hyperelastic &law,
+                                Tensor<2, 3>       &F) const
+  {
+    const double bulk = bulk_stress ? bulk_stress->value(*cell, values->quadrature_point(q)) : 0.;
+    return state_if_any(model, law, F, bulk);
+  }
+
+
+
+  template <int dim>
+  CellTangent
+  DeformationKernel<dim>::in_unit_coordinates(const Tangent &D, const unsigned int q) const
+  {
+    const auto  &inverse = values->inverse_jacobian(q); // dxi_d/dX_J
+    const double weight  = values->JxW(q);
+    CellTangent  result{};
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int e = 0; e <= c; ++e)
+        {
+          double right[dim][dim]; // J, f
+          for (unsigned int J = 0; J < dim; ++J)
+            for (unsigned int f = 0; f < dim; ++f)
+              {
+                right[J][f] = 0;
+                for (unsigned int L = 0; L < dim; ++L)
+                  right[J][f] += D[dim * c + J][dim * e + L] * inverse[f][L];
+              }
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int f = 0; f < (c == e ? d + 1 : dim); ++f)
+              {
+                double sum = 0;
+                for (unsigned int J = 0; J < dim; ++J)
+                  sum += inverse[d][J] * right[J][f];
+                result[tangent_number(dim * c + d, dim * e + f)] = weight * sum;
+              }
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  DeformationKernel<dim>::tangents(const Cell           &cell,
+                                   const Hyperelastic   &law,
+                                   const Vector<double> &u,
+                                   CellTangents         &points)
+  {
+    Assert(dim == 3, ExcNotImplemented());
+    reinit(cell);
+    points.clear();
+    for (const unsigned int q : values->quadrature_point_indices())
+      {
+        Tensor<2, 3>                           F     = gradient(q, u);
+        const std::optional<HyperelasticState> found = state(cell, q, law, F);
+        if (!found)
+          return false;
+        points.push_back(in_unit_coordinates(derivative(F, *found), q));
+      }
+    return true;
+  }
+
+
+
+  template <int dim>
   void
   DeformationKernel<dim>::add_forces(const Tensor<2, 3> &P,
                                      const double        weight,
@@ -172,18 +241,15 @@ namespace Signorini
       sums.assign(n * n, 0.);
     for (const unsigned int q : values->quadrature_point_indices())
       {
-        Tensor<2, 3> F = gradient(q, u);
-        const double bulk =
-          bulk_stress ? bulk_stress->value(*cell, values->quadrature_point(q)) : 0.;
-        const std::optional<HyperelasticState> found = state_if_any(model, law, F, bulk);
+        Tensor<2, 3>                           F     = gradient(q, u);
+        const std::optional<HyperelasticState> found = state(cell, q, law, F);
         if (!found)
           return false;
-        const HyperelasticState &state = *found;
         const double weight = values->JxW(q) * measure(model, values->quadrature_point(q));
         read_slopes(q);
-        add_forces(F * Tensor<2, 3>(state.stress), weight, forces);
+        add_forces(F * Tensor<2, 3>(found->stress), weight, forces);
         if (tangent)
-          add_tangent(derivative(F, state), weight);
+          add_tangent(derivative(F, *found), weight);
       }
     if (!tangent)
       return true;

@@ -3,6 +3,7 @@
 #include <signorini/levels/make_levels.h>
 #include <signorini/levels/mesh_levels.h>
 #include <signorini/linear_algebra/diagonal.h>
+#include <signorini/matrix_free/cell_operator.h>
 
 namespace Signorini
 {
@@ -11,13 +12,45 @@ namespace Signorini
   namespace
   {
     template <int dim>
+    std::vector<std::vector<double>>
+    modes_of(const Elasticity<dim> &elasticity, const LinearSpace<dim> &space)
+    {
+      return rigid_body_modes(elasticity.mesh(), space.dofs, space.elements, space.owned);
+    }
+
+    LinearDisplacements
+    displacements_of(const Elasticity<3>  &elasticity,
+                     const LinearSpace<3> &space,
+                     const CellTangents   *tangents,
+                     const LA::Vector     &terms)
+    {
+      return {space.dofs,
+              space.hanging,
+              space.constraints,
+              space.owned,
+              terms,
+              modes_of(elasticity, space),
+              tangents};
+    }
+
+    template <int dim>
     LA::SparseMatrix
     assembled(const Elasticity<dim>  &elasticity,
               const LinearSpace<dim> &space,
+              const CellTangents     *tangents,
               const LostSupports     &lost,
               const LA::Vector       &terms)
     {
       LA::SparseMatrix K;
+      if constexpr (dim == 3)
+        if (tangents)
+          {
+            assemble(finest_space(displacements_of(elasticity, space, tangents, terms), elasticity),
+                     K);
+            lost.add_to(K);
+            K.compress(VectorOperation::add);
+            return K;
+          }
       StiffnessAssembly<dim>(elasticity.mesh(),
                              elasticity.all_materials(),
                              elasticity.model(),
@@ -32,17 +65,10 @@ namespace Signorini
       return K;
     }
 
-    template <int dim>
-    std::vector<std::vector<double>>
-    modes_of(const Elasticity<dim> &elasticity, const LinearSpace<dim> &space)
-    {
-      return rigid_body_modes(elasticity.mesh(), space.dofs, space.elements, space.owned);
-    }
-
     /// Below bodies of degree one.
     template <int dim>
     Spaces
-    coarser_meshes(const Elasticity<dim> &elasticity)
+    coarser_meshes(const Elasticity<dim> &elasticity, const CellTangents *tangents)
     {
       if constexpr (dim == 3)
         return mesh_levels({elasticity.dof_handler(),
@@ -50,7 +76,8 @@ namespace Signorini
                             elasticity.constraints(),
                             elasticity.owned(),
                             elasticity.diagonal_terms(),
-                            rigid_body_modes(elasticity)},
+                            rigid_body_modes(elasticity),
+                            tangents},
                            elasticity);
       return {};
     }
@@ -60,23 +87,20 @@ namespace Signorini
     Spaces
     coarser_meshes(const Elasticity<dim>               &elasticity,
                    const LinearSpace<dim>              &space,
+                   const CellTangents                  *tangents,
                    std::unique_ptr<const Prolongation> &P,
                    const LA::Vector                    &terms)
     {
       Spaces result;
       if constexpr (dim == 3)
         {
-          const LinearDisplacements linear{space.dofs,
-                                           space.hanging,
-                                           space.constraints,
-                                           space.owned,
-                                           terms,
-                                           modes_of(elasticity, space)};
-          result = mesh_levels(linear, elasticity);
+          const LinearDisplacements linear = displacements_of(elasticity, space, tangents, terms);
+          result                           = mesh_levels(linear, elasticity);
           if (!result.levels.empty())
             result.levels.emplace(result.levels.begin(),
                                   std::move(P),
-                                  finest_operator(linear, elasticity));
+                                  std::make_unique<CellOperator<float>>(
+                                    finest_space(linear, elasticity)));
         }
       return result;
     }
@@ -90,8 +114,11 @@ namespace Signorini
               const Stiffness       &stiffness,
               const bool             to_coarser_meshes)
   {
+    const CellTangents *const tangents = stiffness.tangents();
+    if (elasticity.is_finite() && !tangents)
+      return {};
     if (elasticity.degree() == 1)
-      return to_coarser_meshes ? coarser_meshes(elasticity) : Spaces();
+      return to_coarser_meshes ? coarser_meshes(elasticity, tangents) : Spaces();
 
     const LinearSpace<dim> space(elasticity);
     auto                   P = make_prolongation(elasticity, space);
@@ -101,11 +128,12 @@ namespace Signorini
                                             space.owned,
                                             space.owned.size() - space.dofs.n_dofs());
     if (to_coarser_meshes && !lost.any())
-      if (Spaces result = coarser_meshes(elasticity, space, P, terms); !result.levels.empty())
+      if (Spaces result = coarser_meshes(elasticity, space, tangents, P, terms);
+          !result.levels.empty())
         return result;
 
     Spaces result;
-    result.levels.emplace_back(std::move(P), assembled(elasticity, space, lost, terms));
+    result.levels.emplace_back(std::move(P), assembled(elasticity, space, tangents, lost, terms));
     result.modes = modes_of(elasticity, space);
     return result;
   }

@@ -1,3 +1,4 @@
+#include <signorini/levels/level_tangents.h>
 #include <signorini/levels/level_vertices.h>
 #include <signorini/levels/linear_space.h>
 #include <signorini/levels/mesh_levels.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace Signorini
 {
@@ -19,18 +21,12 @@ namespace Signorini
     using Cell  = CellCurve::Cell;
 
     void
-    add_cell(const Cell                         &cell,
-             const std::array<Index, n_corners> &first_dofs,
-             const Material                     &material,
-             KernelCells                        &cells)
+    add_material(const Cell &cell, const Material &material, KernelCells &cells)
     {
       for (unsigned int v = 0; v < n_corners; ++v)
-        {
-          cells.nodes.push_back(first_dofs[v]);
-          cells.points.insert(cells.points.end(),
-                              cell->vertex(v).begin_raw(),
-                              cell->vertex(v).end_raw());
-        }
+        cells.points.insert(cells.points.end(),
+                            cell->vertex(v).begin_raw(),
+                            cell->vertex(v).end_raw());
       cells.lambda.push_back(material.lambda());
       cells.mu.push_back(material.mu());
     }
@@ -97,12 +93,13 @@ namespace Signorini
       VertexMeans::Nodes
       nodes_on(const VertexNumbers &coarse) const;
 
-      const LinearDisplacements &linear;
-      const Elasticity<dim>     &elasticity;
-      const MPI_Comm             comm;
-      const LevelVertices        vertices;
-      const unsigned int         n_rigid;
-      int                        level;
+      const LinearDisplacements   &linear;
+      const Elasticity<dim>       &elasticity;
+      const MPI_Comm               comm;
+      const LevelVertices          vertices;
+      std::optional<LevelTangents> tangents; ///< none: see LinearDisplacements
+      const unsigned int           n_rigid;
+      int                          level;
 
       // Of the present level.
       VertexNumbers numbers;
@@ -117,7 +114,10 @@ namespace Signorini
       , n_rigid(linear.owned.size() - linear.dofs.n_dofs())
       , level(elasticity.mesh().triangulation().n_global_levels() - 1)
       , numbers(linear.owned)
-    {}
+    {
+      if (linear.tangents)
+        tangents.emplace(*linear.tangents, vertices.curve(), comm);
+    }
 
     /// Of cells on this rank, and what they hang on.
     std::vector<Index>
@@ -159,13 +159,13 @@ namespace Signorini
       for_each_cell(at, vertices.curve(), [&](const Place &place) {
         if (vertices.curve().owner(place.position) != rank)
           return;
-        std::array<Index, n_corners> first;
+        KernelCells &cells = space.cells.front();
         for (unsigned int v = 0; v < n_corners; ++v)
-          first[v] = of_level.dof(vertices.name(place.cell, v), 0);
-        add_cell(place.cell,
-                 first,
-                 elasticity.material(place.cell->material_id()),
-                 space.cells.front());
+          cells.nodes.push_back(of_level.dof(vertices.name(place.cell, v), 0));
+        if (tangents)
+          cells.tangents.push_back(tangents->of(place.cell));
+        else
+          add_material(place.cell, elasticity.material(place.cell->material_id()), cells);
       });
       return space;
     }
@@ -320,8 +320,8 @@ namespace Signorini
 
 
 
-  std::unique_ptr<const StiffnessOperator<float>>
-  finest_operator(const LinearDisplacements &linear, const Elasticity<3> &elasticity)
+  CellSpace
+  finest_space(const LinearDisplacements &linear, const Elasticity<3> &elasticity)
   {
     CellSpace space;
     space.owned          = linear.owned;
@@ -332,12 +332,15 @@ namespace Signorini
     for (const auto &cell : linear.dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          std::array<Index, n_corners> first;
+          KernelCells &cells = space.cells.front();
           for (unsigned int v = 0; v < n_corners; ++v)
-            first[v] = cell->vertex_dof_index(v, 0, cell->active_fe_index());
-          add_cell(cell, first, elasticity.material(cell->material_id()), space.cells.front());
+            cells.nodes.push_back(cell->vertex_dof_index(v, 0, cell->active_fe_index()));
+          if (linear.tangents)
+            cells.tangents.push_back((*linear.tangents)[cell->active_cell_index()]);
+          else
+            add_material(cell, elasticity.material(cell->material_id()), cells);
         }
-    return std::make_unique<CellOperator<float>>(space);
+    return space;
   }
 
 

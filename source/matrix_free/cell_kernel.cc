@@ -4,24 +4,16 @@
 // would ask for a file per set, whose inline functions the linker then mixes.)
 
 #include <signorini/matrix_free/batches.h>
-#include <signorini/matrix_free/kernel_tables.h>
-#include <signorini/parameters/raw.h>
+#include <signorini/matrix_free/instruction_sets.h>
+#include <signorini/matrix_free/tangent_kernel.h>
+#include <signorini/matrix_free/targets.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <type_traits>
-#include <utility>
-
-// Those between have vectors of the same width and nothing else that is needed here; those without
-// a width at compile time cannot be elements of arrays.
-#define HWY_DISABLED_TARGETS                                                                       \
-  (HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "matrix_free/cell_kernel.cc"
 // clang-format off
 #include <hwy/foreach_target.h> // first
 #include <hwy/highway.h>
-#include <signorini/matrix_free/lattice_lines.h>
+#include <signorini/matrix_free/cell_lattice.h>
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -56,7 +48,7 @@ namespace Signorini
     };
 
     template <typename Number, int degree>
-    class Kernel final : public CellKernel<Number>
+    class Kernel final : public CellSweep<Kernel<Number, degree>, Number, degree>
     {
     public:
       explicit Kernel(const KernelCells &cells)
@@ -67,140 +59,21 @@ namespace Signorini
         batches.forget_points();
       }
 
-      void
-      add_product(Number *dst, const Number *src) const override
-      {
-        Values u;
-        for (std::size_t b = 0; b < batches.size(); ++b)
-          {
-            gather(b, src, u);
-            apply(b, u);
-            scatter(b, u, dst);
-          }
-      }
-
-      void
-      add_diagonal(Number *dst) const override
-      {
-        Values d;
-        for (std::size_t b = 0; b < batches.size(); ++b)
-          {
-            diagonal(b, d);
-            scatter(b, d, dst);
-          }
-      }
-
-      void
-      enlarge_by_eigenvalues(Number *dst) const override
-      {
-        alignas(64) Number largest[W];
-        for (std::size_t b = 0; b < batches.size(); ++b)
-          {
-            store(eigenvalue(b), largest);
-            const std::uint32_t *place = batches.nodes(b);
-            for (int k = 0; k < n_nodes * W; ++k)
-              for (int c = 0; c < 3; ++c)
-                dst[place[k] + c] = HWY_MAX(dst[place[k] + c], largest[k % W]);
-          }
-      }
-
-      std::size_t
-      memory() const override
-      {
-        return batches.memory();
-      }
-
     private:
-      using V                      = Lanes<Number>;
-      static constexpr int W       = width<Number>;
-      static constexpr int n       = degree + 1;
-      static constexpr int n_nodes = n * n * n;
-
-      /// [component][node or point][cell]
-      struct Values
-      {
-        alignas(64) Number of[3][n_nodes][W];
-      };
-
-      /// [component][direction][point][cell]
-      struct Gradients
-      {
-        alignas(64) Number of[3][3][n_nodes][W];
-      };
+      using Lattice                = CellLattice<Number, degree>;
+      using Values                 = typename Lattice::Values;
+      using Gradients              = typename Lattice::Gradients;
+      using V                      = typename Lattice::V;
+      static constexpr int W       = Lattice::W;
+      static constexpr int n_nodes = Lattice::n_nodes;
+      friend Lattice;
+      friend CellSweep<Kernel, Number, degree>;
 
       /// Of a point: the derivatives of the unit coordinates by place, and the weight.
       struct Geometry
       {
         V inverse[3][3], weight;
       };
-
-      HWY_INLINE void
-      gather(const std::size_t b, const Number *HWY_RESTRICT src, Values &u) const
-      {
-        const std::uint32_t *place = batches.nodes(b);
-#if HWY_TARGET != HWY_SCALAR
-        if constexpr (std::is_same<Number, float>::value)
-          {
-            for (int i = 0; i < n_nodes; ++i)
-              gather_nodes(place + i * W, src, u.of[0][i], u.of[1][i], u.of[2][i]);
-            return;
-          }
-#endif
-        for (int i = 0; i < n_nodes; ++i)
-          for (int w = 0; w < W; ++w)
-            {
-              const Number *at = src + place[i * W + w];
-              u.of[0][i][w]    = at[0];
-              u.of[1][i][w]    = at[1];
-              u.of[2][i][w]    = at[2];
-            }
-      }
-
-      // Cells that only fill a batch have no weight: they add nothing.
-      HWY_INLINE void
-      scatter(const std::size_t b, const Values &u, Number *HWY_RESTRICT dst) const
-      {
-        const std::uint32_t *place = batches.nodes(b);
-        for (int i = 0; i < n_nodes; ++i)
-          for (int w = 0; w < W; ++w)
-            {
-              Number *at = dst + place[i * W + w];
-              at[0] += u.of[0][i][w];
-              at[1] += u.of[1][i][w];
-              at[2] += u.of[2][i][w];
-            }
-      }
-
-      /// By unit coordinates.
-      HWY_INLINE void
-      evaluate_gradients(Values &u, Gradients &g) const
-      {
-        for (int c = 0; c < 3; ++c)
-          {
-            Number *at = &u.of[c][0][0];
-            contract<0, false, false>(tables.values, at, at);
-            contract<1, false, false>(tables.values, at, at);
-            contract<2, false, false>(tables.values, at, at);
-            contract<0, false, false>(tables.derivatives, at, &g.of[c][0][0][0]);
-            contract<1, false, false>(tables.derivatives, at, &g.of[c][1][0][0]);
-            contract<2, false, false>(tables.derivatives, at, &g.of[c][2][0][0]);
-          }
-      }
-
-      HWY_INLINE void
-      integrate_gradients(const Gradients &g, Values &u) const
-      {
-        for (int c = 0; c < 3; ++c)
-          {
-            Number *at = &u.of[c][0][0];
-            contract<0, true, false>(tables.derivatives, &g.of[c][0][0][0], at);
-            contract<1, true, true>(tables.derivatives, &g.of[c][1][0][0], at);
-            contract<2, true, true>(tables.derivatives, &g.of[c][2][0][0], at);
-            contract<0, true, false>(tables.values, at, at);
-            contract<1, true, false>(tables.values, at, at);
-            contract<2, true, false>(tables.values, at, at);
-          }
-      }
 
       HWY_INLINE Geometry
       geometry(const std::size_t b, const int q) const
@@ -217,13 +90,7 @@ namespace Signorini
       HWY_INLINE V
       weight(const std::size_t b, const int q, const Geometry &at) const
       {
-        return batches.is_affine(b) ? hn::Mul(at.weight, all(unit_weight(q))) : at.weight;
-      }
-
-      HWY_INLINE Number
-      unit_weight(const int q) const
-      {
-        return tables.weights[q % n] * tables.weights[q / n % n] * tables.weights[q / (n * n)];
+        return batches.is_affine(b) ? hn::Mul(at.weight, all(lattice.unit_weight(q))) : at.weight;
       }
 
       HWY_INLINE IsotropicLaw<Number>
@@ -268,14 +135,13 @@ namespace Signorini
         if (batches.is_affine(b))
           return apply_to_modes(b, u);
         Gradients g;
-        evaluate_gradients(u, g);
+        lattice.evaluate_gradients(u, g);
         stresses(b, g);
-        integrate_gradients(g, u);
+        lattice.integrate_gradients(g, u);
       }
 
       /// The same for affine cells with a linear law that does not change in them, by Legendre's
-      /// polynomials, L_T = L_i(2 xi - 1) L_j(2 eta - 1) L_k(2 zeta - 1): derivatives are other
-      /// coefficients, and integrals have no mixed terms. Half of the operations, the same result.
+      /// polynomials: integrals have no mixed terms. Half of the operations, the same result.
       HWY_INLINE void
       apply_to_modes(const std::size_t b, Values &u) const
       {
@@ -284,24 +150,12 @@ namespace Signorini
         for (int i = 0; i < degree; ++i)
           for (int d = 0; d < 3; ++d)
             for (int k = 0; k < 3; ++k)
-              modes.inverse[i][d][k] = hn::Mul(at.inverse[d][k], all(legendre.derivatives[i]));
-        for (int c = 0; c < 3; ++c)
-          {
-            Number *of_c = &u.of[c][0][0];
-            to_modes<0, n>(of_c, of_c);
-            to_modes<1, n>(of_c, of_c);
-            to_modes<2, n>(of_c, of_c);
-            for (int i = 0; i < n_nodes; ++i)
-              store(hn::Zero(Tag<Number>()), modes.f.of[c][i]);
-          }
-        add_modes(modes, std::make_integer_sequence<int, n_nodes - 1>());
-        for (int c = 0; c < 3; ++c)
-          {
-            Number *of_c = &modes.f.of[c][0][0];
-            from_modes<2, n>(of_c, of_c);
-            from_modes<1, n>(of_c, of_c);
-            from_modes<0, n>(of_c, &u.of[c][0][0]);
-          }
+              modes.inverse[i][d][k] =
+                hn::Mul(at.inverse[d][k], all(Lattice::legendre.derivatives[i]));
+        Lattice::to_all_modes(u);
+        Lattice::set_zero(modes.f);
+        Lattice::add_modes(*this, modes);
+        Lattice::from_all_modes(modes.f, u);
       }
 
       /// Coefficients of the displacement, of the forces, and what is the same for all.
@@ -314,31 +168,17 @@ namespace Signorini
         const IsotropicLaw<Number> law;
       };
 
-      /// In a function of its own: 26 of them in one take compilers minutes, and are slower.
-      template <int T>
-      HWY_NOINLINE void
-      add_mode_apart(Modes &modes) const
-      {
-        add_mode<T>(modes);
-      }
-
-      template <int... T>
-      HWY_INLINE void
-      add_modes(Modes &modes, std::integer_sequence<int, T...>) const
-      {
-        if constexpr (degree == 1)
-          (add_mode<T>(modes), ...);
-        else
-          (add_mode_apart<T>(modes), ...);
-      }
-
-      /// What the gradient's part with L_T adds to the forces. Its derivative in direction d comes
-      /// from the next higher degree there.
+      /// What the gradient's part with L_T adds to the forces.
       template <int T>
       HWY_INLINE void
       add_mode(Modes &modes) const
       {
-        constexpr int i[3] = {T % n, T / n % n, T / (n * n)}, stride[3] = {1, n, n * n};
+        constexpr int i[3]      = {Lattice::mode_degree(T, 0),
+                                   Lattice::mode_degree(T, 1),
+                                   Lattice::mode_degree(T, 2)};
+        constexpr int stride[3] = {Lattice::mode_stride(0),
+                                   Lattice::mode_stride(1),
+                                   Lattice::mode_stride(2)};
         V             G[3][3], S[3][3];
         for (int c = 0; c < 3; ++c)
           for (int k = 0; k < 3; ++k)
@@ -351,9 +191,7 @@ namespace Signorini
                 for (int k = 0; k < 3; ++k)
                   G[c][k] = hn::MulAdd(u, modes.inverse[i[d]][d][k], G[c][k]);
               }
-        const Number weight =
-          legendre.weights[i[0]] * legendre.weights[i[1]] * legendre.weights[i[2]];
-        modes.law(hn::Mul(modes.volume, all(weight)), G, S);
+        modes.law(hn::Mul(modes.volume, all(Lattice::mode_weight(T))), G, S);
         for (int d = 0; d < 3; ++d)
           if (i[d] < degree)
             for (int c = 0; c < 3; ++c)
@@ -375,7 +213,7 @@ namespace Signorini
             for (int w = 0; w < W; ++w)
               x.of[c][i][w] = batches.point(b, w, i, c);
         Gradients J; // dx_c/dxi_d
-        evaluate_gradients(x, J);
+        lattice.evaluate_gradients(x, J);
         for (int q = 0; q < (batches.is_affine(b) ? 1 : n_nodes); ++q)
           {
             Number *const to = batches.geometry(b, q);
@@ -391,24 +229,8 @@ namespace Signorini
               for (int c = 0; c < 3; ++c)
                 store(hn::Div(cofactor[c][d], det), to + (3 * d + c) * W);
             const V whole = hn::Mul(det, load(batches.fills(b)));
-            store(batches.is_affine(b) ? whole : hn::Mul(whole, all(unit_weight(q))), to + 9 * W);
-          }
-      }
-
-      /// Of the function of a node at a point, by unit coordinates.
-      HWY_INLINE void
-      unit_gradient(const int q, const int i, Number (&gradient)[3]) const
-      {
-        const int at[3]   = {q % n, q / n % n, q / (n * n)};
-        const int node[3] = {i % n, i / n % n, i / (n * n)};
-        for (int d = 0; d < 3; ++d)
-          {
-            gradient[d] = 0;
-            for (int k = 0; k < n; ++k)
-              gradient[d] += tables.derivatives[at[d]][k] * tables.values[k][node[d]];
-            for (int e = 0; e < 3; ++e)
-              if (e != d)
-                gradient[d] *= tables.values[at[e]][node[e]];
+            store(batches.is_affine(b) ? whole : hn::Mul(whole, all(lattice.unit_weight(q))),
+                  to + 9 * W);
           }
       }
 
@@ -424,7 +246,7 @@ namespace Signorini
               {
                 const Geometry at = geometry(b, batches.is_affine(b) ? 0 : q);
                 Number         unit[3];
-                unit_gradient(q, i, unit);
+                lattice.unit_gradient(q, i, unit);
                 V G[3], square = hn::Zero(Tag<Number>());
                 for (int k = 0; k < 3; ++k)
                   {
@@ -446,43 +268,8 @@ namespace Signorini
           }
       }
 
-      /// Of D^-1 K of each cell, by a power iteration from something that oscillates.
-      V
-      eigenvalue(const std::size_t b) const
-      {
-        constexpr int n_steps = 8;
-        Values        d, u, Ku;
-        diagonal(b, d);
-        Number *const of_d = &d.of[0][0][0], *const of_u = &u.of[0][0][0],
-                      *const of_Ku = &Ku.of[0][0][0];
-        for (int k = 0; k < 3 * n_nodes; ++k)
-          store(all(Number((k * 7919) % 13) - Number(6.25)), of_u + k * W);
-        V       quotient = hn::Zero(Tag<Number>());
-        const V tiny     = all(Number(1e-30));
-        for (int step = 0; step < n_steps; ++step)
-          {
-            Ku = u;
-            apply(b, Ku);
-            V energy = hn::Zero(Tag<Number>()), norm = tiny, next = tiny;
-            for (int k = 0; k < 3 * n_nodes; ++k)
-              {
-                const V x = load(of_u + k * W), f = load(of_Ku + k * W), D = load(of_d + k * W);
-                energy    = hn::MulAdd(x, f, energy);
-                norm      = hn::MulAdd(hn::Mul(D, x), x, norm);
-                const V y = hn::Div(f, hn::Max(D, tiny));
-                next      = hn::Max(next, hn::Abs(y));
-                store(y, of_u + k * W);
-              }
-            quotient = hn::Div(energy, norm);
-            for (int k = 0; k < 3 * n_nodes; ++k)
-              store(hn::Div(load(of_u + k * W), next), of_u + k * W);
-          }
-        return quotient;
-      }
-
-      const KernelTables<Number, degree>        tables;
-      static constexpr Legendre<Number, degree> legendre{};
-      Batches<Number>                           batches;
+      const Lattice   lattice;
+      Batches<Number> batches;
     };
 
     template <typename Number>
@@ -516,50 +303,12 @@ namespace Signorini
   HWY_EXPORT(make_double);
   HWY_EXPORT(make_float);
 
-  namespace
-  {
-    /// What the environment asks for; empty: nothing.
-    std::string
-    set_of_environment()
-    {
-      const char       *value = std::getenv("SIGNORINI_INSTRUCTION_SET");
-      const std::string name  = value ? value : "";
-      const auto        known = instruction_sets();
-      if (name.empty() || std::find(known.begin(), known.end(), name) != known.end())
-        return name;
-      std::string list;
-      for (const std::string &one : known)
-        list += " " + one;
-      throw SceneError("SIGNORINI_INSTRUCTION_SET = " + name + ": this processor and program have" +
-                       list);
-    }
-
-    /// Highway's choice, narrowed to one set while there is such an object.
-    class OnlySet
-    {
-    public:
-      explicit OnlySet(const std::string &asked_for)
-      {
-        const std::string name = asked_for.empty() ? set_of_environment() : asked_for;
-        if (!name.empty())
-          for (const auto target : hwy::SupportedAndGeneratedTargets())
-            if (hwy::TargetName(target) == name)
-              hwy::SetSupportedTargetsForTest(target);
-      }
-
-      ~OnlySet()
-      {
-        hwy::SetSupportedTargetsForTest(0);
-      }
-    };
-  } // namespace
-
-
-
   template <>
   std::unique_ptr<CellKernel<double>>
   CellKernel<double>::create(const KernelCells &cells, const std::string &instruction_set)
   {
+    if (cells.has_tangents())
+      return make_tangent_kernel<double>(cells, instruction_set);
     const OnlySet only(instruction_set);
     return HWY_DYNAMIC_DISPATCH(make_double)(cells);
   }
@@ -570,19 +319,10 @@ namespace Signorini
   std::unique_ptr<CellKernel<float>>
   CellKernel<float>::create(const KernelCells &cells, const std::string &instruction_set)
   {
+    if (cells.has_tangents())
+      return make_tangent_kernel<float>(cells, instruction_set);
     const OnlySet only(instruction_set);
     return HWY_DYNAMIC_DISPATCH(make_float)(cells);
-  }
-
-
-
-  std::vector<std::string>
-  instruction_sets()
-  {
-    std::vector<std::string> names;
-    for (const auto target : hwy::SupportedAndGeneratedTargets())
-      names.push_back(hwy::TargetName(target));
-    return names;
   }
 } // namespace Signorini
 

@@ -13,10 +13,17 @@ namespace Signorini
       {
         for (unsigned int i = 0; i < n_dofs; i += 3)
           apart.nodes.push_back(n_dofs * apart.size() + i);
-        const auto first = cells.points.begin() + std::size_t(n_dofs) * cell;
-        apart.points.insert(apart.points.end(), first, first + n_dofs);
-        apart.lambda.push_back(cells.lambda[cell]);
-        apart.mu.push_back(cells.mu[cell]);
+        const auto copy = [&](const auto &from, const std::size_t n, auto &to) {
+          to.insert(to.end(), from.begin() + n * cell, from.begin() + n * (cell + 1));
+        };
+        if (cells.has_tangents())
+          copy(cells.tangents, cells.tangents.size() / cells.size(), apart.tangents);
+        else
+          {
+            copy(cells.points, n_dofs, apart.points);
+            copy(cells.lambda, 1, apart.lambda);
+            copy(cells.mu, 1, apart.mu);
+          }
       }
     const auto          kernel = CellKernel<double>::create(apart);
     std::vector<double> u(std::size_t(n_dofs) * which.size(), 0.);

@@ -36,17 +36,19 @@ namespace Signorini
     , comm(space.comm)
     , vectors(space.owned, nodes_of(space), space.constraints, space.comm)
   {
-    for (const KernelCells &cells : space.cells)
-      kernels.push_back(make_kernel(cells, vectors));
-    make_diagonal(space);
+    update(space);
   }
 
 
 
   template <typename Number>
   void
-  CellOperator<Number>::make_diagonal(const CellSpace &space)
+  CellOperator<Number>::update(const CellSpace &space)
   {
+    kernels.clear();
+    for (const KernelCells &cells : space.cells)
+      kernels.push_back(make_kernel(cells, vectors));
+    terms.clear();
     Number *const d = vectors.zero();
     for (const auto &kernel : kernels)
       kernel->add_diagonal(d);

@@ -37,39 +37,55 @@ namespace Signorini
       return result;
     }
 
-    /// The cells of this rank with element number `element`.
+    /// Calls visit(cell) for those of this rank with an element.
+    template <typename Visitor>
+    void
+    for_cells(const Elasticity<dim> &elasticity, const unsigned int element, const Visitor &visit)
+    {
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->active_fe_index() == element)
+          visit(cell);
+    }
+
+    /// Cells and their nodes.
     KernelCells
     cells_of(const Elasticity<dim> &elasticity, const unsigned int element)
     {
-      const FiniteElement<dim>       &fe    = elasticity.finite_elements()[element];
-      const std::vector<unsigned int> nodes = lexicographic_nodes(fe);
-      const QIterated<dim>            lattice(QTrapezoid<1>(), fe.degree);
-      const FE_Nothing<dim>           nothing;
-      FEValues<dim> places(elasticity.mesh().mapping(), nothing, lattice, update_quadrature_points);
-      KernelCells   cells;
-      cells.degree = fe.degree;
+      const FiniteElement<dim>            &fe    = elasticity.finite_elements()[element];
+      const std::vector<unsigned int>      nodes = lexicographic_nodes(fe);
+      KernelCells                          cells;
       std::vector<types::global_dof_index> indices;
-      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned() && cell->active_fe_index() == element)
-          {
-            read_indices<dim>(cell, indices);
-            for (const unsigned int i : nodes)
-              cells.nodes.push_back(indices[i]);
-            places.reinit(static_cast<const Triangulation<dim>::cell_iterator &>(cell));
-            for (const Point<dim> &x : places.get_quadrature_points())
-              cells.points.insert(cells.points.end(), x.begin_raw(), x.end_raw());
-            const Material &material = elasticity.material(cell->material_id());
-            cells.lambda.push_back(material.lambda());
-            cells.mu.push_back(material.mu());
-          }
+      cells.degree = fe.degree;
+      for_cells(elasticity, element, [&](const auto &cell) {
+        read_indices<dim>(cell, indices);
+        for (const unsigned int i : nodes)
+          cells.nodes.push_back(indices[i]);
+      });
       return cells;
+    }
+
+    /// Where they are, and of what.
+    void
+    add_materials(const Elasticity<dim> &elasticity, const unsigned int element, KernelCells &cells)
+    {
+      const QIterated<dim>  lattice(QTrapezoid<1>(), cells.degree);
+      const FE_Nothing<dim> nothing;
+      FEValues<dim> places(elasticity.mesh().mapping(), nothing, lattice, update_quadrature_points);
+      for_cells(elasticity, element, [&](const auto &cell) {
+        places.reinit(static_cast<const Triangulation<dim>::cell_iterator &>(cell));
+        for (const Point<dim> &x : places.get_quadrature_points())
+          cells.points.insert(cells.points.end(), x.begin_raw(), x.end_raw());
+        const Material &material = elasticity.material(cell->material_id());
+        cells.lambda.push_back(material.lambda());
+        cells.mu.push_back(material.mu());
+      });
     }
   } // namespace
 
 
 
   CellSpace
-  cell_space(const Elasticity<dim> &elasticity)
+  bare_cell_space(const Elasticity<dim> &elasticity)
   {
     CellSpace space;
     space.owned          = elasticity.owned();
@@ -78,6 +94,17 @@ namespace Signorini
     space.constraints.copy_from(elasticity.constraints());
     for (unsigned int e = 0; e < elasticity.finite_elements().size(); ++e)
       space.cells.push_back(cells_of(elasticity, e));
+    return space;
+  }
+
+
+
+  CellSpace
+  cell_space(const Elasticity<dim> &elasticity)
+  {
+    CellSpace space = bare_cell_space(elasticity);
+    for (unsigned int e = 0; e < space.cells.size(); ++e)
+      add_materials(elasticity, e, space.cells[e]);
     return space;
   }
 

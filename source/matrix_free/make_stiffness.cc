@@ -1,9 +1,23 @@
+#include <signorini/elasticity/pressure_kernel.h>
+#include <signorini/matrix_free/cell_stiffness.h>
 #include <signorini/matrix_free/make_stiffness.h>
-#include <signorini/matrix_free/matrix_free_stiffness.h>
 #include <signorini/parameters/raw.h>
 
 namespace Signorini
 {
+  namespace
+  {
+    /// Those that follow large deformation have a tangent of their own.
+    template <int dim>
+    bool
+    has_pressures(const Elasticity<dim> &elasticity)
+    {
+      return dead_loads(elasticity).size() < elasticity.loads().size();
+    }
+  } // namespace
+
+
+
   template <int dim>
   StiffnessForm
   choose_form(const std::optional<StiffnessForm> &wanted,
@@ -13,12 +27,12 @@ namespace Signorini
   {
     const auto &triangulation = elasticity.mesh().triangulation();
     const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
-                             !elasticity.is_finite(), // whose tangents are assembled
-      has_levels =
-        elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
+                             !(elasticity.is_finite() && has_pressures(elasticity)),
+               has_levels =
+                 elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
     if (wanted == StiffnessForm::matrix_free && !is_possible)
       throw SceneError(
-        "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two and small deformation; "
+        "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two and without pressures that follow large deformation; "
         "take auto or assembled");
     return wanted.value_or(is_possible && has_levels && !needs_matrix ? StiffnessForm::matrix_free :
                                                                         StiffnessForm::assembled);

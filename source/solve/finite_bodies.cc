@@ -1,6 +1,5 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/obeying.h>
-#include <signorini/linear_algebra/diagonal.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/solve/finite_bodies.h>
 #include <signorini/solve/folded_cells.h>
@@ -13,24 +12,22 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  FiniteBodies<dim>::FiniteBodies(Elasticity<dim>          &elasticity,
+  FiniteBodies<dim>::FiniteBodies(const StiffnessForm       form,
+                                  Elasticity<dim>          &elasticity,
                                   std::vector<unsigned int> body_of_dof,
                                   TimerOutput              &timer)
     : elasticity(elasticity)
     , bodies(std::move(body_of_dof))
     , timer(timer)
     , my_bulk(BulkBalance<dim>::create(elasticity))
-    , my_stiffness(K)
     , f(elasticity.zero_vector())
     , kernel(elasticity.mesh(),
              elasticity.finite_elements(),
              elasticity.model(),
              &elasticity.bulk_stress())
     , pressures(elasticity)
-  {
-    K.reinit(elasticity.stiffness());
-    K.copy_from(elasticity.stiffness());
-  }
+    , linearisation(Linearisation<dim>::create(form, elasticity, kernel, pressures))
+  {}
 
 
 
@@ -113,13 +110,13 @@ namespace Signorini
     balanced.compress(VectorOperation::add);
     all.compress(VectorOperation::add);
     pushed.compress(VectorOperation::add);
-    check_folds(folded, K.get_mpi_communicator());
+    check_folds(folded, elasticity.mesh().communicator());
     check_pressures();
     double squares = 0;
     for (const auto i : all.locally_owned_elements())
       if (elasticity.constraints().is_constrained(i))
         squares += all(i) * all(i);
-    reaction  = std::sqrt(Utilities::MPI::sum(squares, K.get_mpi_communicator()));
+    reaction  = std::sqrt(Utilities::MPI::sum(squares, elasticity.mesh().communicator()));
     following = pushed.l2_norm();
     return balanced;
   }
@@ -133,7 +130,7 @@ namespace Signorini
     if (pressures.empty())
       return;
     for (const std::string &fault :
-         Utilities::MPI::all_gather(K.get_mpi_communicator(), pressures.fault()))
+         Utilities::MPI::all_gather(elasticity.mesh().communicator(), pressures.fault()))
       if (!fault.empty())
         throw SceneError(fault);
   }
@@ -178,31 +175,10 @@ namespace Signorini
           return;
       }
     TimerOutput::Scope scope(timer, "assembly");
-    const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(elasticity, there);
-    Vector<double>     values, of_cell, push;
-    FullMatrix<double> tangent, of_push;
-    std::string        folded;
     linearised = LA::Vector(); // of nothing, if cells are folded there
-    K          = 0;
-    for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
-      values.reinit(indices.size());
-      cell->get_dof_values(at, values);
-      const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
-      if (!kernel.assemble(cell, law, values, of_cell, &tangent))
-        {
-          folded = elasticity.mesh().body_name(cell->material_id());
-          return;
-        }
-      if (pressures.assemble(cell, values, push, &of_push))
-        tangent.add(-1, of_push);
-      elasticity.constraints().distribute_local_to_global(tangent, indices, K);
-    });
-    K.compress(VectorOperation::add);
-    check_folds(folded, K.get_mpi_communicator());
-    LA::add_to_diagonal(K, elasticity.diagonal_terms());
+    linearisation->linearise(extends ? elasticity.with_ghosts(there) : obeying(elasticity, there));
     linearised      = there;
     linearised_bulk = bulk_version;
-    my_stiffness.has_changed();
   }
 
 
@@ -231,7 +207,7 @@ namespace Signorini
           for (unsigned int q = 0; q < after.size(); ++q)
             folds = folds || !(after[q] > least * std::clamp(before[q], least, 1.));
         });
-        if (Utilities::MPI::max(folds ? 1 : 0, K.get_mpi_communicator()) == 0)
+        if (Utilities::MPI::max(folds ? 1 : 0, elasticity.mesh().communicator()) == 0)
           return step;
       }
     throw SolverFailure("cells would fold, however short the step; load in smaller steps");

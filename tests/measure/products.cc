@@ -6,6 +6,7 @@
 // One process. Affine cells are a cube's; general ones are the same with their vertices moved.
 
 #include <signorini/matrix_free/cell_kernel.h>
+#include <signorini/matrix_free/instruction_sets.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>

@@ -241,7 +241,10 @@ namespace
     CAPTURE(more_lines);
     constexpr double  h = 1e-6;
     SmallScene<dim>   scene(adaptive_body<dim>() + more_lines);
-    FiniteBodies<dim> bodies(*scene.elasticity, bodies_of_dofs(*scene.elasticity), scene.timer);
+    FiniteBodies<dim> bodies(StiffnessForm::assembled,
+                             *scene.elasticity,
+                             bodies_of_dofs(*scene.elasticity),
+                             scene.timer);
     const LA::Vector  v = scene.rough_field(0.05, 0.7), nothing = scene.elasticity->zero_vector();
     LA::Vector        u = scene.rough_field(0.05, 0.3), more = u, less = u, Kv = u;
     const double      n_hanging = scene.elasticity->hanging_nodes().n_constraints();
@@ -323,7 +326,10 @@ TEST_CASE(
 TEST_CASE("steps in which cells would fold are shortened")
 {
   SmallScene<2>   scene(adaptive_body<2>());
-  FiniteBodies<2> bodies(*scene.elasticity, bodies_of_dofs(*scene.elasticity), scene.timer);
+  FiniteBodies<2> bodies(StiffnessForm::assembled,
+                         *scene.elasticity,
+                         bodies_of_dofs(*scene.elasticity),
+                         scene.timer);
   LA::Vector      du = scene.rough_field(1, 0.3);
   du *= 0.3 / du.linfty_norm();
   const LA::Vector nothing = scene.elasticity->zero_vector();

@@ -6,7 +6,8 @@
 #include <signorini/linear_algebra/diagonal.h>
 #include <signorini/linear_algebra/row_view.h>
 #include <signorini/linear_algebra/values.h>
-#include <signorini/matrix_free/matrix_free_stiffness.h>
+#include <signorini/matrix_free/cell_stiffness.h>
+#include <signorini/matrix_free/instruction_sets.h>
 #include <signorini/solve/preconditioners/amg.h>
 
 #include <doctest/doctest.h>
@@ -14,6 +15,7 @@
 #include <cmath>
 
 #include "contact_cases.h"
+#include "stiffness_checks.h"
 
 using namespace TestScene;
 
@@ -40,51 +42,6 @@ namespace
     return result;
   }
 
-  std::vector<float>
-  rounded(const LA::Vector &v)
-  {
-    return std::vector<float>(LA::values_of(v), LA::values_of(v) + v.locally_owned_size());
-  }
-
-  LA::Vector
-  times(const StiffnessOperator<float> &K, const LA::Vector &u)
-  {
-    LA::Vector               result = u;
-    const std::vector<float> x      = rounded(u);
-    std::copy_n(K.product(x.data()), x.size(), LA::values_of(result));
-    return result;
-  }
-
-  LA::Vector
-  times(const Prolongation &P, const LA::Vector &coarse, const dealii::IndexSet &fine)
-  {
-    LA::Vector               result(fine, MPI_COMM_WORLD);
-    const std::vector<float> x = rounded(coarse);
-    std::vector<float>       y(result.locally_owned_size(), 0.f);
-    P.vmult_add(y.data(), x.data());
-    std::copy(y.begin(), y.end(), LA::values_of(result));
-    return result;
-  }
-
-  LA::Vector
-  transposed_times(const Prolongation &P, const LA::Vector &fine, const dealii::IndexSet &coarse)
-  {
-    LA::Vector               result(coarse, MPI_COMM_WORLD);
-    const std::vector<float> x = rounded(fine);
-    std::vector<float>       y(result.locally_owned_size());
-    P.Tvmult(y.data(), x.data());
-    std::copy(y.begin(), y.end(), LA::values_of(result));
-    return result;
-  }
-
-  double
-  distance(const LA::Vector &a, const LA::Vector &b)
-  {
-    LA::Vector difference = a;
-    difference -= b;
-    return difference.linfty_norm() / b.linfty_norm();
-  }
-
   /// By many steps of a power iteration.
   double
   largest_eigenvalue(const LA::SparseMatrix &K, const LA::Vector &start)
@@ -101,47 +58,6 @@ namespace
         x /= y.l2_norm();
       }
     return value;
-  }
-
-  /// Exact where nothing hangs on a degree of freedom, of the right size elsewhere.
-  void
-  check_diagonal(const Elasticity<3> &elasticity, LA::Vector diagonal, const LA::Vector &known)
-  {
-    CHECK(diagonal.min() > 0);
-    const auto &constraints = elasticity.constraints();
-    LA::Vector  n_tied      = elasticity.zero_vector();
-    for (const auto &line : constraints.get_lines())
-      if (elasticity.owned().is_element(line.index))
-        for (const auto &entry : line.entries)
-          n_tied(entry.first) += 1;
-    n_tied.compress(VectorOperation::add);
-    double worst = 0, worst_tied = 1;
-    for (const auto i : diagonal.locally_owned_elements())
-      if (!constraints.is_constrained(i))
-        {
-          const double ratio = diagonal(i) / known(i);
-          if (n_tied(i) == 0)
-            worst = std::max(worst, std::abs(ratio - 1));
-          else
-            worst_tied = std::max({worst_tied, ratio, 1 / ratio});
-        }
-    CHECK(worst < 1e-12);
-    CHECK(worst_tied < 2);
-  }
-
-  void
-  check_rows(const LA::SparseMatrix &K, const Stiffness &stiffness, const LA::Vector &marker)
-  {
-    const LA::SparseMatrix &rows  = stiffness.rows(marker);
-    double                  worst = 0;
-    for (unsigned int i = 0; i < marker.locally_owned_size(); ++i)
-      if (LA::values_of(marker)[i] != 0)
-        {
-          const auto global = marker.locally_owned_elements().nth_index_in_set(i);
-          for (auto entry = K.begin(global); entry != K.end(global); ++entry)
-            worst = std::max(worst, std::abs(entry->value() - rows.el(global, entry->column())));
-        }
-    CHECK(Utilities::MPI::max(worst, MPI_COMM_WORLD) < 1e-12 * K.linfty_norm());
   }
 } // namespace
 
@@ -250,28 +166,6 @@ TEST_CASE("all instruction sets give the same")
         }
     }
 }
-
-
-
-namespace
-{
-  /// |P^T K P u - K_coarse u| / |K_coarse u| for a rough u on the coarse level.
-  double
-  galerkin_defect(const StiffnessOperator<float> &fine, const Level &coarse)
-  {
-    const Prolongation    &P     = *coarse.prolongation;
-    const dealii::IndexSet below = coarse.stiffness->owned();
-    // Constrained degrees of freedom stand for nothing: nothing is prolongated from there.
-    LA::Vector ones(fine.owned(), MPI_COMM_WORLD);
-    ones         = 1.;
-    LA::Vector u = transposed_times(P, ones, below);
-    for (const auto i : u.locally_owned_elements())
-      u(i) = std::abs(u(i)) > 1e-6 ? std::sin(1 + 2. * i * i) : 0.;
-    u.compress(VectorOperation::insert);
-    const LA::Vector forces = times(fine, times(P, u, fine.owned()));
-    return distance(times(*coarse.stiffness, u), transposed_times(P, forces, below));
-  }
-} // namespace
 
 
 

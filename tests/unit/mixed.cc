@@ -153,7 +153,10 @@ namespace
       return;
 
     // The forces of m, and what it does to the tangent.
-    FiniteBodies<dim> bodies(*scene.elasticity, bodies_of_dofs(*scene.elasticity), scene.timer);
+    FiniteBodies<dim> bodies(StiffnessForm::assembled,
+                             *scene.elasticity,
+                             bodies_of_dofs(*scene.elasticity),
+                             scene.timer);
     LA::Vector        force = bodies.residual(u), Bm = scene.elasticity->zero_vector();
     balance.linearise(nothing); // takes the start away
     balance.linearise(u);

@@ -5,6 +5,7 @@
 #include <signorini/linear_algebra/types.h>
 
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <functional>
 #include <vector>
@@ -36,6 +37,13 @@ namespace Signorini
     assemble(
       LA::SparseMatrix                        &K,
       const std::function<bool(const Cell &)> &takes = [](const Cell &) { return true; }) const;
+
+    /// The same with other matrices of cells than those of the materials at rest.
+    void
+    assemble(
+      LA::SparseMatrix                                                      &K,
+      const std::function<bool(const Cell &)>                               &takes,
+      const std::function<void(const Cell &, dealii::FullMatrix<double> &)> &matrix_of) const;
 
   private:
     const Mesh<dim>                         &mesh;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/bulk_stress.h>
+#include <signorini/elasticity/cell_tangents.h>
 #include <signorini/elasticity/deformation.h>
 #include <signorini/mesh/mesh.h>
 
@@ -38,6 +39,14 @@ namespace Signorini
              dealii::Vector<double>       &forces,
              dealii::FullMatrix<double>   *tangent = nullptr);
 
+    /// In three dimensions: the same derivative at each point of integration, in unit coordinates.
+    /// Returns false, and leaves nothing that means anything, where the cell is folded.
+    bool
+    tangents(const Cell                   &cell,
+             const Hyperelastic           &law,
+             const dealii::Vector<double> &u,
+             CellTangents                 &points);
+
     /// det F at the points of integration; valid until the next call.
     const std::vector<double> &
     volume_ratios(const Cell &cell, const dealii::Vector<double> &u);
@@ -58,6 +67,10 @@ namespace Signorini
     read_slopes(unsigned int q);
     Tangent
     derivative(const dealii::Tensor<2, 3> &F, const HyperelasticState &state) const;
+    std::optional<HyperelasticState>
+    state(const Cell &cell, unsigned int q, const Hyperelastic &law, dealii::Tensor<2, 3> &F) const;
+    CellTangent
+    in_unit_coordinates(const Tangent &D, unsigned int q) const;
     void
     add_forces(const dealii::Tensor<2, 3> &P, double weight, dealii::Vector<double> &forces) const;
     /// On and below the diagonal, to `sums`.

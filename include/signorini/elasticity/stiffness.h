@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/elasticity/cell_tangents.h>
 #include <signorini/linear_algebra/level_matrix.h>
 #include <signorini/linear_algebra/products.h>
 #include <signorini/parameters/choices.h>
@@ -118,6 +119,14 @@ namespace Signorini
     /// Collective.
     virtual const LA::SparseMatrix &
     matrix() const = 0;
+
+    /// Of the cells of hexahedra that it is the sum of, for coarser spaces; null: they are those of
+    /// the materials at rest.
+    virtual const CellTangents *
+    tangents() const
+    {
+      return nullptr;
+    }
 
     /// Another one after each change of values. What was returned before may be void then.
     virtual unsigned int

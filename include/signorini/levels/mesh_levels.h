@@ -2,6 +2,7 @@
 
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/levels/level.h>
+#include <signorini/matrix_free/cell_space.h>
 
 #include <vector>
 
@@ -15,11 +16,12 @@ namespace Signorini
     const dealii::IndexSet                  &owned;
     LA::Vector                               terms; ///< see CellSpace::diagonal_terms
     std::vector<std::vector<double>>         modes; ///< rigid-body modes
+    const CellTangents *tangents; ///< of the cells; null: they are of materials at rest
   };
 
-  /// Their stiffness, by the cells.
-  std::unique_ptr<const StiffnessOperator<float>>
-  finest_operator(const LinearDisplacements &linear, const Elasticity<3> &elasticity);
+  /// Their space, for kernels.
+  CellSpace
+  finest_space(const LinearDisplacements &linear, const Elasticity<3> &elasticity);
 
   /// The same on the meshes that remain when the cells of the finest level are taken back to their
   /// parents, again and again: whatever was refined, each is a mesh of its own with hanging nodes

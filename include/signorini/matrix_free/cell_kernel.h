@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/elasticity/cell_tangents.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -21,10 +23,20 @@ namespace Signorini
     std::vector<double>        points; ///< [cell][node][component]: places in space
     std::vector<double>        lambda, mu; ///< [cell]
 
+    /// Instead of places and moduli: [cell][point], one for all of a cell or those of its points of
+    /// integration with their weights.
+    CellTangents tangents;
+
     unsigned int
     size() const
     {
-      return lambda.size();
+      return nodes.size() / nodes_per_cell();
+    }
+
+    bool
+    has_tangents() const
+    {
+      return !tangents.empty();
     }
 
     unsigned int
@@ -34,11 +46,11 @@ namespace Signorini
     }
   };
 
-  /// Linear elasticity of hexahedra without their matrices: the integrals int sigma(u):eps(v) dV
-  /// are evaluated anew for each u, by sum factorisation (Orszag, J. Comput. Phys. 37 (1980) 70-92;
-  /// Kronbichler, Kormann, ACM Trans. Math. Softw. 45 (2019) 29), for as many cells at a time as
-  /// the processor's vectors have places (batches), by Gauss' rule with degree + 1 points a
-  /// direction.
+  /// Linear elasticity of hexahedra without their matrices, that of materials or of tangents: the
+  /// integrals int sigma(u):eps(v) dV are evaluated anew for each u, by sum factorisation (Orszag,
+  /// J. Comput. Phys. 37 (1980) 70-92; Kronbichler, Kormann, ACM Trans. Math. Softw. 45 (2019) 29),
+  /// for as many cells at a time as the processor's vectors have places (batches), by Gauss' rule
+  /// with degree + 1 points a direction.
   ///
   /// Vectors here are those of one rank, with the three components of a node one after the other,
   /// and know nothing of constraints.
@@ -73,8 +85,4 @@ namespace Signorini
     virtual std::size_t
     memory() const = 0;
   };
-
-  /// Those of this processor that there is code for, best first.
-  std::vector<std::string>
-  instruction_sets();
 } // namespace Signorini

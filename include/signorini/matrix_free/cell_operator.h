@@ -19,6 +19,10 @@ namespace Signorini
     /// The space is not needed any more afterwards.
     explicit CellOperator(const CellSpace &space);
 
+    /// The space has other tangents now. Collective.
+    void
+    update(const CellSpace &space);
+
     Number *
     product(const Number *x) const override;
 
@@ -45,9 +49,6 @@ namespace Signorini
     }
 
   private:
-    void
-    make_diagonal(const CellSpace &space);
-
     const dealii::IndexSet                           my_owned;
     const MPI_Comm                                   comm;
     LocalVectors<Number>                             vectors;

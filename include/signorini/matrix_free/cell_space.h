@@ -18,9 +18,13 @@ namespace Signorini
     MPI_Comm   comm;
   };
 
-  /// That of the bodies on the present mesh.
+  /// That of the bodies on the present mesh; a degree's cells are in the order of the mesh.
   CellSpace
   cell_space(const Elasticity<3> &elasticity);
+
+  /// The same with neither places nor moduli.
+  CellSpace
+  bare_cell_space(const Elasticity<3> &elasticity);
 
   /// K assembled. Collective.
   void

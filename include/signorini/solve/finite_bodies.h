@@ -1,10 +1,8 @@
 #pragma once
 
-#include <signorini/elasticity/deformation_kernel.h>
-#include <signorini/elasticity/elasticity.h>
-#include <signorini/elasticity/pressure_kernel.h>
 #include <signorini/solve/bodies.h>
 #include <signorini/solve/bulk_balance.h>
+#include <signorini/solve/linearisation.h>
 
 #include <deal.II/base/timer.h>
 
@@ -13,14 +11,15 @@
 namespace Signorini
 {
   /// Bodies that deform by any amount: F(u) = int P(u) : Grad v dV less the pressures that follow
-  /// them, with an assembled tangent.
+  /// them.
   template <int dim>
   class FiniteBodies : public Bodies
   {
   public:
-    /// Refers to elasticity, whose stiffness is assembled and whose bodies all have an energy, and
-    /// to the timer.
-    FiniteBodies(Elasticity<dim>          &elasticity,
+    /// Refers to elasticity, whose bodies all have an energy, and to the timer. Collective.
+    /// @param form of the tangent
+    FiniteBodies(StiffnessForm             form,
+                 Elasticity<dim>          &elasticity,
                  std::vector<unsigned int> body_of_dof,
                  dealii::TimerOutput      &timer);
 
@@ -49,7 +48,7 @@ namespace Signorini
     const Stiffness &
     stiffness() const override
     {
-      return my_stiffness;
+      return linearisation->stiffness();
     }
 
     bool
@@ -90,18 +89,17 @@ namespace Signorini
     void
     check_pressures() const;
 
-    const Elasticity<dim>                  &elasticity;
-    const std::vector<unsigned int>         bodies;
-    dealii::TimerOutput                    &timer;
-    const std::unique_ptr<BulkBalance<dim>> my_bulk; ///< null: no body is mixed
-    LA::SparseMatrix                        K;
-    AssembledStiffness                      my_stiffness;
-    LA::Vector                              f;
-    LA::Vector                              origin;              ///< see start_from(); empty: none
-    LA::Vector                              linearised;          ///< where K is; empty: nowhere
-    unsigned int                            linearised_bulk = 0; ///< its version there
-    mutable DeformationKernel<dim>          kernel;
-    mutable PressureKernel<dim>             pressures;
+    const Elasticity<dim>                    &elasticity;
+    const std::vector<unsigned int>           bodies;
+    dealii::TimerOutput                      &timer;
+    const std::unique_ptr<BulkBalance<dim>>   my_bulk; ///< null: no body is mixed
+    LA::Vector                                f;
+    LA::Vector                                origin;     ///< see start_from(); empty: none
+    LA::Vector                                linearised; ///< where; empty: nowhere
+    unsigned int                              linearised_bulk = 0; ///< its version there
+    mutable DeformationKernel<dim>            kernel;
+    mutable PressureKernel<dim>               pressures;
+    const std::unique_ptr<Linearisation<dim>> linearisation;
     mutable double reaction = 0, following = 0; ///< sizes, of reactions and pressures
   };
 } // namespace Signorini

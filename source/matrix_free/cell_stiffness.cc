@@ -1,7 +1,7 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/linear_algebra/diagonal.h>
 #include <signorini/linear_algebra/values.h>
-#include <signorini/matrix_free/matrix_free_stiffness.h>
+#include <signorini/matrix_free/cell_stiffness.h>
 
 #include <algorithm>
 
@@ -9,32 +9,20 @@ namespace Signorini
 {
   using namespace dealii;
 
-  MatrixFreeStiffness::MatrixFreeStiffness(const Elasticity<3> &elasticity)
-    : MatrixFreeStiffness(elasticity, cell_space(elasticity))
-  {}
-
-
-
-  MatrixFreeStiffness::MatrixFreeStiffness(const Elasticity<3> &elasticity, const CellSpace &space)
-    : elasticity(elasticity)
-    , cells(space)
-    , in_single_precision(space)
-  {}
-
-
-
   void
-  MatrixFreeStiffness::vmult(LA::Vector &dst, const LA::Vector &src) const
+  CellStiffness::vmult(LA::Vector &dst, const LA::Vector &src) const
   {
-    std::copy_n(cells.product(LA::values_of(src)), dst.locally_owned_size(), LA::values_of(dst));
+    std::copy_n(in_double_precision->product(LA::values_of(src)),
+                dst.locally_owned_size(),
+                LA::values_of(dst));
   }
 
 
 
   void
-  MatrixFreeStiffness::vmult_add(LA::Vector &dst, const LA::Vector &src) const
+  CellStiffness::vmult_add(LA::Vector &dst, const LA::Vector &src) const
   {
-    const double *const product = cells.product(LA::values_of(src));
+    const double *const product = in_double_precision->product(LA::values_of(src));
     double *const       sum     = LA::values_of(dst);
     for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
       sum[i] += product[i];
@@ -43,10 +31,10 @@ namespace Signorini
 
 
   LA::Vector
-  MatrixFreeStiffness::diagonal() const
+  CellStiffness::diagonal() const
   {
     LA::Vector                result(owned(), communicator());
-    const std::vector<double> values = cells.diagonal();
+    const std::vector<double> values = in_double_precision->diagonal();
     std::copy(values.begin(), values.end(), LA::values_of(result));
     return result;
   }
@@ -84,13 +72,15 @@ namespace Signorini
 
 
   const LA::SparseMatrix &
-  MatrixFreeStiffness::rows(const LA::Vector &marker) const
+  CellStiffness::rows(const LA::Vector &marker) const
   {
-    if (some_rows && !has_more(marker, marked))
+    const bool is_more = has_more(marker, marked);
+    if (some_rows && !is_more)
       return *some_rows;
     if (marked.size() == 0)
       marked.reinit(marker);
-    mark_nodes(marker, marked);
+    if (is_more)
+      mark_nodes(marker, marked);
 
     LA::Vector seen(elasticity.owned(), elasticity.relevant(), communicator());
     seen                                             = marked;
@@ -104,7 +94,7 @@ namespace Signorini
               }));
     };
     some_rows = std::make_unique<LA::SparseMatrix>();
-    elasticity.assembly().assemble(*some_rows, [&](const auto &cell) {
+    assemble(*some_rows, [&](const Cell &cell) {
       read_indices<3>(cell, indices);
       return std::any_of(indices.begin(), indices.end(), reaches);
     });
@@ -115,10 +105,38 @@ namespace Signorini
 
 
   const LA::SparseMatrix &
-  MatrixFreeStiffness::matrix() const
+  CellStiffness::matrix() const
   {
     LA::Vector all = elasticity.zero_vector();
     all            = 1.;
     return rows(all);
+  }
+
+
+
+  void
+  CellStiffness::has_changed()
+  {
+    ++my_version;
+    some_rows.reset();
+  }
+
+
+
+  MatrixFreeStiffness::MatrixFreeStiffness(const Elasticity<3> &elasticity)
+    : CellStiffness(elasticity)
+  {
+    const CellSpace space = cell_space(elasticity);
+    in_double_precision.emplace(space);
+    in_single_precision.emplace(space);
+  }
+
+
+
+  void
+  MatrixFreeStiffness::assemble(LA::SparseMatrix                        &K,
+                                const std::function<bool(const Cell &)> &takes) const
+  {
+    elasticity.assembly().assemble(K, takes);
   }
 } // namespace Signorini

@@ -1,0 +1,59 @@
+#include <signorini/matrix_free/instruction_sets.h>
+#include <signorini/matrix_free/targets.h>
+#include <signorini/parameters/raw.h>
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace Signorini
+{
+  namespace
+  {
+    /// What the environment asks for; empty: nothing.
+    std::string
+    set_of_environment()
+    {
+      const char       *value = std::getenv("SIGNORINI_INSTRUCTION_SET");
+      const std::string name  = value ? value : "";
+      const auto        known = instruction_sets();
+      if (name.empty() || std::find(known.begin(), known.end(), name) != known.end())
+        return name;
+      std::string list;
+      for (const std::string &one : known)
+        list += " " + one;
+      throw SceneError("SIGNORINI_INSTRUCTION_SET = " + name + ": this processor and program have" +
+                       list);
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  instruction_sets()
+  {
+    std::vector<std::string> names;
+    for (const auto target : hwy::SupportedAndGeneratedTargets())
+      names.push_back(hwy::TargetName(target));
+    return names;
+  }
+
+
+
+  OnlySet::OnlySet(const std::string &asked_for)
+  {
+    const std::string name = asked_for.empty() ? set_of_environment() : asked_for;
+    if (!name.empty())
+      for (const auto target : hwy::SupportedAndGeneratedTargets())
+        if (hwy::TargetName(target) == name)
+          hwy::SetSupportedTargetsForTest(target);
+  }
+
+
+
+  OnlySet::~OnlySet()
+  {
+    hwy::SetSupportedTargetsForTest(0);
+  }
+} // namespace Signorini

@@ -1,0 +1,28 @@
+#include <signorini/matrix_free/tangent_batches.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  TangentBatches::TangentBatches(const KernelCells &cells, const std::size_t width)
+    : width(width)
+    , n_nodes(cells.nodes_per_cell())
+    , n_points(cells.tangents.size() / cells.size())
+    , n_batches((cells.size() + width - 1) / width)
+    , my_nodes(n_batches * n_nodes * width)
+    , my_tangents(n_batches * n_points * n_tangent_numbers * width, 0.f)
+  {
+    for (std::size_t place = 0; place < n_batches * width; ++place)
+      {
+        const std::size_t cell  = std::min<std::size_t>(place, cells.size() - 1),
+                          batch = place / width, w = place % width;
+        for (std::size_t i = 0; i < n_nodes; ++i)
+          my_nodes[(batch * n_nodes + i) * width + w] = cells.nodes[cell * n_nodes + i];
+        if (cell == place)
+          for (std::size_t q = 0; q < n_points; ++q)
+            for (std::size_t k = 0; k < n_tangent_numbers; ++k)
+              my_tangents[((batch * n_points + q) * n_tangent_numbers + k) * width + w] =
+                cells.tangents[cell * n_points + q][k];
+      }
+  }
+} // namespace Signorini
