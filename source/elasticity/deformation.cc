@@ -30,12 +30,17 @@ namespace Signorini
     /// Of m ln J: S = m C^-1, whose derivative is -m P with P_ijkl = (A_ik A_jl + A_il A_jk)/2 and
     /// A = C^-1.
     void
-    add_bulk_stress(const double m, const SymmetricTensor<2, 3> &C, HyperelasticState &state)
+    add_bulk_stress(const double                 m,
+                    const SymmetricTensor<2, 3> &C,
+                    const UpTo                   wanted,
+                    HyperelasticState           &state)
     {
       const SymmetricTensor<2, 3> A = invert(C);
       const double                J = std::sqrt(determinant(C));
       state.energy += m * std::log(J);
       state.stress += m * A;
+      if (wanted == UpTo::stress)
+        return;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = i; j < 3; ++j)
           for (unsigned int k = 0; k < 3; ++k)
@@ -53,7 +58,7 @@ namespace Signorini
       constexpr double       enough = 1e-14, longest = 0.5;
       for (unsigned int i = 0; i < most; ++i)
         {
-          const HyperelasticState state = law.at(C);
+          const HyperelasticState state = law.at(C, UpTo::tangent);
           const double            slope = state.tangent[2][2][2][2] / 2 * C[2][2];
           if (std::abs(state.stress[2][2]) <= enough * std::abs(slope))
             return state;
@@ -71,14 +76,15 @@ namespace Signorini
   hyperelastic_state(const Model         model,
                      const Hyperelastic &law,
                      Tensor<2, 3>       &F,
-                     const double        bulk_stress)
+                     const double        bulk_stress,
+                     const UpTo          wanted)
   {
     SymmetricTensor<2, 3> C = symmetrize(transpose(F) * F);
     if (model != Model::plane_stress)
       {
-        HyperelasticState state = law.at(C);
+        HyperelasticState state = law.at(C, wanted);
         if (bulk_stress != 0)
-          add_bulk_stress(bulk_stress, C, state);
+          add_bulk_stress(bulk_stress, C, wanted, state);
         return state;
       }
     HyperelasticState           state  = without_thickness_stress(law, C);
@@ -100,13 +106,14 @@ namespace Signorini
   state_if_any(const Model         model,
                const Hyperelastic &law,
                Tensor<2, 3>       &F,
-               const double        bulk_stress)
+               const double        bulk_stress,
+               const UpTo          wanted)
   {
     if (!(determinant(F) > 0))
       return {};
     try
       {
-        return hyperelastic_state(model, law, F, bulk_stress);
+        return hyperelastic_state(model, law, F, bulk_stress, wanted);
       }
     catch (const std::domain_error &)
       {
@@ -122,7 +129,7 @@ namespace Signorini
                 Tensor<2, 3>        F,
                 const double        bulk_stress)
   {
-    const HyperelasticState state = hyperelastic_state(model, law, F, bulk_stress);
+    const HyperelasticState state = hyperelastic_state(model, law, F, bulk_stress, UpTo::stress);
     return symmetrize(F * Tensor<2, 3>(state.stress) * transpose(F)) / determinant(F);
   }
 

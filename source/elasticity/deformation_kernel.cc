@@ -1,6 +1,7 @@
 #include <signorini/elasticity/deformation_kernel.h>
 #include <signorini/elasticity/gradient_at_point.h>
 #include <signorini/elasticity/scalar_elements.h>
+#include <signorini/materials/symmetric_pairs.h>
 
 
 namespace Signorini
@@ -78,12 +79,17 @@ namespace Signorini
     };
     // F_aI T_IJKL first, then F_bK: the tensor of fourth order is read but once.
     double T[3][3][3][3];
-    for (unsigned int I = 0; I < 3; ++I)
-      for (unsigned int J = I; J < 3; ++J)
-        for (unsigned int K = 0; K < 3; ++K)
-          for (unsigned int L = K; L < 3; ++L)
-            T[I][J][K][L] = T[J][I][K][L] = T[I][J][L][K] = T[J][I][L][K] =
-              state.tangent[I][J][K][L];
+    using Pairs = SymmetricPairs;
+    for (unsigned int p = 0; p < Pairs::size; ++p)
+      {
+        const unsigned int  I = Pairs::row[p], J = Pairs::column[p];
+        const double *const from = Pairs::row_of(state.tangent, p);
+        for (unsigned int q = 0; q < Pairs::size; ++q)
+          {
+            const unsigned int K = Pairs::row[q], L = Pairs::column[q];
+            T[I][J][K][L] = T[J][I][K][L] = T[I][J][L][K] = T[J][I][L][K] = from[q];
+          }
+      }
     Tangent result{};
     for (unsigned int m = 0; m < n_components; ++m)
       {
@@ -112,10 +118,11 @@ namespace Signorini
   DeformationKernel<dim>::state(const Cell         &cell,
                                 const unsigned int  q,
                                 const Hyperelastic &law,
+                                const UpTo          wanted,
                                 Tensor<2, 3>       &F) const
   {
     const double bulk = bulk_stress ? bulk_stress->value(*cell, values->quadrature_point(q)) : 0.;
-    return state_if_any(model, law, F, bulk);
+    return state_if_any(model, law, F, bulk, wanted);
   }
 
 
@@ -165,7 +172,7 @@ namespace Signorini
     for (const unsigned int q : values->quadrature_point_indices())
       {
         Tensor<2, 3>                           F     = gradient(q, u);
-        const std::optional<HyperelasticState> found = state(cell, q, law, F);
+        const std::optional<HyperelasticState> found = state(cell, q, law, UpTo::tangent, F);
         if (!found)
           return false;
         points.push_back(in_unit_coordinates(derivative(F, *found), q));
@@ -241,8 +248,9 @@ namespace Signorini
       sums.assign(n * n, 0.);
     for (const unsigned int q : values->quadrature_point_indices())
       {
-        Tensor<2, 3>                           F     = gradient(q, u);
-        const std::optional<HyperelasticState> found = state(cell, q, law, F);
+        Tensor<2, 3>                           F = gradient(q, u);
+        const std::optional<HyperelasticState> found =
+          state(cell, q, law, tangent ? UpTo::tangent : UpTo::stress, F);
         if (!found)
           return false;
         const double weight = values->JxW(q) * measure(model, values->quadrature_point(q));

@@ -1,6 +1,7 @@
 #include <signorini/materials/stretch_energy.h>
 #include <signorini/materials/symmetric_pairs.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -12,7 +13,7 @@ namespace Signorini
   // 2 (s_b - s_a)/(c_b - c_a), whose limit for equal ones is half the difference of the former
   // (Simo and Taylor, Comput. Methods Appl. Mech. Engrg. 85 (1991) 273).
   HyperelasticState
-  StretchEnergy::at(const SymmetricTensor<2, 3> &C) const
+  StretchEnergy::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
   {
     using Pairs = SymmetricPairs;
     // Below, the quotient has lost as many digits as the limit has wrong, which is of second order.
@@ -42,6 +43,8 @@ namespace Signorini
         product[a]                          = Pairs::of(of_axis);
         state.stress += s[a] * of_axis;
       }
+    if (wanted == UpTo::stress)
+      return state;
     std::array<Pairs::Values, Pairs::size> tangent{};
     const auto                             add =
       [&](const double factor, const Pairs::Values &left, const Pairs::Values &right) {
@@ -63,9 +66,7 @@ namespace Signorini
           add(shear, mixed, mixed);
         }
     for (unsigned int p = 0; p < Pairs::size; ++p)
-      for (unsigned int q = 0; q < Pairs::size; ++q)
-        state.tangent[Pairs::row[p]][Pairs::column[p]][Pairs::row[q]][Pairs::column[q]] =
-          tangent[p][q];
+      std::copy(tangent[p].begin(), tangent[p].end(), Pairs::row_of(state.tangent, p));
     return state;
   }
 } // namespace Signorini

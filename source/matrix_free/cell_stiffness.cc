@@ -74,6 +74,8 @@ namespace Signorini
   const LA::SparseMatrix &
   CellStiffness::rows(const LA::Vector &marker) const
   {
+    if (whole)
+      return *whole;
     const bool is_more = has_more(marker, marked);
     if (some_rows && !is_more)
       return *some_rows;
@@ -107,9 +109,14 @@ namespace Signorini
   const LA::SparseMatrix &
   CellStiffness::matrix() const
   {
-    LA::Vector all = elasticity.zero_vector();
-    all            = 1.;
-    return rows(all);
+    if (!whole)
+      {
+        whole = std::make_unique<LA::SparseMatrix>();
+        assemble(*whole, [](const Cell &) { return true; });
+        LA::add_to_diagonal(*whole, elasticity.diagonal_terms());
+        some_rows.reset();
+      }
+    return *whole;
   }
 
 
@@ -119,6 +126,7 @@ namespace Signorini
   {
     ++my_version;
     some_rows.reset();
+    whole.reset();
   }
 
 

@@ -234,8 +234,6 @@ namespace Signorini
       refuse("Accuracy/Quantity = " + goals.quantities.front(), "errors are not estimated");
     if (output.linear_reference)
       refuse("Output/Linear reference = yes", "nothing is linear");
-    if (solver.stiffness_form == StiffnessForm::matrix_free)
-      refuse("Solver/Operator = matrix-free", "tangents are assembled");
   }
 
 

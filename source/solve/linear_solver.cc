@@ -20,9 +20,11 @@ namespace Signorini
   namespace
   {
     /// On one rank, KLU is quicker for what is small or as thin as a contact zone; for the whole
-    /// system MUMPS is, five times and more in 3D.
+    /// system MUMPS is, five times and more in 3D, and for zones of forces that turn.
     LA::DirectLibrary
-    choose_direct(const LinearSolverSettings &settings, const Stiffness &stiffness)
+    choose_direct(const LinearSolverSettings &settings,
+                  const Stiffness            &stiffness,
+                  const bool                  zone_turns)
     {
       const bool has_mumps = LA::DirectSolver::is_available(LA::DirectLibrary::MUMPS);
       if (settings.direct_solver == LA::DirectLibrary::MUMPS && !has_mumps)
@@ -31,7 +33,8 @@ namespace Signorini
         return *settings.direct_solver;
       constexpr unsigned int small = 2000;
       const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1,
-                 is_large = settings.preconditioner == "direct" && stiffness.size() > small;
+                 is_large =
+                   zone_turns || (settings.preconditioner == "direct" && stiffness.size() > small);
       return has_mumps && (!is_serial || is_large) ? LA::DirectLibrary::MUMPS :
                                                      LA::DirectLibrary::KLU;
     }
@@ -142,7 +145,8 @@ namespace Signorini
   std::shared_ptr<const Hierarchy>
   BodiesHierarchy::get()
   {
-    if (!make || version == stiffness.version() || (hierarchy && !is_worn))
+    const bool is_made = hierarchy && hierarchy->n_levels() > 1; // else it is the matrix itself
+    if (!make || version == stiffness.version() || (is_made && !is_worn))
       return hierarchy;
     hierarchy.reset(); // before there are two
     hierarchy = make();
@@ -205,8 +209,9 @@ namespace Signorini
     if (settings.preconditioner != "direct")
       hierarchy = hierarchies.get();
     LinearSolverSettings chosen = settings;
-    chosen.direct_solver        = choose_direct(settings, system.stiffness());
-    preconditioner              = Preconditioner::create(chosen, system, hierarchy.get());
+    chosen.direct_solver = choose_direct(settings, system.stiffness(), hierarchies.zones_turn());
+    preconditioner =
+      Preconditioner::create(chosen, system, hierarchy.get(), hierarchies.zones_turn());
     if (system.bulk())
       preconditioner =
         std::make_unique<BulkSchur>(system, *system.bulk(), std::move(preconditioner));
@@ -237,10 +242,36 @@ namespace Signorini
 
 
   bool
+  LinearSolver::lacks_turning_zone() const
+  {
+    return settings.preconditioner == "contact filter" && system.turns_forces() &&
+           !system.gap_operator().at_rest() && !hierarchies.zones_turn();
+  }
+
+
+
+  bool
+  LinearSolver::let_zones_turn(const bool wanted)
+  {
+    const bool did     = hierarchies.zones_turn();
+    const bool is_news = wanted && lacks_turning_zone();
+    hierarchies.let_zones_turn(wanted);
+    if (is_news)
+      {
+        make_preconditioner();
+        preconditioner->update();
+      }
+    return did;
+  }
+
+
+
+  bool
   LinearSolver::renew()
   {
     if (!hierarchies.renew())
-      return false;
+      return lacks_turning_zone() && !let_zones_turn(true);
+    hierarchies.let_zones_turn(hierarchies.zones_turn() || lacks_turning_zone());
     make_preconditioner();
     preconditioner->update();
     return true;
@@ -300,8 +331,8 @@ namespace Signorini
     catch (const SolverFailure &)
       {
         renews = renew();
-        if (!renews && !can_factorise())
-          throw;
+        if (!renews && (curvature == NegativeCurvature::is_told || !can_factorise()))
+          throw; // factors would tell nothing
       }
     scope.stop();
     if (!renews)
@@ -382,11 +413,15 @@ namespace Signorini
                         const LA::BlockVector  &rhs,
                         const NegativeCurvature curvature)
   {
-    // From there on a factorisation is quicker.
-    constexpr unsigned int patience = 200;
-    const unsigned int most = can_factorise() ? std::min(patience, settings.maximum_iterations) :
-                                                settings.maximum_iterations;
-    SolverControl      control(most, tolerance);
+    // From there on a factorisation is quicker, and a direction that curves down has been seen; and
+    // a zone that knows of forces that turn.
+    constexpr unsigned int patience = 200, little_patience = 50;
+    const unsigned int     most = std::min(lacks_turning_zone() ? little_patience :
+                                       curvature == NegativeCurvature::is_told || can_factorise() ?
+                                                              patience :
+                                                              settings.maximum_iterations,
+                                       settings.maximum_iterations);
+    SolverControl control(most, tolerance);
     try
       {
         switch (krylov)
@@ -424,6 +459,9 @@ namespace Signorini
   void
   LinearSolver::judge(const unsigned int iterations, const double first, const double last)
   {
+    constexpr unsigned int many = 20;
+    if (iterations > many && lacks_turning_zone())
+      hierarchies.let_zones_turn(true); // of the next system
     const double digits = last > 0 ? std::log10(first / last) : 0;
     if (hierarchy && digits >= 1)
       hierarchies.judge(iterations / digits);

@@ -227,8 +227,11 @@ namespace Signorini
         {} // what it has seen counts
       return linear_solver.curves_down();
     };
+    const bool did_turn = linear_solver.let_zones_turn(true); // to end in few iterations
     // A preconditioner that is left from where the tangent curved down sees that everywhere.
-    return sees_one() && (!linear_solver.renew() || sees_one());
+    const bool result = sees_one() && (!linear_solver.renew() || sees_one());
+    linear_solver.let_zones_turn(did_turn);
+    return result;
   }
 
 
@@ -237,6 +240,8 @@ namespace Signorini
   Newton::linearise(const LA::Vector &u)
   {
     bodies.linearise(u);
+    is_same = is_same && system.turns_forces();
+    system.turn_forces(true);
     if (is_same && version == bodies.stiffness().version())
       return;
     if (!is_same)
@@ -257,7 +262,6 @@ namespace Signorini
     // Far from balance, forces of contact may seem to turn so fast that nothing resists; near a
     // solution that is so, it is.
     constexpr double far = 0.1;
-    system.turn_forces(true);
     if (!goal.is_rough() || residual < far)
       return linear_solver.solve(x, rhs, reduction, tolerance);
     try
@@ -267,6 +271,7 @@ namespace Signorini
     catch (const IndefiniteSystem &)
       {
         system.turn_forces(false);
+        linear_solver.update();
         return linear_solver.solve(x, rhs, reduction, tolerance, NegativeCurvature::stops);
       }
   }

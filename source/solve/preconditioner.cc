@@ -17,31 +17,37 @@ namespace Signorini
     using Settings = LinearSolverSettings;
     using Pointer  = std::unique_ptr<Preconditioner>;
     using Maker =
-      std::function<Pointer(const Settings &, const ContactSystem &, const Hierarchy *)>;
+      std::function<Pointer(const Settings &, const ContactSystem &, const Hierarchy *, bool)>;
 
     Maker
     block(const BlockPreconditioner::Form form)
     {
-      return
-        [form](const Settings &settings, const ContactSystem &system, const Hierarchy *hierarchy) {
-          return std::make_unique<BlockPreconditioner>(form, settings, system, *hierarchy);
-        };
+      return [form](const Settings      &settings,
+                    const ContactSystem &system,
+                    const Hierarchy     *hierarchy,
+                    bool) {
+        return std::make_unique<BlockPreconditioner>(form, settings, system, *hierarchy);
+      };
     }
 
     // The registry: one line a preconditioner.
     const std::vector<std::pair<std::string, Maker>> registry = {
       {"contact filter",
-       [](const Settings &settings, const ContactSystem &system, const Hierarchy *hierarchy)
-         -> Pointer {
-         return std::make_unique<ContactFilter>(system, *hierarchy, settings.direct_solver.value());
+       [](const Settings      &settings,
+          const ContactSystem &system,
+          const Hierarchy     *hierarchy,
+          const bool           zone_turns) -> Pointer {
+         return std::make_unique<ContactFilter>(system,
+                                                *hierarchy,
+                                                settings.direct_solver.value(),
+                                                zone_turns);
        }},
       {"block diagonal", block(BlockPreconditioner::diagonal)},
       {"block triangular", block(BlockPreconditioner::triangular)},
       {"SIMPLE", block(BlockPreconditioner::simple)},
       {"direct",
-       [](const Settings &settings, const ContactSystem &system, const Hierarchy *) -> Pointer {
-         return std::make_unique<Direct>(system, settings.direct_solver.value());
-       }}};
+       [](const Settings &settings, const ContactSystem &system, const Hierarchy *, bool)
+         -> Pointer { return std::make_unique<Direct>(system, settings.direct_solver.value()); }}};
   } // namespace
 
 
@@ -60,11 +66,12 @@ namespace Signorini
   std::unique_ptr<Preconditioner>
   Preconditioner::create(const LinearSolverSettings &settings,
                          const ContactSystem        &system,
-                         const Hierarchy            *hierarchy)
+                         const Hierarchy            *hierarchy,
+                         const bool                  zone_turns)
   {
     for (const auto &[known, make] : registry)
       if (known == settings.preconditioner)
-        return make(settings, system, hierarchy);
+        return make(settings, system, hierarchy, zone_turns);
     AssertThrow(false, ExcMessage("unknown preconditioner " + settings.preconditioner));
     return nullptr;
   }

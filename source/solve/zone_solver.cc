@@ -5,6 +5,7 @@
 #include <signorini/solve/zone_solver.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace Signorini
 {
@@ -60,30 +61,86 @@ namespace Signorini
 
 
   /// Matrix entries in zone numbering.
-  struct ZoneSolver::Entries
+  class ZoneSolver::Entries
   {
-    std::vector<types::global_dof_index> rows, columns;
-    std::vector<double>                  values;
-
+  public:
     void
     add(const types::global_dof_index i, const types::global_dof_index j, const double value)
     {
-      rows.push_back(i);
-      columns.push_back(j);
-      values.push_back(value);
+      all.push_back({i, j, value});
     }
+
+    /// A matrix of their sum. Collective.
+    void
+    sum_up(const IndexSet &owned, const MPI_Comm comm, LA::SparseMatrix &matrix)
+    {
+      std::sort(all.begin(), all.end(), [](const Entry &a, const Entry &b) {
+        return std::tie(a.row, a.column) < std::tie(b.row, b.column);
+      });
+      IndexSet            writable = owned;
+      LA::SparsityPattern pattern;
+      for_each_row([&](const auto row, const auto &, const auto &) {
+        if (!owned.is_element(row))
+          writable.add_index(row);
+      });
+      pattern.reinit(owned, owned, writable, comm, 0u);
+      for_each_row([&](const auto row, const auto &columns, const auto &) {
+        pattern.add_entries(row, columns.begin(), columns.end(), true);
+      });
+      pattern.compress();
+      matrix.reinit(pattern);
+      for_each_row([&](const auto row, const auto &columns, const auto &values) {
+        matrix.add(row, columns, values);
+      });
+      matrix.compress(VectorOperation::add);
+    }
+
+  private:
+    /// Calls act(row, columns, values), each column once.
+    template <typename Action>
+    void
+    for_each_row(const Action &act) const
+    {
+      std::vector<types::global_dof_index> columns;
+      std::vector<double>                  values;
+      for (auto entry = all.begin(); entry != all.end();)
+        {
+          const auto row = entry->row;
+          columns.clear();
+          values.clear();
+          for (; entry != all.end() && entry->row == row; ++entry)
+            if (!columns.empty() && columns.back() == entry->column)
+              values.back() += entry->value;
+            else
+              {
+                columns.push_back(entry->column);
+                values.push_back(entry->value);
+              }
+          act(row, columns, values);
+        }
+    }
+
+    struct Entry
+    {
+      types::global_dof_index row, column;
+      double                  value;
+    };
+
+    std::vector<Entry> all;
   };
 
 
 
   ZoneSolver::ZoneSolver(const ContactSystem    &system,
                          const LA::Vector       &marker,
-                         const LA::DirectLibrary direct_library)
+                         const LA::DirectLibrary direct_library,
+                         const bool              turns)
     : system(system)
     , K(system.stiffness().rows(marker))
     , columns_of_K(K)
     , x_of_K(columns_of_K.size())
     , library(direct_library)
+    , turns(turns)
     , solver(direct_library)
   {
     const double *const marks = LA::values_of(marker);
@@ -94,9 +151,6 @@ namespace Signorini
       system.is_saddle_point() ? system.gap_operator().origin.pair.size() : 0;
     const MPI_Comm comm = marker.get_mpi_communicator();
     owned               = LA::contiguous_partition(dofs.size() + n_rows, comm);
-    writable            = owned;
-
-    LA::Vector number;
     number.reinit(marker);
     number     = -1.;
     auto index = owned.begin();
@@ -108,9 +162,6 @@ namespace Signorini
     number_in_K = columns_of_K.fetch(number);
     if (!system.gap_operator().empty())
       number_in_B = LA::ColumnExchange(system.gap_operator().B_free).fetch(number);
-    for (const double zone : number_in_B)
-      if (zone >= 0)
-        writable.add_index(static_cast<types::global_dof_index>(zone));
     left.reinit(owned, comm);
     right.reinit(owned, comm);
     contact_terms = system.zero();
@@ -135,6 +186,19 @@ namespace Signorini
       collect_multipliers(entries);
     else
       collect_springs(entries);
+    if (turns && system.turns_forces())
+      collect_geometric(entries);
+  }
+
+
+
+  void
+  ZoneSolver::collect_geometric(Entries &entries) const
+  {
+    system.gap_operator().for_each_geometric_entry(
+      number, [&](const double row, const double column, const double value) {
+        entries.add(row, column, -value);
+      });
   }
 
 
@@ -179,15 +243,8 @@ namespace Signorini
   {
     Entries entries;
     collect(entries);
-    LA::SparsityPattern pattern(owned, owned, writable, system.stiffness().communicator(), 0u);
-    for (std::size_t i = 0; i < entries.values.size(); ++i)
-      pattern.add(entries.rows[i], entries.columns[i]);
-    pattern.compress();
     solver.clear();
-    matrix.reinit(pattern);
-    for (std::size_t i = 0; i < entries.values.size(); ++i)
-      matrix.add(entries.rows[i], entries.columns[i], entries.values[i]);
-    matrix.compress(VectorOperation::add);
+    entries.sum_up(owned, system.stiffness().communicator(), matrix);
 
     if (const int error = solver.factorise(matrix); error != 0)
       throw SolverFailure(LA::name_of(library) + " cannot factorise " +
@@ -215,6 +272,8 @@ namespace Signorini
   ZoneSolver::correct(LA::BlockVector &x, const LA::BlockVector &r) const
   {
     system.contact_terms(contact_terms, x);
+    if (turns && system.turns_forces())
+      system.gap_operator().subtract_geometric(contact_terms.block(0), x.block(0));
     columns_of_K.fetch(x.block(0), x_of_K.data());
     double *at = LA::values_of(right);
     for (const auto &entry : dofs)

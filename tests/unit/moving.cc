@@ -224,6 +224,33 @@ TEST_CASE("gaps between bodies that have moved bend as their second variation sa
 
 namespace
 {
+  /// Of the geometric stiffness: all together they make its products.
+  /// @param expected Gv
+  void
+  check_entries(const GapOperator &contact, const LA::Vector &v, const LA::Vector &expected)
+  {
+    LA::Vector numbers;
+    numbers.reinit(v);
+    for (const auto i : v.locally_owned_elements())
+      numbers(i) = i;
+    numbers.compress(VectorOperation::insert);
+    const Values of_v = everywhere(v), exact = everywhere(expected);
+    Values       product(of_v.size(), 0.);
+    contact.for_each_geometric_entry(
+      numbers, [&](const double row, const double column, const double value) {
+        product[row] += value * of_v[column];
+      });
+    Utilities::MPI::sum(product, MPI_COMM_WORLD, product);
+    double worst = 0, size = 0;
+    for (unsigned int i = 0; i < product.size(); ++i)
+      {
+        worst = std::max(worst, std::abs(product[i] - exact[i]));
+        size  = std::max(size, std::abs(exact[i]));
+      }
+    CHECK(size > 0);
+    CHECK(worst < 1e-12 * size);
+  }
+
   /// The forces of given pressures: their change is that of the geometric stiffness.
   /// @param keeps_points those of integration; else segments end where the master's faces do
   template <int dim>
@@ -256,6 +283,7 @@ namespace
     scene.contact->turn_forces(p);
     scene.gap_operator().subtract_geometric(expected, v);
     expected *= -1;
+    check_entries(scene.gap_operator(), v, expected);
     LA::Vector difference = force_at(step);
     difference -= force_at(-step);
     difference /= 2 * step;
@@ -289,6 +317,7 @@ TEST_CASE("the forces of pressures change with the surfaces as the geometric sti
   check_forces<3>(in_3d, multiplier, false);
   for (const Lines &method : methods)
     check_forces<2>(cases_2d()[1], method);
+  check_forces<2>(cases_2d()[3], multiplier); // inclined supports
 }
 
 

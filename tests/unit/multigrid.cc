@@ -68,7 +68,8 @@ namespace
                          hierarchy,
                          Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ?
                            LA::DirectLibrary::KLU :
-                           LA::DirectLibrary::MUMPS);
+                           LA::DirectLibrary::MUMPS,
+                         true);
     filter.update();
 
     LA::BlockVector u = system.zero(), r = system.zero(), f = system.zero();

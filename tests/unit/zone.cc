@@ -191,7 +191,7 @@ TEST_CASE("the contact filter keeps all constraints")
   const NormalContact      law(scene.method(), scene.gap_operator());
   ContactSystem            system(stiffness, law);
   system.set_active(every_other(scene.gap_operator()));
-  ContactFilter filter(system, hierarchy, direct_solver());
+  ContactFilter filter(system, hierarchy, direct_solver(), true);
   filter.update();
   const unsigned int    n = dense(system.zero()).size(), n_u = scene.elasticity->owned().size();
   const Eigen::VectorXd r = rough(n);

@@ -26,14 +26,16 @@ namespace Signorini
   hyperelastic_state(Model                 model,
                      const Hyperelastic   &law,
                      dealii::Tensor<2, 3> &F,
-                     double                bulk_stress = 0);
+                     double                bulk_stress = 0,
+                     UpTo                  wanted      = UpTo::tangent);
 
   /// The same, or nothing where there is none: where J <= 0, or a sheet has no thickness.
   std::optional<HyperelasticState>
   state_if_any(Model                 model,
                const Hyperelastic   &law,
                dealii::Tensor<2, 3> &F,
-               double                bulk_stress = 0);
+               double                bulk_stress = 0,
+               UpTo                  wanted      = UpTo::tangent);
 
   /// sigma = F S F^T/J, the stress on areas as they are now, tension positive.
   dealii::SymmetricTensor<2, 3>

@@ -68,7 +68,11 @@ namespace Signorini
     Tangent
     derivative(const dealii::Tensor<2, 3> &F, const HyperelasticState &state) const;
     std::optional<HyperelasticState>
-    state(const Cell &cell, unsigned int q, const Hyperelastic &law, dealii::Tensor<2, 3> &F) const;
+    state(const Cell           &cell,
+          unsigned int          q,
+          const Hyperelastic   &law,
+          UpTo                  wanted,
+          dealii::Tensor<2, 3> &F) const;
     CellTangent
     in_unit_coordinates(const Tangent &D, unsigned int q) const;
     void

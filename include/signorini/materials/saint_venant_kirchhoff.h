@@ -12,7 +12,7 @@ namespace Signorini
     SaintVenantKirchhoff(double lambda, double mu);
 
     HyperelasticState
-    at(const dealii::SymmetricTensor<2, 3> &C) const override;
+    at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const override;
 
   private:
     const double lambda, mu;

@@ -18,7 +18,7 @@ namespace Signorini
     };
 
     HyperelasticState
-    at(const dealii::SymmetricTensor<2, 3> &C) const override;
+    at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const override;
 
   protected:
     virtual Derivatives

@@ -24,5 +24,18 @@ namespace Signorini
         result[p] = A[row[p]][column[p]];
       return result;
     }
+
+    /// The components of T with pair p first: deal.II has pairs in this order, too.
+    static double *
+    row_of(dealii::SymmetricTensor<4, 3> &T, const unsigned int p)
+    {
+      return T.begin_raw() + size * p;
+    }
+
+    static const double *
+    row_of(const dealii::SymmetricTensor<4, 3> &T, const unsigned int p)
+    {
+      return T.begin_raw() + size * p;
+    }
   };
 } // namespace Signorini

@@ -29,7 +29,8 @@ namespace Signorini
       return *in_single_precision;
     }
 
-    /// What was returned before is void if there are marks that it had not.
+    /// What was returned before is void if there are marks that it had not, and once somebody asks
+    /// for the whole matrix.
     const LA::SparseMatrix &
     rows(const LA::Vector &marker) const override;
 
@@ -77,7 +78,7 @@ namespace Signorini
   private:
     unsigned int                              my_version = 1;
     mutable LA::Vector                        marked; ///< rows that were asked for, empty: none
-    mutable std::unique_ptr<LA::SparseMatrix> some_rows;
+    mutable std::unique_ptr<LA::SparseMatrix> some_rows, whole; ///< null: nobody asked
   };
 
   /// That of linear elasticity.

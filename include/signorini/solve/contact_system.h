@@ -81,6 +81,12 @@ namespace Signorini
       turns = wanted;
     }
 
+    bool
+    turns_forces() const
+    {
+      return turns;
+    }
+
     /// How the forces that are not the law's change: (K - G) du without the springs that K has
     /// against free motions.
     void

@@ -48,14 +48,29 @@ namespace Signorini
       return my_dim;
     }
 
+    /// Do zones of contact know of forces that turn (see ZoneSolver)? Only where that saves more
+    /// iterations than it costs.
+    bool
+    zones_turn() const
+    {
+      return my_zones_turn;
+    }
+
+    void
+    let_zones_turn(const bool wanted)
+    {
+      my_zones_turn = wanted;
+    }
+
   private:
     const Stiffness                                  &stiffness;
     const unsigned int                                my_dim;
     std::function<std::shared_ptr<const Hierarchy>()> make;
     std::shared_ptr<const Hierarchy>                  hierarchy;
-    unsigned int version  = 0;     ///< of the stiffness that it is of
-    bool         is_worn  = false; ///< to be made anew once the stiffness has changed
-    double       at_first = 0;     ///< iterations per digit; 0: not known yet
+    unsigned int version       = 0;     ///< of the stiffness that it is of
+    bool         is_worn       = false; ///< to be made anew once the stiffness has changed
+    double       at_first      = 0;     ///< iterations per digit; 0: not known yet
+    bool         my_zones_turn = false;
   };
 
   /// What CG does where it meets a direction along which the system is not positive.
@@ -95,7 +110,13 @@ namespace Signorini
           double                 absolute_tolerance,
           NegativeCurvature      curvature = NegativeCurvature::goes_on);
 
-    /// Take a hierarchy of the stiffness as it is now. @return false: it was that
+    /// See BodiesHierarchy::zones_turn(). Returns whether they did. Those that there are stay as
+    /// they are if that is not wanted any more.
+    bool
+    let_zones_turn(bool wanted);
+
+    /// Take a hierarchy of the stiffness as it is now, and zones that know of forces that turn.
+    /// @return false: it was that
     bool
     renew();
 
@@ -127,6 +148,9 @@ namespace Signorini
     }
 
   private:
+    /// Zones do not know of forces that turn, and the system does.
+    bool
+    lacks_turning_zone() const;
     /// Returns the number of iterations; throws SolverFailure.
     unsigned int
     iterate(Krylov                 krylov,

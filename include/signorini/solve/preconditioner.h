@@ -58,10 +58,12 @@ namespace Signorini
     }
 
     /// @param settings with a direct solver chosen
+    /// @param zone_turns of a contact filter, see ZoneSolver
     static std::unique_ptr<Preconditioner>
     create(const LinearSolverSettings &settings,
            const ContactSystem        &system,
-           const Hierarchy            *hierarchy);
+           const Hierarchy            *hierarchy,
+           bool                        zone_turns);
   };
 
   std::vector<std::string>

@@ -20,15 +20,18 @@ namespace Signorini
   contact_reach(const ContactSystem &system);
 
   /// Exact solution of a ContactSystem restricted to a zone: some of the degrees of freedom, and
-  /// all multipliers. With the degrees of freedom that contact touches it costs a surface, with all
-  /// of them it is a direct solver.
+  /// all multipliers. With the degrees of freedom
+  /// that contact touches it costs a surface, with all of them it is a direct solver.
   class ZoneSolver
   {
   public:
     /// @param marker nonzero at the degrees of freedom of the zone
+    /// @param turns with forces of contact that turn, if those of the system do: else without,
+    /// which leaves fewer entries
     ZoneSolver(const ContactSystem &system,
                const LA::Vector    &marker,
-               LA::DirectLibrary    direct_library);
+               LA::DirectLibrary    direct_library,
+               bool                 turns = true);
 
     /// Factorise for the present active set. Throws SolverFailure if the zone is singular.
     void
@@ -38,8 +41,8 @@ namespace Signorini
     void
     add_correction(LA::BlockVector &x, const LA::BlockVector &r) const;
 
-    /// x += R^T (R A R^T)^-1 R (r - A x): afterwards the residual of x vanishes on the zone. Only
-    /// the rows of the zone are evaluated.
+    /// x += R^T (R A R^T)^-1 R (r - A x), with that A: afterwards the residual of x vanishes on the
+    /// zone. Only the rows of the zone are evaluated.
     void
     correct(LA::BlockVector &x, const LA::BlockVector &r) const;
 
@@ -50,7 +53,7 @@ namespace Signorini
     }
 
   private:
-    struct Entries;
+    class Entries;
 
     void
     collect(Entries &entries) const;
@@ -58,6 +61,8 @@ namespace Signorini
     collect_springs(Entries &entries) const;
     void
     collect_multipliers(Entries &entries) const;
+    void
+    collect_geometric(Entries &entries) const;
 
     /// x += R^T (R A R^T)^-1 right
     void
@@ -68,14 +73,16 @@ namespace Signorini
     const LA::ColumnExchange    columns_of_K;
     mutable std::vector<double> x_of_K; ///< a vector there
     const LA::DirectLibrary     library;
+    const bool                  turns;
 
     /// The owned degrees of freedom of the zone: number among those that this rank owns, zone
     /// index. The zone's owned indices are these, then the multipliers of this rank.
     std::vector<std::pair<unsigned int, dealii::types::global_dof_index>> dofs;
     dealii::types::global_dof_index                                       first_row =
       0; ///< zone index of the first multiplier of this rank
-    dealii::IndexSet    owned, writable;
-    std::vector<double> number_in_K, number_in_B; ///< zone index of each local column, or -1
+    dealii::IndexSet    owned;
+    LA::Vector          number;                   ///< zone index of each degree of freedom, or -1
+    std::vector<double> number_in_K, number_in_B; ///< that of each local column
 
     LA::SparseMatrix        matrix;
     mutable LA::Vector      left, right;

@@ -373,6 +373,16 @@ namespace Signorini
 
 
 
+  void
+  GapOperator::for_each_geometric_entry(
+    const LA::Vector &numbers, const std::function<void(double, double, double)> &add) const
+  {
+    if (moved.G)
+      moved.G->for_each_entry(numbers, add);
+  }
+
+
+
   std::size_t
   GapOperator::memory() const
   {

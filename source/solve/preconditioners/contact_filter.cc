@@ -25,10 +25,12 @@ namespace Signorini
 
   ContactFilter::ContactFilter(const ContactSystem    &system,
                                const Hierarchy        &hierarchy,
-                               const LA::DirectLibrary direct_solver)
+                               const LA::DirectLibrary direct_solver,
+                               const bool              zone_turns)
     : system(system)
     , amg(hierarchy, &system.gap_operator())
     , direct_solver(direct_solver)
+    , zone_turns(zone_turns)
   {
     // Those of any active set, once.
     system.stiffness().rows(contact_reach(system));
@@ -40,7 +42,7 @@ namespace Signorini
   ContactFilter::update()
   {
     amg.set_springs(springs(system));
-    zone = std::make_unique<ZoneSolver>(system, contact_zone(system), direct_solver);
+    zone = std::make_unique<ZoneSolver>(system, contact_zone(system), direct_solver, zone_turns);
     if (zone->size() > 0)
       zone->update();
   }

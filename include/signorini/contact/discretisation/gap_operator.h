@@ -4,6 +4,7 @@
 #include <signorini/contact/discretisation/regions.h>
 #include <signorini/linear_algebra/types.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -53,6 +54,13 @@ namespace Signorini
     /// dst += factor G v. Collective.
     virtual void
     vmult_add(LA::Vector &dst, const LA::Vector &v, double factor) const = 0;
+
+    /// Calls add(number of a row, of a column, value) for what is between numbered degrees of
+    /// freedom, piece by piece. Collective.
+    /// @param numbers of those of this rank; negative: none
+    virtual void
+    for_each_entry(const LA::Vector                                  &numbers,
+                   const std::function<void(double, double, double)> &add) const = 0;
 
     /// Bytes on this rank.
     virtual std::size_t
@@ -137,6 +145,11 @@ namespace Signorini
     /// dst -= G v
     void
     subtract_geometric(LA::Vector &dst, const LA::Vector &v) const;
+
+    /// See GeometricStiffness.
+    void
+    for_each_geometric_entry(const LA::Vector                                  &numbers,
+                             const std::function<void(double, double, double)> &add) const;
 
     LA::Vector
     zero() const

@@ -24,9 +24,11 @@ namespace Signorini
   class ContactFilter : public Preconditioner
   {
   public:
+    /// @param zone_turns see ZoneSolver
     ContactFilter(const ContactSystem &system,
                   const Hierarchy     &hierarchy,
-                  LA::DirectLibrary    direct_solver);
+                  LA::DirectLibrary    direct_solver,
+                  bool                 zone_turns);
 
     void
     update() override;
@@ -69,6 +71,7 @@ namespace Signorini
     const ContactSystem        &system;
     AMG                         amg;
     const LA::DirectLibrary     direct_solver;
+    const bool                  zone_turns;
     std::unique_ptr<ZoneSolver> zone; ///< what active contact touches
   };
 } // namespace Signorini
