@@ -53,7 +53,7 @@ namespace Signorini
       stiffness_form,
       or_auto(stiffness_forms()),
       "products with the stiffness from a matrix, or from the cells each time (in three dimensions, degree one and "
-      "two); auto: the quicker one, which is the second with degree two");
+      "two); auto: the quicker one, which is the second with degree two, on refined meshes, and of large deformation");
     section.add_choice(
       "Coarsening",
       coarsening,

@@ -428,7 +428,20 @@ def thin_wall(test):
     test.check(run.code == 3 and "would go through 'ring.outer' in one load step" in run.out + run.err, f"exit code {run.code}")
 
 
+def operators(test):
+    """Tangents without a matrix: the same forces, in no more iterations than with one, on refined meshes and of degree two."""
+    for sets in (["Mesh/Degree=1", "Mesh/Zones/Names=edges", "Mesh/Zones/edges/Where=0.2 - abs(z - 0.5)"], ["Mesh/Degree=2"]):
+        small = ["Bodies/lower/Subdivisions=6,6,3", "Bodies/upper/Subdivisions=4,4,4"] + sets
+        results = [test.results(PUNCH, small + [f"Solver/Operator={form}"], 2) for form in ("assembled", "matrix-free")]
+        (a, b), cycles = ([force_of(r, "joint") for r in results], [r["load_steps"][-1]["multigrid_cycles"] for r in results])
+        test.print(f"{sets[0]}: force {a:.10g} and {b:.10g}, cycles {cycles[0]} and {cycles[1]}")
+        test.check(results[1]["preflight"]["operator"] == "matrix-free", "there was a matrix")
+        test.check(abs(b / a - 1) <= 1e-8, f"the force is {b:.12g} instead of {a:.12g}")
+        test.check(cycles[1] <= 1.2 * cycles[0], f"{cycles[1]} instead of {cycles[0]} cycles")
+
+
 def cases():
+    yield Case("finite", "operators", operators, ranks=2)
     yield Case("finite", "thin wall", thin_wall)
     yield Case("finite", "snap-through", snap_through)
     yield Case("finite", "stability", stability)
