@@ -190,23 +190,32 @@ namespace Signorini
                const Watched<dim> &watched,
                const MPI_Comm      comm)
     {
-      const bool is_self  = &a == &b;
-      const auto partners = find_partners(a.places,
-                                          a.normals,
-                                          b.masters(is_self),
-                                          a.deepest / 2,
-                                          comm,
-                                          nullptr,
-                                          {},
-                                          is_self ? a.rest : std::vector<PlaceAtRest<dim>>());
-      Overlap    largest;
-      for (unsigned int i = 0; i < partners.size(); ++i)
+      // What is in the other one is in its box.
+      const bool                    is_self = &a == &b;
+      std::vector<unsigned int>     asked;
+      std::vector<Point<dim>>       places;
+      std::vector<Tensor<1, dim>>   normals;
+      std::vector<PlaceAtRest<dim>> rest;
+      for (unsigned int i = 0; i < a.places.size(); ++i)
+        if (b.box.point_inside(a.places[i]))
+          {
+            asked.push_back(i);
+            places.push_back(a.places[i]);
+            normals.push_back(a.normals[i]);
+            if (is_self)
+              rest.push_back(a.rest[i]);
+          }
+      const auto partners =
+        find_partners(places, normals, b.masters(is_self), a.deepest / 2, comm, nullptr, {}, rest);
+      Overlap largest;
+      for (unsigned int k = 0; k < partners.size(); ++k)
         {
-          if (!partners[i])
+          if (!partners[k])
             continue;
-          const unsigned int kind = a.kinds[a.face_of[i]], other = partners[i]->kind;
-          const double       depth = (partners[i]->position - a.places[i]) * partners[i]->normal,
-                       room        = std::min(a.depth(i), partners[i]->size);
+          const Partner<dim> &partner = *partners[k];
+          const unsigned int  i = asked[k], kind = a.kinds[a.face_of[i]], other = partner.kind;
+          const double        depth = (partner.position - a.places[i]) * partner.normal,
+                       room         = std::min(a.depth(i), partner.size);
           if (depth > 0 && depth < room && !watched.sees(kind, other))
             largest.take({depth / (2 * room),
                           depth,
