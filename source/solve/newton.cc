@@ -202,8 +202,6 @@ namespace Signorini
   Newton::curves_down(const LA::Vector &u)
   {
     constexpr double enough = 1e-8; // each iteration sees more
-    if (bodies.bulk())
-      return false; // saddle points are not solved by CG
     try
       {
         linearise(u);
@@ -217,6 +215,8 @@ namespace Signorini
       forces.block(0)(i) = std::sin(37. * i * i + 11. * i);
     forces.block(0).compress(VectorOperation::insert);
     bodies.constraints().set_zero(forces.block(0));
+    if (bodies.bulk())
+      return takes_work_back(forces);
     const auto sees_one = [&] {
       try
         {
@@ -232,6 +232,34 @@ namespace Signorini
     const bool result = sees_one() && (!linear_solver.renew() || sees_one());
     linear_solver.let_zones_turn(did_turn);
     return result;
+  }
+
+
+
+  bool
+  Newton::takes_work_back(LA::BlockVector forces)
+  {
+    constexpr unsigned int most   = 4;
+    constexpr double       enough = 1e-2;
+    if (!bodies.is_symmetric())
+      return false;
+    const LA::Vector size = bodies.stiffness().diagonal();
+    try
+      {
+        for (unsigned int i = 0; i < most; ++i)
+          {
+            linear_solver.solve(x, forces, enough, 0.);
+            bodies.constraints().set_zero(x.block(0));
+            if (x.block(0) * forces.block(0) < 0)
+              return true;
+            forces.block(0) = x.block(0);
+            forces.block(0).scale(size);
+            forces.block(0) /= forces.block(0).l2_norm();
+          }
+      }
+    catch (const SolverFailure &)
+      {} // as good as singular
+    return false;
   }
 
 

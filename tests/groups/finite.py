@@ -303,6 +303,11 @@ def stability(test):
         test.check(results["load_steps"][-1]["definite"] is stable, f"at a stretch of {stretch} 'definite' is {not stable}")
         warned = any(check["check"] == "definiteness" and check["outcome"] == "warned" for check in results["verdict"]["checks"])
         test.check(warned is not stable, f"at a stretch of {stretch} the verdict says the contrary")
+    # What cannot be compressed wrinkles from a stretch of 0.5437 on (Biot, Mechanics of Incremental Deformations, 1965).
+    for stretch, stable in ((0.6, True), (0.56, True), (0.53, False)):
+        results = test.results(scene, [f"Obstacles/plate/Displacement=0; {stretch - 1}*t", "Bodies/block/Poisson's ratio=0.5",
+                                       "Bodies/block/Subdivisions=8,8", "Load steps/Number=3"])
+        test.check(results["load_steps"][-1]["definite"] is stable, f"mixed, at a stretch of {stretch} 'definite' is {not stable}")
 
 
 ARCH = """

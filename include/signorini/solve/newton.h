@@ -48,7 +48,8 @@ namespace Signorini
 
     /// Is the linearisation at a solution not positive definite? Solves it for forces without any
     /// symmetry, which see what those of a solution do not: a straight column that would buckle.
-    /// Seen by CG alone, so never of mixed bodies. Collective.
+    /// Seen by CG; of mixed bodies by inverse iteration, and there only as long as nothing else is
+    /// closer to zero. Collective.
     bool
     curves_down(const LA::Vector &u);
 
@@ -105,6 +106,11 @@ namespace Signorini
     advance(LA::Vector &u, LA::Vector &p, NewtonReport &report, Stage &stage);
     void
     solve_linear(const LA::BlockVector &rhs, double reduction, double tolerance, NewtonStep &step);
+    /// Of mixed bodies, whose saddle points are not solved by CG: do forces, or those that inverse
+    /// iteration makes of them, do negative work on the way that they push? That tends to the
+    /// motion whose stiffness is closest to zero, which is the one that has become negative last.
+    bool
+    takes_work_back(LA::BlockVector forces);
     /// Returns the number of iterations.
     unsigned int
     iterate(const LA::BlockVector &rhs, double reduction, double tolerance, double residual);
