@@ -208,9 +208,10 @@ namespace Signorini
       const TangentBatches batches;
     };
 
+    // Names of templates here must not be those of cell_kernel.cc: they are in one namespace.
     template <typename Number, int degree>
     std::unique_ptr<CellKernel<Number>>
-    make_of_degree(const KernelCells &cells)
+    make_tangent_kernel_of_degree(const KernelCells &cells)
     {
       if (cells.tangents.size() == cells.size())
         return std::make_unique<MeanTangentKernel<Number, degree>>(cells);
@@ -219,23 +220,23 @@ namespace Signorini
 
     template <typename Number>
     std::unique_ptr<CellKernel<Number>>
-    make(const KernelCells &cells)
+    make_tangent_kernel_of(const KernelCells &cells)
     {
       if (cells.degree == 1)
-        return make_of_degree<Number, 1>(cells);
-      return make_of_degree<Number, largest_kernel_degree>(cells);
+        return make_tangent_kernel_of_degree<Number, 1>(cells);
+      return make_tangent_kernel_of_degree<Number, largest_kernel_degree>(cells);
     }
 
     std::unique_ptr<CellKernel<double>>
     make_double_tangents(const KernelCells &cells)
     {
-      return make<double>(cells);
+      return make_tangent_kernel_of<double>(cells);
     }
 
     std::unique_ptr<CellKernel<float>>
     make_float_tangents(const KernelCells &cells)
     {
-      return make<float>(cells);
+      return make_tangent_kernel_of<float>(cells);
     }
   } // namespace HWY_NAMESPACE
 } // namespace Signorini

@@ -407,21 +407,28 @@ namespace Signorini
 
 
   unsigned int
+  LinearSolver::most_iterations(const NegativeCurvature curvature) const
+  {
+    // From there on a factorisation is quicker, or a zone that knows of forces that turn; and what
+    // curves down has been seen.
+    constexpr unsigned int patience = 200, little_patience = 50;
+    const bool             is_limited = curvature == NegativeCurvature::is_told || can_factorise();
+    return std::min(settings.maximum_iterations,
+                    lacks_turning_zone() ? little_patience :
+                    is_limited           ? patience :
+                                           settings.maximum_iterations);
+  }
+
+
+
+  unsigned int
   LinearSolver::iterate(const Krylov            krylov,
                         const double            tolerance,
                         LA::BlockVector        &x,
                         const LA::BlockVector  &rhs,
                         const NegativeCurvature curvature)
   {
-    // From there on a factorisation is quicker, and a direction that curves down has been seen; and
-    // a zone that knows of forces that turn.
-    constexpr unsigned int patience = 200, little_patience = 50;
-    const unsigned int     most = std::min(lacks_turning_zone() ? little_patience :
-                                       curvature == NegativeCurvature::is_told || can_factorise() ?
-                                                              patience :
-                                                              settings.maximum_iterations,
-                                       settings.maximum_iterations);
-    SolverControl control(most, tolerance);
+    SolverControl control(most_iterations(curvature), tolerance);
     try
       {
         switch (krylov)

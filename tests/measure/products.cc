@@ -3,7 +3,8 @@
 //
 //   products [refinements of a cube, 5] [seconds for each number, 0.5]
 //
-// One process. Affine cells are a cube's; general ones are the same with their vertices moved.
+// One process. Affine cells are a cube's; general ones are the same with their vertices moved; then
+// tangents, one a cell and one a point.
 
 #include <signorini/matrix_free/cell_kernel.h>
 #include <signorini/matrix_free/instruction_sets.h>
@@ -147,6 +148,19 @@ main(const int argc, char **argv)
         for (const std::string &set : instruction_sets())
           {
             const char *shape = affine ? "affine" : "general";
+            measure<double>(cells, "double", shape, set, time);
+            measure<float>(cells, "float", shape, set, time);
+          }
+      }
+  for (const unsigned int degree : {1u, 2u})
+    for (const bool one_a_cell : {true, false})
+      {
+        KernelCells       cells   = cells_of_cube(degree, refinements + (degree == 1), true);
+        const std::size_t n_cells = cells.size();
+        cells.tangents.assign(n_cells * (one_a_cell ? 1 : cells.nodes_per_cell()), CellTangent());
+        for (const std::string &set : instruction_sets())
+          {
+            const char *shape = one_a_cell ? "mean" : "points";
             measure<double>(cells, "double", shape, set, time);
             measure<float>(cells, "float", shape, set, time);
           }

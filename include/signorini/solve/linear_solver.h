@@ -151,6 +151,9 @@ namespace Signorini
     /// Zones do not know of forces that turn, and the system does.
     bool
     lacks_turning_zone() const;
+    /// After which there are other ways than more of them.
+    unsigned int
+    most_iterations(NegativeCurvature curvature) const;
     /// Returns the number of iterations; throws SolverFailure.
     unsigned int
     iterate(Krylov                 krylov,
