@@ -161,6 +161,8 @@ namespace Signorini
         for (const PressedPoint<dim> &point : points)
           {
             name_dofs(point, names, named);
+            if (named.empty())
+              continue;
             if (named != before)
               {
                 hand_on();
