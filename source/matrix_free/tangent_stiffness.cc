@@ -4,6 +4,21 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <typename Number>
+    void
+    set(std::optional<CellOperator<Number>> &cells, const CellSpace &space)
+    {
+      if (cells)
+        cells->update(space);
+      else
+        cells.emplace(space);
+    }
+  } // namespace
+
+
+
   TangentStiffness::TangentStiffness(const Elasticity<3> &elasticity, DeformationKernel<3> &kernel)
     : CellStiffness(elasticity)
     , kernel(kernel)
@@ -47,10 +62,7 @@ namespace Signorini
   {
     place                = std::move(next);
     space.diagonal_terms = elasticity.diagonal_terms();
-    if (in_double_precision)
-      in_double_precision->update(space);
-    else
-      in_double_precision.emplace(space);
+    set(in_double_precision, space);
 
     for (KernelCells &cells : space.cells)
       {
@@ -61,10 +73,7 @@ namespace Signorini
             sums[point / n_points][k] += cells.tangents[point][k];
         cells.tangents = std::move(sums);
       }
-    if (in_single_precision)
-      in_single_precision->update(space);
-    else
-      in_single_precision.emplace(space);
+    set(in_single_precision, space);
 
     means.resize(elasticity.mesh().triangulation().n_active_cells());
     std::vector<std::size_t> n_before(space.cells.size(), 0);
