@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace Signorini
 {
@@ -34,6 +35,7 @@ namespace Signorini
   Equilibrium<dim>::set_state(const State &other, const bool follows)
   {
     state = other;
+    earlier.reset();
     recall_bulk_stress();
     my_follows = follows;
     in_place.place(follows ? state.displacement : LA::Vector());
@@ -56,6 +58,7 @@ namespace Signorini
   Equilibrium<dim>::forget_mesh()
   {
     in_place.forget_mesh();
+    earlier.reset();
     state.bulk_stress = LA::Vector();
     if (my_follows)
       in_place.place(state.displacement);
@@ -112,17 +115,85 @@ namespace Signorini
   bool
   Equilibrium<dim>::solve(const double t, const double tolerance)
   {
-    const State before = state;
     my_failure.reset();
+    if (const auto start = predicted(t))
+      {
+        if (solve_from(start, t, tolerance))
+          return true;
+        out << "  not solved from where the last load step leads to: " << my_report.reason
+            << "; once more from where it ended" << std::endl;
+      }
+    return solve_from({}, t, tolerance);
+  }
+
+
+
+  namespace
+  {
+    /// Is what was expected true, but for a small part of the change?
+    bool
+    goes_on(const LA::Vector &before, const LA::Vector &expected, const LA::Vector &now)
+    {
+      constexpr double small  = 0.1;
+      LA::Vector       change = now, error = now;
+      change -= before;
+      error -= expected;
+      return error.linfty_norm() <= small * change.linfty_norm() + 1e-12 * now.linfty_norm();
+    }
+
+    LA::Vector
+    extrapolated(const LA::Vector &earlier, const LA::Vector &last, const double times)
+    {
+      LA::Vector result = last;
+      result.sadd(1 + times, -times, earlier);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::optional<LA::Vector>
+  Equilibrium<dim>::predicted(const double t)
+  {
+    if (!elasticity.is_finite() || !earlier || t <= state.time)
+      return {};
+    // Only if supports and obstacles, and loads, go on as they did.
+    const double times   = (t - state.time) / (state.time - earlier->time);
+    const auto   load_at = [this](const double time) {
+      elasticity.set_time(time);
+      return elasticity.load();
+    };
+    const LA::Vector first = load_at(earlier->time), last = load_at(state.time), now = load_at(t);
+    LA::Vector start = extrapolated(earlier->displacement, state.displacement, times), held = start;
+    elasticity.distribute(held);
+    if (!goes_on(state.displacement, start, held) ||
+        !goes_on(last, extrapolated(first, last, times), now))
+      return {};
+    return start;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::solve_from(const std::optional<LA::Vector> &start,
+                               const double                     t,
+                               const double                     tolerance)
+  {
+    const State before = state;
     try
       {
-        if (solve_from_state(t, tolerance))
+        if (solve_from_start(start, t, tolerance))
           {
             state.time = t;
             if (elasticity.is_finite())
               {
                 my_report.curves_down = in_place.curves_down(state.displacement);
                 my_report.jump        = jump_since(before);
+                earlier.reset();
+                if (t > before.time && my_report.jump == 0)
+                  earlier = Earlier{before.displacement, before.time};
               }
             gap = contact.gap_operator().gap(state.displacement);
             return true;
@@ -189,28 +260,31 @@ namespace Signorini
 
   template <int dim>
   bool
-  Equilibrium<dim>::solve_from_state(const double t, const double tolerance)
+  Equilibrium<dim>::solve_from_start(const std::optional<LA::Vector> &start,
+                                     const double                     t,
+                                     const double                     tolerance)
   {
     elasticity.set_time(t);
-    LA::Vector left = state.displacement;
-    in_place.go_on_from(left);
+    const LA::Vector last = state.displacement;
+    state.displacement    = start.value_or(last);
+    in_place.go_on_from(state.displacement);
     elasticity.distribute(state.displacement);
     steps_before.clear();
     if (my_follows && t == state.time)
       return follow_surfaces(t, tolerance, true); // only the mesh is another
     if (my_follows)
       {
+        contact.check_ways(last, state.displacement);
         LA::Vector place = state.displacement;
         if (elasticity.is_finite()) // what supports move alone would fold surfaces
           {
-            contact.check_ways(left, state.displacement);
-            place = left;
+            place = last;
             elasticity.set_rigid_motion(elasticity.rigid_motion(state.displacement), place);
           }
         in_place.place(std::move(place));
         in_place.find_contact(false);
       }
-    if (!solve_in_place(t, first_goal(tolerance)))
+    if (!solve_in_place(t, first_goal(tolerance, start.has_value())))
       return false;
     return my_follows || leaves_place() ? follow_surfaces(t, tolerance, false) : true;
   }
@@ -219,10 +293,11 @@ namespace Signorini
 
   template <int dim>
   NewtonGoal
-  Equilibrium<dim>::first_goal(const double tolerance) const
+  Equilibrium<dim>::first_goal(const double tolerance, const bool is_predicted) const
   {
     // What the surfaces will change anyway need not be known to the last digit.
-    const double enough = elasticity.is_finite()                                           ? 1e-2 :
+    const double enough = is_predicted                                                     ? 1e-1 :
+                          elasticity.is_finite()                                           ? 1e-2 :
                           my_follows || scene.contact.geometry == ContactGeometry::updated ? 1e-5 :
                                                                                              0;
     return {std::max(tolerance, enough)};

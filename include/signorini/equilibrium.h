@@ -123,8 +123,17 @@ namespace Signorini
     }
 
   private:
+    /// See solve(). @param start where the bodies are linearised first, predicted(); else the
+    /// displacement of the state. Contact begins with surfaces as they are in the state in any
+    /// case: where they are predicted to be, they may have gone through each other.
     bool
-    solve_from_state(double t, double tolerance);
+    solve_from(const std::optional<LA::Vector> &start, double t, double tolerance);
+    /// Large deformation: where the last load step leads to, if there was one on this mesh and
+    /// what drives the bodies goes on as it did.
+    std::optional<LA::Vector>
+    predicted(double t);
+    bool
+    solve_from_start(const std::optional<LA::Vector> &start, double t, double tolerance);
     void
     keep_failure(double t);
     /// See NewtonReport::jump.
@@ -138,7 +147,7 @@ namespace Signorini
     solve_in_place(double t, const NewtonGoal &goal, bool is_near = false);
     /// Of the first solution of a load step, before surfaces are placed.
     NewtonGoal
-    first_goal(double tolerance) const;
+    first_goal(double tolerance, bool is_predicted) const;
     /// Of those after surfaces are placed: with large deformation, one step of Newton's method.
     /// @param before what was out of balance at the last placement; 0: there was none
     NewtonGoal
@@ -173,6 +182,14 @@ namespace Signorini
     std::vector<NewtonStep> steps_before; ///< of this load step, with surfaces placed before
 
     double last_speed = 0; ///< displacement per time of the last load step
+
+    /// Before the last load step, on this mesh.
+    struct Earlier
+    {
+      LA::Vector displacement;
+      double     time;
+    };
+    std::optional<Earlier> earlier;
 
     struct Failure
     {

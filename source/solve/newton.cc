@@ -240,7 +240,7 @@ namespace Signorini
   Newton::takes_work_back(LA::BlockVector forces)
   {
     constexpr unsigned int most   = 4;
-    constexpr double       enough = 1e-2;
+    constexpr double       enough = 0.1; // each turn makes up for what the one before has left
     if (!bodies.is_symmetric())
       return false;
     const LA::Vector size = bodies.stiffness().diagonal();

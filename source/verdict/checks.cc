@@ -123,8 +123,8 @@ namespace Signorini
       {
         all.push_back(check_stability(results));
         all.push_back(check_jump(results));
-        all.push_back(check_unseen_contact(scene, now));
       }
+    all.push_back(check_unseen_contact(scene, now));
     return all;
   }
 

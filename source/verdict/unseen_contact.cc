@@ -4,6 +4,7 @@
 #include <signorini/contact/geometry/self_contact.h>
 #include <signorini/parameters/text.h>
 #include <signorini/verdict/checks.h>
+#include <signorini/verdict/near_faces.h>
 #include <signorini/verdict/symmetry_planes.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <tuple>
 
 namespace Signorini
@@ -48,89 +48,16 @@ namespace Signorini
       }
     };
 
-    /// Where pairs look for contact. A kind of faces is the number of a boundary; plus that of all
-    /// boundaries if it is a slave of a surface that touches itself.
-    template <int dim>
-    class Watched
-    {
-    public:
-      Watched(const Scene<dim> &scene, const Snapshot<dim> &now)
-        : mesh(now.elasticity.mesh())
-      {
-        for (unsigned int i = 0; i < now.pairs.size(); ++i)
-          {
-            const ContactPair<dim> &pair = now.pairs[i];
-            for (const unsigned int slave : mesh.boundary_ids(pair.slave))
-              if (scene.obstacle_of(pair))
-                at_obstacles.insert({slave, pair.master});
-              else
-                for (const unsigned int master : mesh.boundary_ids(pair.master))
-                  (pair.is_self() ? selves : pairs).insert(std::minmax(slave, master));
-            if (pair.is_self())
-              for (const SlaveFace<dim> &face : now.surfaces[i].slave_faces)
-                if (face.degree > 0)
-                  slaves.insert({face.cell, face.face});
-          }
-      }
-
-      unsigned int
-      kind(const CellIterator<dim> &cell, const unsigned int face) const
-      {
-        return cell->face(face)->boundary_id() +
-               (slaves.count({cell->id(), face}) > 0 ? mesh.end_of_boundary_ids() : 0);
-      }
-
-      bool
-      is_self(const unsigned int a, const unsigned int b) const
-      {
-        return selves.count(boundaries(a, b)) > 0;
-      }
-
-      bool
-      sees(const unsigned int a, const unsigned int b) const
-      {
-        const unsigned int end = mesh.end_of_boundary_ids();
-        return pairs.count(boundaries(a, b)) > 0 || (is_self(a, b) && (a < end) != (b < end));
-      }
-
-      bool
-      sees(const unsigned int a, const std::string &obstacle) const
-      {
-        return at_obstacles.count({a % mesh.end_of_boundary_ids(), obstacle}) > 0;
-      }
-
-      /// The first one.
-      std::string
-      name(const unsigned int kind) const
-      {
-        for (const std::string &boundary : mesh.boundaries())
-          if (mesh.boundary_ids(boundary).count(kind % mesh.end_of_boundary_ids()) > 0)
-            return boundary;
-        return "";
-      }
-
-    private:
-      std::pair<unsigned int, unsigned int>
-      boundaries(const unsigned int a, const unsigned int b) const
-      {
-        const unsigned int end = mesh.end_of_boundary_ids();
-        return std::minmax({a % end, b % end});
-      }
-
-      const Mesh<dim>                                &mesh;
-      std::set<std::pair<unsigned int, unsigned int>> pairs, selves;
-      std::set<std::pair<unsigned int, std::string>>  at_obstacles;
-      std::set<std::pair<CellId, unsigned int>>       slaves;
-    };
-
-    /// The surface of one body as it is, and places on it that ask what they are in.
+    /// The surface of one body as it is, and places on it that ask what they are in; of small
+    /// strain, where that may be anything.
     template <int dim>
     struct Outside
     {
-      Outside(const Configuration<dim> &configuration,
-              const unsigned int        body,
-              const Watched<dim>       &watched)
-        : faces(configuration, body)
+      Outside(const BoundaryFaces<dim>            &of_body,
+              const WatchedSurfaces<dim>          &watched,
+              const std::optional<NearFaces<dim>> &near,
+              const MPI_Comm                       comm)
+        : faces(of_body)
       {
         const QGauss<dim - 1> inner(2);
         for (unsigned int i = 0; i < faces.faces.size(); ++i)
@@ -139,6 +66,8 @@ namespace Signorini
             kinds.push_back(watched.kind(cell, face));
             const FacePatch<dim> &patch = faces.patches[i];
             deepest                     = std::max(deepest, faces.depth(i));
+            if (near && !near->asks(cell, face))
+              continue;
             for (const Point<dim - 1> &xi : inner.get_points())
               {
                 places.push_back(patch.position(xi));
@@ -147,9 +76,9 @@ namespace Signorini
                 face_of.push_back(i);
               }
           }
-        const MPI_Comm comm = configuration.elasticity().mesh().communicator();
-        deepest             = Utilities::MPI::max(deepest, comm);
-        box                 = box_of(faces.patches, comm);
+        deepest = Utilities::MPI::max(deepest, comm);
+        if (deepest > 0)
+          box = box_of(faces.patches, comm);
       }
 
       /// Of places deeper than that, who knows what they are in: beyond half a cell, its other side
@@ -173,22 +102,44 @@ namespace Signorini
         return result;
       }
 
-      BoundaryFaces<dim>            faces;
-      std::vector<unsigned int>     kinds; ///< one a face
-      std::vector<Point<dim>>       places;
-      std::vector<Tensor<1, dim>>   normals;
-      std::vector<PlaceAtRest<dim>> rest;
-      std::vector<unsigned int>     face_of;
-      double                        deepest = 0;
-      BoundingBox<dim>              box;
+      BoundaryFaces<dim>              faces;
+      std::vector<unsigned int>       kinds; ///< one a face
+      std::vector<Point<dim>>         places;
+      std::vector<Tensor<1, dim>>     normals;
+      std::vector<PlaceAtRest<dim>>   rest;
+      std::vector<unsigned int>       face_of;
+      double                          deepest = 0;
+      std::optional<BoundingBox<dim>> box; ///< if there are faces
     };
 
     template <int dim>
+    std::vector<Outside<dim>>
+    outsides_of_bodies(const Configuration<dim>            &configuration,
+                       const WatchedSurfaces<dim>          &watched,
+                       const std::optional<NearFaces<dim>> &near)
+    {
+      const Mesh<dim>          &mesh = configuration.elasticity().mesh();
+      const BoundaryFaces<dim>  all(configuration,
+                                   [&](const CellIterator<dim> &cell, const unsigned int face) {
+                                     return !near || near->counts(cell, face);
+                                   });
+      std::vector<Outside<dim>> result;
+      for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+        {
+          std::vector<bool> is_its(all.faces.size());
+          for (unsigned int i = 0; i < is_its.size(); ++i)
+            is_its[i] = all.faces[i].first->material_id() == body;
+          result.emplace_back(all.among(is_its), watched, near, mesh.communicator());
+        }
+      return result;
+    }
+
+    template <int dim>
     Overlap
-    overlap_of(const Outside<dim> &a,
-               const Outside<dim> &b,
-               const Watched<dim> &watched,
-               const MPI_Comm      comm)
+    overlap_of(const Outside<dim>         &a,
+               const Outside<dim>         &b,
+               const WatchedSurfaces<dim> &watched,
+               const MPI_Comm              comm)
     {
       // What is in the other one is in its box.
       const bool                    is_self = &a == &b;
@@ -197,7 +148,7 @@ namespace Signorini
       std::vector<Tensor<1, dim>>   normals;
       std::vector<PlaceAtRest<dim>> rest;
       for (unsigned int i = 0; i < a.places.size(); ++i)
-        if (b.box.point_inside(a.places[i]))
+        if (b.box->point_inside(a.places[i]))
           {
             asked.push_back(i);
             places.push_back(a.places[i]);
@@ -216,7 +167,8 @@ namespace Signorini
           const unsigned int  i = asked[k], kind = a.kinds[a.face_of[i]], other = partner.kind;
           const double        depth = (partner.position - a.places[i]) * partner.normal,
                        room         = std::min(a.depth(i), partner.size);
-          if (depth > 0 && depth < room && !watched.sees(kind, other))
+          if (depth > 0 && partner.position.distance(a.places[i]) < room &&
+              !watched.sees(kind, other))
             largest.take({depth / (2 * room),
                           depth,
                           std::min(kind, other),
@@ -255,11 +207,11 @@ namespace Signorini
 
     template <int dim>
     Overlap
-    overlap_of(const Configuration<dim> &configuration,
-               const Outside<dim>       &a,
-               const Obstacle<dim>      &obstacle,
-               const unsigned int        number,
-               const Watched<dim>       &watched)
+    overlap_of(const Configuration<dim>   &configuration,
+               const Outside<dim>         &a,
+               const Obstacle<dim>        &obstacle,
+               const unsigned int          number,
+               const WatchedSurfaces<dim> &watched)
     {
       const Configuration<dim> at_rest(configuration.elasticity());
       const RigidPose<dim>     pose = configuration.pose(obstacle), rest = at_rest.pose(obstacle);
@@ -277,12 +229,12 @@ namespace Signorini
 
     template <int dim>
     Overlap
-    overlap_of(const Configuration<dim> &configuration,
-               const Outside<dim>       &a,
-               const SymmetryPlane<dim> &plane,
-               const unsigned int        number,
-               const Scene<dim>         &scene,
-               const Watched<dim>       &watched)
+    overlap_of(const Configuration<dim>   &configuration,
+               const Outside<dim>         &a,
+               const SymmetryPlane<dim>   &plane,
+               const unsigned int          number,
+               const Scene<dim>           &scene,
+               const WatchedSurfaces<dim> &watched)
     {
       // Obstacles are put there in place of the other half, and penalties let surfaces into them.
       const auto is_held = [&](const unsigned int i) {
@@ -321,20 +273,25 @@ namespace Signorini
   Finding
   check_unseen_contact(const Scene<dim> &scene, const Snapshot<dim> &now)
   {
-    constexpr double          small = 0.02;
-    const Mesh<dim>          &mesh  = now.elasticity.mesh();
-    const Configuration<dim>  configuration(now.elasticity, now.displacement);
-    const Watched<dim>        watched(scene, now);
-    std::vector<Outside<dim>> bodies;
-    for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
-      bodies.emplace_back(configuration, body, watched);
-    const auto planes = symmetry_planes(scene, now.elasticity);
-    Overlap    largest;
+    constexpr double              small     = 0.02;
+    const Mesh<dim>              &mesh      = now.elasticity.mesh();
+    const bool                    is_finite = now.elasticity.is_finite();
+    const Configuration<dim>      configuration(now.elasticity, now.displacement);
+    const WatchedSurfaces<dim>    watched(scene, now);
+    std::optional<NearFaces<dim>> near;
+    if (!is_finite)
+      near.emplace(scene, configuration, watched);
+    const auto                      bodies = outsides_of_bodies(configuration, watched, near);
+    std::vector<SymmetryPlane<dim>> planes;
+    if (is_finite)
+      planes = symmetry_planes(scene, now.elasticity);
+    Overlap largest;
     for (unsigned int body = 0; body < bodies.size(); ++body)
       {
         const Outside<dim> &a = bodies[body];
         for (const Outside<dim> &b : bodies)
-          if (a.box.get_neighbor_type(b.box) != NeighborType::not_neighbors)
+          if ((is_finite || &a != &b) && a.box && b.box &&
+              a.box->get_neighbor_type(*b.box) != NeighborType::not_neighbors)
             largest.take(overlap_of(a, b, watched, mesh.communicator()));
         for (unsigned int i = 0; i < scene.obstacles.size(); ++i)
           largest.take(overlap_of(configuration, a, scene.obstacles[i], i, watched));

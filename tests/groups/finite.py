@@ -158,13 +158,17 @@ def unseen_contact(test):
               "Bodies/post/Young's modulus=1", "Bodies/post/Poisson's ratio=0.3",
               "Supports/Names=base, side, foot", "Supports/foot/Boundaries=post.bottom",
               "Supports/foot/Displacement=0; 0"]
+    small = ["Deformation=small"]
     for what, scene, sets, expected in (
             ("with its pair", FOLD, [], ""),
             ("a fold", FOLD, far, "'fold.outside' goes through 'fold.outside'"),
             ("half of a fold", FOLD, half + far, "'fold.outside' goes through the plane of symmetry 'fold.top'"),
             ("a block", block, [], ""),
             ("a block beside a wall", block, wall, "'block.right' goes through the obstacle 'wall'"),
-            ("a block beside another", block, beside, "'block.right' goes through 'post.left'")):
+            ("a block beside another", block, beside, "'block.right' goes through 'post.left'"),
+            ("a block of small strain", block, small, ""),
+            ("a block of small strain beside a wall", block, small + wall, "'block.right' goes through the obstacle 'wall'"),
+            ("a block of small strain beside another", block, small + beside, "'block.right' goes through 'post.left'")):
         for ranks in (1, 2):
             found = unseen(test.results(scene, sets, ranks))
             test.check(found.startswith(expected) and bool(found) == bool(expected), f"{what}, {ranks} ranks: {found or 'nothing'}")
@@ -375,8 +379,8 @@ def snap_through(test):
     time = snapped["load_steps"][far]["time"]
     test.print(f"at a force of {2.5 * time:g} from {moved[far - 1]:.4g} to {moved[far]:.4g}")
     test.check(warnings(snapped).get("jump") == time, f"it jumps at t = {time}, warned of {warnings(snapped)}")
-    run = test.run(scene(2.5, 20, 0))
-    test.check(run.code == 3 and "the last load that was solved is that of t = 0.15" in run.err + run.out and
+    run = test.run(scene(2.5, 30, 0))
+    test.check(run.code == 3 and "the last load that was solved is that of t = 0.1" in run.err + run.out and
                "snap through" in run.err + run.out, f"exit code {run.code}: {run.err[-500:]}")
 
 

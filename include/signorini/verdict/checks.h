@@ -59,7 +59,7 @@ namespace Signorini
   /// Surfaces that go through each other where no pair looks for contact, through an obstacle, or
   /// through a plane of symmetry of their body; and places of a surface that touches itself which
   /// SelfContact has not told apart. It is seen where they do so by less than half a cell, as they
-  /// do somewhere.
+  /// do somewhere. Of small strain, other bodies and obstacles alone.
   template <int dim>
   Finding
   check_unseen_contact(const Scene<dim> &scene, const Snapshot<dim> &now);

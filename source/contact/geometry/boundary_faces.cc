@@ -19,37 +19,24 @@ namespace Signorini
   template <int dim>
   BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration,
                                     const std::string        &boundary)
-  {
-    const BoundaryIds &ids = configuration.elasticity().mesh().boundary_ids(boundary);
-    collect(configuration, [&](const auto &cell, const unsigned int f) {
-      return ids.count(cell->face(f)->boundary_id()) > 0;
-    });
-  }
+    : BoundaryFaces(configuration,
+                    [&ids = configuration.elasticity().mesh().boundary_ids(
+                       boundary)](const CellIterator<dim> &cell, const unsigned int f) {
+                      return ids.count(cell->face(f)->boundary_id()) > 0;
+                    })
+  {}
 
 
 
   template <int dim>
-  BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration,
-                                    const unsigned int        body)
-  {
-    collect(configuration,
-            [&](const auto &cell, unsigned int) { return cell->material_id() == body; });
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryFaces<dim>::collect(
-    const Configuration<dim>                                           &configuration,
-    const std::function<bool(const CellIterator<dim> &, unsigned int)> &belongs)
+  BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration, const Choice &choice)
   {
     const Elasticity<dim> &elasticity = configuration.elasticity();
     FacePatches<dim>       patch_of(elasticity.mesh());
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && belongs(cell, f))
+          if (cell->face(f)->at_boundary() && choice(cell, f))
             {
               faces.emplace_back(cell, f);
               rest.push_back(patch_of(cell, f));

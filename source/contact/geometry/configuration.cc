@@ -83,6 +83,16 @@ namespace Signorini
   RigidPose<dim>
   Configuration<dim>::pose(const Obstacle<dim> &obstacle) const
   {
+    return pose(obstacle, rigid_motion);
+  }
+
+
+
+  template <int dim>
+  RigidPose<dim>
+  Configuration<dim>::pose(const Obstacle<dim>       &obstacle,
+                           const std::vector<double> &rigid_motion) const
+  {
     std::array<double, RigidBody<dim>::n_dofs> motion{};
     const auto                                &bodies = my_elasticity.rigid_bodies();
     for (unsigned int b = 0; b < bodies.size(); ++b)

@@ -26,13 +26,9 @@ namespace Signorini
 
     template <int dim>
     bool
-    is_behind(const Configuration<dim> &from,
-              const Obstacle<dim>      &obstacle,
-              const RigidPose<dim>     &pose,
-              const Place<dim>         &place)
+    is_behind(const Place<dim> &place, const ObstaclePlace<dim> &closest)
     {
-      constexpr double         small = 1e-3, alike = 0.1;
-      const ObstaclePlace<dim> closest = from.closest(obstacle, pose, place.x);
+      constexpr double small = 1e-3, alike = 0.1;
       return closest.gap < -small * place.depth && place.normal * closest.normal > alike;
     }
 
@@ -51,10 +47,10 @@ namespace Signorini
       for (unsigned int i = 0; i < faces.faces.size(); ++i)
         for (const Point<dim - 1> &xi : inner.get_points())
           {
-            const FacePatch<dim> &patch = faces.patches[i];
-            const Place<dim>      place{patch.position(xi), patch.normal(xi), faces.depth(i)};
-            if (from.closest(obstacle, pose, place.x).gap <= way &&
-                !is_behind(from, obstacle, pose, place))
+            const FacePatch<dim>    &patch = faces.patches[i];
+            const Place<dim>         place{patch.position(xi), patch.normal(xi), faces.depth(i)};
+            const ObstaclePlace<dim> closest = from.closest(obstacle, pose, place.x);
+            if (closest.gap <= way && !is_behind(place, closest))
               result.push_back(place);
           }
       return result;
@@ -70,7 +66,6 @@ namespace Signorini
                const std::string        &surface,
                const Obstacle<dim>      &obstacle)
   {
-    constexpr unsigned int most       = 50;
     const Elasticity<dim> &elasticity = from.elasticity();
     const MPI_Comm         comm       = elasticity.mesh().communicator();
     LA::Vector             change     = to;
@@ -82,19 +77,30 @@ namespace Signorini
     double                        thin   = std::numeric_limits<double>::max();
     for (const Place<dim> &place : places)
       thin = std::min(thin, place.depth);
-    thin                       = Utilities::MPI::min(thin, comm);
-    const unsigned int n_poses = std::clamp(std::ceil(way / thin), 1., double(most));
-    bool               any     = false;
-    for (unsigned int k = 1; k <= n_poses; ++k)
+    thin                            = Utilities::MPI::min(thin, comm);
+    const std::vector<double> first = elasticity.rigid_motion(from.displacement()),
+                              last  = elasticity.rigid_motion(to);
+    // Nothing is met on a way that is shorter than what is left to the nearest place.
+    for (double gone = 0;;)
       {
-        LA::Vector between = from.displacement();
-        between.add(double(k) / n_poses, change);
-        const RigidPose<dim> pose = Configuration<dim>(elasticity, between).pose(obstacle);
-        any = any || std::any_of(places.begin(), places.end(), [&](const Place<dim> &place) {
-                return is_behind(from, obstacle, pose, place);
-              });
+        std::vector<double> between = first;
+        for (unsigned int i = 0; i < between.size(); ++i)
+          between[i] += gone / way * (last[i] - first[i]);
+        const RigidPose<dim> pose = from.pose(obstacle, between);
+        double               free = way;
+        bool                 any  = false;
+        for (const Place<dim> &place : places)
+          {
+            const ObstaclePlace<dim> closest = from.closest(obstacle, pose, place.x);
+            any                              = any || is_behind(place, closest);
+            free                             = std::min(free, closest.gap);
+          }
+        if (Utilities::MPI::max(any ? 1 : 0, comm) > 0)
+          return true;
+        if (gone >= way)
+          return false;
+        gone = std::min(way, gone + std::max(Utilities::MPI::min(free, comm), thin / 2));
       }
-    return Utilities::MPI::max(any ? 1 : 0, comm) > 0;
   }
 
 

@@ -23,8 +23,10 @@ namespace Signorini
 
     BoundaryFaces(const Configuration<dim> &configuration, const std::string &boundary);
 
-    /// All of a body.
-    BoundaryFaces(const Configuration<dim> &configuration, unsigned int body);
+    /// Which faces they are, by cell and number.
+    using Choice = std::function<bool(const CellIterator<dim> &, unsigned int)>;
+
+    BoundaryFaces(const Configuration<dim> &configuration, const Choice &choice);
 
     /// Those for which that is true. @param chosen one a face
     BoundaryFaces
@@ -44,11 +46,6 @@ namespace Signorini
 
   private:
     BoundaryFaces() = default;
-
-    /// @param belongs what of cell and face makes it one of these
-    void
-    collect(const Configuration<dim>                                           &configuration,
-            const std::function<bool(const CellIterator<dim> &, unsigned int)> &belongs);
   };
 
   /// The sides of a face, by the parameter that is constant there: 2 d + (0 or 1).

@@ -53,6 +53,10 @@ namespace Signorini
     RigidPose<dim>
     pose(const Obstacle<dim> &obstacle) const;
 
+    /// Where it would be. @param rigid_motion see Elasticity::rigid_motion()
+    RigidPose<dim>
+    pose(const Obstacle<dim> &obstacle, const std::vector<double> &rigid_motion) const;
+
     /// What belongs to a point: the closest point of the obstacle where it is now.
     ObstaclePlace<dim>
     closest(const Obstacle<dim>      &obstacle,

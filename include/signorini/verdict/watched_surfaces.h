@@ -1,0 +1,46 @@
+#pragma once
+
+#include <signorini/fields/snapshot.h>
+#include <signorini/scene/scene.h>
+
+#include <set>
+#include <string>
+#include <utility>
+
+namespace Signorini
+{
+  /// Where pairs look for contact. A kind of faces is the number of a boundary; plus that of all
+  /// boundaries if it is a slave of a surface that touches itself.
+  template <int dim>
+  class WatchedSurfaces
+  {
+  public:
+    WatchedSurfaces(const Scene<dim> &scene, const Snapshot<dim> &now);
+
+    unsigned int
+    kind(const CellIterator<dim> &cell, unsigned int face) const;
+
+    /// A pair looks whether these boundaries, one and the same perhaps, touch themselves.
+    bool
+    is_self(unsigned int a, unsigned int b) const;
+
+    bool
+    sees(unsigned int a, unsigned int b) const;
+
+    bool
+    sees(unsigned int a, const std::string &obstacle) const;
+
+    /// The first one.
+    std::string
+    name(unsigned int kind) const;
+
+  private:
+    std::pair<unsigned int, unsigned int>
+    boundaries(unsigned int a, unsigned int b) const;
+
+    const Mesh<dim>                                  &mesh;
+    std::set<std::pair<unsigned int, unsigned int>>   pairs, selves;
+    std::set<std::pair<unsigned int, std::string>>    at_obstacles;
+    std::set<std::pair<dealii::CellId, unsigned int>> slaves;
+  };
+} // namespace Signorini

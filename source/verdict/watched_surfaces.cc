@@ -1,0 +1,93 @@
+#include <signorini/verdict/watched_surfaces.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  WatchedSurfaces<dim>::WatchedSurfaces(const Scene<dim> &scene, const Snapshot<dim> &now)
+    : mesh(now.elasticity.mesh())
+  {
+    for (unsigned int i = 0; i < now.pairs.size(); ++i)
+      {
+        const ContactPair<dim> &pair = now.pairs[i];
+        for (const unsigned int slave : mesh.boundary_ids(pair.slave))
+          if (scene.obstacle_of(pair))
+            at_obstacles.insert({slave, pair.master});
+          else
+            for (const unsigned int master : mesh.boundary_ids(pair.master))
+              (pair.is_self() ? selves : pairs).insert(std::minmax(slave, master));
+        if (pair.is_self())
+          for (const SlaveFace<dim> &face : now.surfaces[i].slave_faces)
+            if (face.degree > 0)
+              slaves.insert({face.cell, face.face});
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  WatchedSurfaces<dim>::kind(const CellIterator<dim> &cell, const unsigned int face) const
+  {
+    const bool is_slave = !slaves.empty() && slaves.count({cell->id(), face}) > 0;
+    return cell->face(face)->boundary_id() + (is_slave ? mesh.end_of_boundary_ids() : 0);
+  }
+
+
+
+  template <int dim>
+  bool
+  WatchedSurfaces<dim>::is_self(const unsigned int a, const unsigned int b) const
+  {
+    return selves.count(boundaries(a, b)) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  WatchedSurfaces<dim>::sees(const unsigned int a, const unsigned int b) const
+  {
+    const unsigned int end = mesh.end_of_boundary_ids();
+    return pairs.count(boundaries(a, b)) > 0 || (is_self(a, b) && (a < end) != (b < end));
+  }
+
+
+
+  template <int dim>
+  bool
+  WatchedSurfaces<dim>::sees(const unsigned int a, const std::string &obstacle) const
+  {
+    return at_obstacles.count({a % mesh.end_of_boundary_ids(), obstacle}) > 0;
+  }
+
+
+
+  template <int dim>
+  std::string
+  WatchedSurfaces<dim>::name(const unsigned int kind) const
+  {
+    for (const std::string &boundary : mesh.boundaries())
+      if (mesh.boundary_ids(boundary).count(kind % mesh.end_of_boundary_ids()) > 0)
+        return boundary;
+    return "";
+  }
+
+
+
+  template <int dim>
+  std::pair<unsigned int, unsigned int>
+  WatchedSurfaces<dim>::boundaries(const unsigned int a, const unsigned int b) const
+  {
+    const unsigned int end = mesh.end_of_boundary_ids();
+    return std::minmax({a % end, b % end});
+  }
+
+
+
+  template class WatchedSurfaces<2>;
+  template class WatchedSurfaces<3>;
+} // namespace Signorini
