@@ -47,8 +47,8 @@ namespace Signorini
           throw SceneError("--restart: contact pair " + pair.name + " of '" + pair.slave +
                            "' and '" + pair.master +
                            "' is not that of the checkpoint; solve the scene from the start");
-        reach[i]  = was.at("reach");
-        nearby[i] = was.at("nearby");
+        reach[i]  = was.value("reach", reach[i]);
+        nearby[i] = was.value("nearby", 0.);
         if (was.value("known", false))
           known[i] = {was.at("known_reach"), was.at("known_limit"), true};
         if (was.at("keeps_sides"))

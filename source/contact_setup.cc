@@ -1,4 +1,5 @@
 #include <signorini/contact/discretisation/geometric_stiffness.h>
+#include <signorini/contact/discretisation/idle_pairs.h>
 #include <signorini/contact/geometry/reach.h>
 #include <signorini/contact/geometry/sweep.h>
 #include <signorini/contact/methods/method.h>
@@ -233,6 +234,22 @@ namespace Signorini
         if (goes_through(start, to, pair.slave, *obstacle))
           throw SolverFailure("the obstacle '" + obstacle->name + "' would go through '" +
                               pair.slave + "' in one load step; load in smaller steps");
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::check_passed(const LA::Vector &u, const LA::Vector &pressure) const
+  {
+    TimerOutput::Scope       scope(timer, "search");
+    const std::vector<bool>  idle = idle_pairs(*contact, pressure, scene.pairs.size());
+    const Configuration<dim> now(elasticity, u);
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(scene.pairs[i]);
+          obstacle && idle[i] && is_within(now, scene.pairs[i].slave, *obstacle))
+        throw SolverFailure("'" + scene.pairs[i].slave + "' has got through the obstacle '" +
+                            obstacle->name + "'; load in smaller steps");
   }
 
 

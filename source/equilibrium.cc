@@ -189,6 +189,7 @@ namespace Signorini
             state.time = t;
             if (elasticity.is_finite())
               {
+                contact.check_passed(state.displacement, in_place.pressure());
                 my_report.curves_down = in_place.curves_down(state.displacement);
                 my_report.jump        = jump_since(before);
                 earlier.reset();
@@ -224,9 +225,18 @@ namespace Signorini
     constexpr double fast = 3; // slower ones are no jumps
     LA::Vector       way  = state.displacement;
     way -= before.displacement;
-    const double speed = way.l2_norm() / (state.time - before.time),
-                 times = last_speed > 0 ? speed / last_speed : 0;
-    last_speed         = speed;
+    LA::Vector held = before.displacement;
+    elasticity.distribute(held);
+    held -= before.displacement;
+    // What supports and obstacles are led along faster is none either.
+    const double duration = state.time - before.time, speed = way.l2_norm() / duration,
+                 drive  = held.l2_norm() / duration,
+                 pushed = last_drive > 0 ? std::max(1., drive / last_drive) : 1,
+                 times  = last_speed > 0 && (drive == 0 || last_drive > 0) ?
+                            speed / (last_speed * pushed) :
+                            0;
+    last_speed          = speed;
+    last_drive          = drive;
     if (times <= fast)
       return 0;
     for (const double share : {0.25, 0.5, 0.75})

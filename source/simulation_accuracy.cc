@@ -146,7 +146,7 @@ namespace Signorini
     State carried        = state;
     carried.bulk_stress  = LA::Vector();
     carried.displacement = enriched(*elasticity, state.displacement, *richer);
-    replace_elasticity(std::move(richer), carried, equilibrium->follows());
+    replace_elasticity(std::move(richer), carried, equilibrium->follows(), contact->memory());
   }
 
 

@@ -59,7 +59,11 @@ namespace Signorini
     scene.check(); // what goes with small deformation alone
     auto finite = make_elasticity(scene, *mesh);
     finite->setup();
-    replace_elasticity(std::move(finite), before, true);
+    Json known = contact->memory();
+    for (Json &pair : known) // how far to look is another matter there
+      for (const char *key : {"reach", "nearby", "known"})
+        pair.erase(key);
+    replace_elasticity(std::move(finite), before, true, known);
   }
 
 
@@ -68,14 +72,15 @@ namespace Signorini
   void
   Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
                                       const State                     &carried,
-                                      const bool                       follows)
+                                      const bool                       follows,
+                                      const Json                      &known)
   {
-    const Json known = contact->memory();
     equilibrium.reset(); // these refer to it
     contact.reset();
     elasticity = std::move(other);
     set_up_contact();
     contact->remember(known);
+    equilibrium->find_contact(); // as it is at rest, where initial overlaps are
     equilibrium->set_state(carried, follows);
   }
 
@@ -87,7 +92,8 @@ namespace Signorini
   template void Simulation<dim>::become_finite(const State &);                                     \
   template void Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>>,              \
                                                     const State &,                                 \
-                                                    bool);
+                                                    bool,                                          \
+                                                    const Json &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

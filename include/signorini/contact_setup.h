@@ -48,7 +48,8 @@ namespace Signorini
     memory() const;
 
     /// Before the first build(). Throws SceneError if the pairs are others. The pairs are those of
-    /// the scene, and exchanged as they were.
+    /// the scene, and exchanged as they were. Without `reach`, `nearby`, `known`, how far to look
+    /// is guessed as at first.
     void
     remember(const nlohmann::ordered_json &memory);
 
@@ -76,6 +77,11 @@ namespace Signorini
     /// another. @param from, to displacements. Collective.
     void
     check_ways(const LA::Vector &from, const LA::Vector &to) const;
+
+    /// Throws SolverFailure if a slave is in the obstacle of its pair, which has no pressure.
+    /// @param u displacement. Collective.
+    void
+    check_passed(const LA::Vector &u, const LA::Vector &pressure) const;
 
     /// Where surfaces have moved: let forces of such pressures turn with them, by
     /// geometric_stiffness(). Collective.

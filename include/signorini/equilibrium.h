@@ -182,6 +182,7 @@ namespace Signorini
     std::vector<NewtonStep> steps_before; ///< of this load step, with surfaces placed before
 
     double last_speed = 0; ///< displacement per time of the last load step
+    double last_drive = 0; ///< that of supports and obstacles alone
 
     /// Before the last load step, on this mesh.
     struct Earlier

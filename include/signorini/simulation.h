@@ -102,9 +102,12 @@ namespace Signorini
     /// From here on. Throws SceneError where the scene has what goes with small strain alone.
     void
     become_finite(const State &before);
-    /// On the same mesh.
+    /// On the same mesh. @param known ContactSetup::memory()
     void
-    replace_elasticity(std::unique_ptr<Elasticity<dim>> other, const State &carried, bool follows);
+    replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
+                       const State                     &carried,
+                       bool                             follows,
+                       const Json                      &known);
 
     // Errors, in simulation_accuracy.cc:
 

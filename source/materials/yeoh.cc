@@ -21,12 +21,13 @@ namespace Signorini
     // Of i: by I1 and by J.
     const double i_1 = scale, i_J = -2. / 3 * scale * I1 / J, i_1J = -2. / 3 * scale / J,
                  i_JJ = 10. / 9 * scale * I1 / (J * J);
-    Derivatives w;
-    w.value        = i * (c10 + i * (c20 + c30 * i)) + K / 2 * (J - 1) * (J - 1);
-    w.first        = {{d1 * i_1, 0, d1 * i_J + K * (J - 1)}};
+    Derivatives  w;
+    const double l = std::log(J);
+    w.value        = i * (c10 + i * (c20 + c30 * i)) + K / 2 * l * l;
+    w.first        = {{d1 * i_1, 0, d1 * i_J + K * l / J}};
     w.second[0][0] = d2 * i_1 * i_1;
     w.second[0][2] = w.second[2][0] = d2 * i_1 * i_J + d1 * i_1J;
-    w.second[2][2]                  = d2 * i_J * i_J + d1 * i_JJ + K;
+    w.second[2][2]                  = d2 * i_J * i_J + d1 * i_JJ + K * (1 - l) / (J * J);
     return w;
   }
 } // namespace Signorini

@@ -47,6 +47,11 @@ namespace Signorini
         largest = std::max(largest, force.l2_norm());
         at_work = forces_at_work(force, largest);
       }
+    if (largest <= bodies.load_noise()) // then only what was at work before can tell what is small
+      {
+        largest = 1e13 * bodies.load_noise();
+        at_work.assign(n_bodies, largest);
+      }
     bodies.constraints().set_zero(r);
     force_scale = largest;
     // The forces of a cold start may be far larger, as penalties of bodies that overlap; their

@@ -118,6 +118,7 @@ namespace Signorini
         squares += all(i) * all(i);
     reaction  = std::sqrt(Utilities::MPI::sum(squares, elasticity.mesh().communicator()));
     following = pushed.l2_norm();
+    largest   = std::max(largest, load_size());
     return balanced;
   }
 

@@ -20,10 +20,14 @@ namespace Signorini
 
   namespace
   {
+    /// Overlaps of pairs without pressure that are smaller are those of facets.
+    constexpr double much_of_cell = 0.2;
+
     /// What a surface goes through.
     enum class Through
     {
       other,    ///< surface, of the same body or another
+      body,     ///< another one: farther inside of it than any surface is near
       itself,   ///< where a pair looks for that
       obstacle, ///< of the scene
       symmetry  ///< of its own body, a plane of which the other side is the image of this one
@@ -33,9 +37,10 @@ namespace Signorini
     struct Overlap
     {
       double       share = 0, depth = 0; ///< of the cells behind; and as a length
-      unsigned int surface = 0;          ///< its kind, see Watched
+      unsigned int surface = 0;          ///< its kind, see WatchedSurfaces
       Through      through = Through::other;
-      unsigned int what    = 0; ///< the kind of the other surface; or which obstacle or plane
+      unsigned int what    = 0; ///< the kind of the other surface; or which body, obstacle, plane
+      bool         is_idle = false; ///< there is a pair, which has not seen it
 
       void
       take(const Overlap &other)
@@ -100,6 +105,13 @@ namespace Signorini
         if (know_rest)
           result.rest = faces.rest;
         return result;
+      }
+
+      MasterFaces<dim>
+      masters_at_rest() const
+      {
+        const auto tell = [](unsigned int, const Point<dim - 1> &, Partner<dim> &) {};
+        return {faces.rest, tell, {}, {}};
       }
 
       BoundaryFaces<dim>              faces;
@@ -167,14 +179,47 @@ namespace Signorini
           const unsigned int  i = asked[k], kind = a.kinds[a.face_of[i]], other = partner.kind;
           const double        depth = (partner.position - a.places[i]) * partner.normal,
                        room         = std::min(a.depth(i), partner.size);
-          if (depth > 0 && partner.position.distance(a.places[i]) < room &&
-              !watched.sees(kind, other))
+          const bool is_idle        = watched.is_idle(kind, other);
+          if (depth > (is_idle ? much_of_cell * 2 * room : 0) &&
+              partner.position.distance(a.places[i]) < room && !watched.sees(kind, other))
             largest.take({depth / (2 * room),
                           depth,
                           std::min(kind, other),
                           watched.is_self(kind, other) ? Through::itself : Through::other,
-                          std::max(kind, other)});
+                          std::max(kind, other),
+                          is_idle});
         }
+      return largest;
+    }
+
+    /// What was outside of another body at rest, and is now farther inside than half a cell.
+    template <int dim>
+    Overlap
+    deep_in(const Outside<dim> &a,
+            const Outside<dim> &b,
+            const unsigned int  body,
+            const MPI_Comm      comm)
+    {
+      std::vector<unsigned int> asked;
+      std::vector<Point<dim>>   places, at_rest;
+      for (unsigned int i = 0; i < a.places.size(); ++i)
+        if (b.box->point_inside(a.places[i]))
+          {
+            asked.push_back(i);
+            places.push_back(a.places[i]);
+            at_rest.push_back(a.rest[i].x);
+          }
+      if (Utilities::MPI::sum(asked.size(), comm) == 0)
+        return {};
+      const auto ends   = b.box->get_boundary_points();
+      const auto now    = depths(places, b.masters(false), ends.first.distance(ends.second), comm),
+                 before = depths(at_rest, b.masters_at_rest(), b.deepest, comm);
+      Overlap largest;
+      for (unsigned int k = 0; k < asked.size(); ++k)
+        if (const unsigned int i = asked[k]; now[k] >= a.depth(i) && std::isfinite(now[k]) &&
+                                             !(before[k] > 0 && std::isfinite(before[k])))
+          largest.take(
+            {now[k] / (2 * a.depth(i)), now[k], a.kinds[a.face_of[i]], Through::body, body});
       return largest;
     }
 
@@ -182,13 +227,15 @@ namespace Signorini
     /// may belong there.
     /// @param closest place of what is rigid, to place i, if there is one
     /// @param was_outside at rest, of place i
-    template <int dim, typename Closest, typename WasOutside>
+    /// @param is_idle by the kind of its face, whether there is a pair that has not seen it
+    template <int dim, typename Closest, typename WasOutside, typename IsIdle>
     Overlap
     overlap_with_rigid(const Outside<dim> &a,
                        const Through       through,
                        const unsigned int  what,
                        const Closest      &closest,
-                       const WasOutside   &was_outside)
+                       const WasOutside   &was_outside,
+                       const IsIdle       &is_idle)
     {
       Overlap largest;
       for (unsigned int i = 0; i < a.places.size(); ++i)
@@ -196,11 +243,13 @@ namespace Signorini
           const std::optional<ObstaclePlace<dim>> place = closest(i);
           if (!place || place->gap >= 0)
             continue;
-          const bool is_near =
-            -place->gap < a.depth(i) && faces_each_other<dim>(a.normals[i], place->normal);
-          if (is_near || was_outside(i))
-            largest.take(
-              {-place->gap / (2 * a.depth(i)), -place->gap, a.kinds[a.face_of[i]], through, what});
+          const unsigned int kind  = a.kinds[a.face_of[i]];
+          const double       share = -place->gap / (2 * a.depth(i));
+          const bool         idle  = is_idle(kind),
+                     is_near =
+                       (idle || share < 0.5) && faces_each_other<dim>(a.normals[i], place->normal);
+          if ((is_near || was_outside(i)) && !(idle && share < much_of_cell))
+            largest.take({share, -place->gap, kind, through, what, idle});
         }
       return largest;
     }
@@ -222,9 +271,13 @@ namespace Signorini
           return {};
         return configuration.closest(obstacle, pose, a.places[i]);
       };
-      return overlap_with_rigid(a, Through::obstacle, number, closest, [&](const unsigned int i) {
+      const auto was_outside = [&](const unsigned int i) {
         return at_rest.closest(obstacle, rest, a.rest[i].x).gap >= 0;
-      });
+      };
+      return overlap_with_rigid(
+        a, Through::obstacle, number, closest, was_outside, [&](const unsigned int kind) {
+          return watched.is_idle(kind, obstacle.name);
+        });
     }
 
     template <int dim>
@@ -251,9 +304,11 @@ namespace Signorini
           return {};
         return ObstaclePlace<dim>{gap, -plane.normal};
       };
-      return overlap_with_rigid(a, Through::symmetry, number, closest, [&](const unsigned int i) {
+      const auto was_outside = [&](const unsigned int i) {
         return (plane.center - a.rest[i].x) * plane.normal >= 0;
-      });
+      };
+      return overlap_with_rigid(
+        a, Through::symmetry, number, closest, was_outside, [](unsigned int) { return false; });
     }
 
     /// Of all ranks.
@@ -289,10 +344,16 @@ namespace Signorini
     for (unsigned int body = 0; body < bodies.size(); ++body)
       {
         const Outside<dim> &a = bodies[body];
-        for (const Outside<dim> &b : bodies)
-          if ((is_finite || &a != &b) && a.box && b.box &&
-              a.box->get_neighbor_type(*b.box) != NeighborType::not_neighbors)
+        for (unsigned int other = 0; other < bodies.size(); ++other)
+          {
+            const Outside<dim> &b = bodies[other];
+            if ((!is_finite && &a == &b) || !a.box || !b.box ||
+                a.box->get_neighbor_type(*b.box) == NeighborType::not_neighbors)
+              continue;
             largest.take(overlap_of(a, b, watched, mesh.communicator()));
+            if (is_finite && &a != &b) // else not all of the other one is there
+              largest.take(deep_in(a, b, other, mesh.communicator()));
+          }
         for (unsigned int i = 0; i < scene.obstacles.size(); ++i)
           largest.take(overlap_of(configuration, a, scene.obstacles[i], i, watched));
         for (unsigned int i = 0; i < planes.size(); ++i)
@@ -304,9 +365,10 @@ namespace Signorini
     finding.check           = "unseen contact";
     finding.value           = largest.share;
     finding.limit           = small;
-    finding.outcome         = largest.share <= small             ? Outcome::passed :
-                              largest.through == Through::itself ? Outcome::failed :
-                                                                   Outcome::warned;
+    finding.outcome         = largest.share <= small ? Outcome::passed :
+                              largest.through == Through::itself || (largest.is_idle && is_finite) ?
+                                                       Outcome::failed :
+                                                       Outcome::warned;
     const std::string name  = "'" + watched.name(largest.surface) + "' goes through ",
                       depth = " by up to " + short_text(largest.depth, 2);
     const auto pair         = [&](const std::string &master) {
@@ -315,6 +377,12 @@ namespace Signorini
     };
     switch (largest.through)
       {
+        case Through::body:
+          finding.what = "'" + watched.name(largest.surface) + "' is inside of '" +
+                         mesh.body_name(largest.what) + "', by up to " +
+                         short_text(largest.depth, 2);
+          finding.cure = "load in smaller steps, and add a pair to Contact pairs, if there is none";
+          break;
         case Through::other:
           finding.what = name + "'" + watched.name(largest.what) + "'" + depth +
                          ", where no pair looks for contact";
@@ -338,6 +406,14 @@ namespace Signorini
           finding.cure =
             "add that plane to Obstacles, and a pair with it, if it is one of symmetry";
           break;
+      }
+    if (largest.is_idle)
+      {
+        const std::string words = ", where no pair looks for contact";
+        finding.what.replace(finding.what.find(words),
+                             words.size(),
+                             ", and their pair did not see it");
+        finding.cure = "load in smaller steps, or set a Search distance of the pair";
       }
     return finding;
   }

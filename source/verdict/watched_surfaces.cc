@@ -1,3 +1,4 @@
+#include <signorini/contact/discretisation/idle_pairs.h>
 #include <signorini/verdict/watched_surfaces.h>
 
 #include <algorithm>
@@ -10,15 +11,20 @@ namespace Signorini
   WatchedSurfaces<dim>::WatchedSurfaces(const Scene<dim> &scene, const Snapshot<dim> &now)
     : mesh(now.elasticity.mesh())
   {
+    const std::vector<bool> idle =
+      Signorini::idle_pairs(now.contact, now.pressure, now.pairs.size());
     for (unsigned int i = 0; i < now.pairs.size(); ++i)
       {
         const ContactPair<dim> &pair = now.pairs[i];
         for (const unsigned int slave : mesh.boundary_ids(pair.slave))
           if (scene.obstacle_of(pair))
-            at_obstacles.insert({slave, pair.master});
+            (idle[i] ? idle_at_obstacles : at_obstacles).insert({slave, pair.master});
           else
             for (const unsigned int master : mesh.boundary_ids(pair.master))
-              (pair.is_self() ? selves : pairs).insert(std::minmax(slave, master));
+              (pair.is_self() ? selves :
+               idle[i]        ? idle_pairs :
+                                pairs)
+                .insert(std::minmax(slave, master));
         if (pair.is_self())
           for (const SlaveFace<dim> &face : now.surfaces[i].slave_faces)
             if (face.degree > 0)
@@ -62,6 +68,25 @@ namespace Signorini
   WatchedSurfaces<dim>::sees(const unsigned int a, const std::string &obstacle) const
   {
     return at_obstacles.count({a % mesh.end_of_boundary_ids(), obstacle}) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  WatchedSurfaces<dim>::is_idle(const unsigned int a, const unsigned int b) const
+  {
+    return !sees(a, b) && idle_pairs.count(boundaries(a, b)) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  WatchedSurfaces<dim>::is_idle(const unsigned int a, const std::string &obstacle) const
+  {
+    return !sees(a, obstacle) &&
+           idle_at_obstacles.count({a % mesh.end_of_boundary_ids(), obstacle}) > 0;
   }
 
 

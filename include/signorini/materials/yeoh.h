@@ -4,8 +4,8 @@
 
 namespace Signorini
 {
-  /// W = c10 i + c20 i^2 + c30 i^3 + K/2 (J - 1)^2 with i = J^(-2/3) I1 - 3, which does not know
-  /// the volume; mu = 2 c10. The volume's part is that of most programs.
+  /// W = c10 i + c20 i^2 + c30 i^3 + K/2 (ln J)^2 with i = J^(-2/3) I1 - 3, which does not know
+  /// the volume; mu = 2 c10. The volume's part is the one that mixed bodies have.
   class Yeoh : public InvariantEnergy
   {
   public:

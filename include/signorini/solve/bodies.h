@@ -38,6 +38,13 @@ namespace Signorini
     virtual double
     load_size() const = 0;
 
+    /// Forces that are smaller are what rounding has left of those before; not collective.
+    virtual double
+    load_noise() const
+    {
+      return 0;
+    }
+
     /// Linearise at u: stiffness() is that of u from then on. Its version tells whether anything
     /// has changed. Collective.
     virtual void

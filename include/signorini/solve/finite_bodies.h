@@ -38,6 +38,13 @@ namespace Signorini
     double
     load_size() const override;
 
+    /// Bodies may be led about without any force: then reactions are nothing but rounding.
+    double
+    load_noise() const override
+    {
+      return 1e-13 * largest;
+    }
+
     void
     linearise(const LA::Vector &u) override;
 
@@ -101,5 +108,6 @@ namespace Signorini
     mutable PressureKernel<dim>               pressures;
     const std::unique_ptr<Linearisation<dim>> linearisation;
     mutable double reaction = 0, following = 0; ///< sizes, of reactions and pressures
+    mutable double largest = 0;                 ///< load_size() so far
   };
 } // namespace Signorini

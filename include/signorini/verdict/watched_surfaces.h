@@ -10,7 +10,9 @@
 namespace Signorini
 {
   /// Where pairs look for contact. A kind of faces is the number of a boundary; plus that of all
-  /// boundaries if it is a slave of a surface that touches itself.
+  /// boundaries if it is a slave of a surface that touches itself. Pairs without any pressure are
+  /// idle: surfaces that go through each other all the same have not seen it. (Unless their initial
+  /// overlap is not to count yet.)
   template <int dim>
   class WatchedSurfaces
   {
@@ -30,6 +32,12 @@ namespace Signorini
     bool
     sees(unsigned int a, const std::string &obstacle) const;
 
+    bool
+    is_idle(unsigned int a, unsigned int b) const;
+
+    bool
+    is_idle(unsigned int a, const std::string &obstacle) const;
+
     /// The first one.
     std::string
     name(unsigned int kind) const;
@@ -39,8 +47,8 @@ namespace Signorini
     boundaries(unsigned int a, unsigned int b) const;
 
     const Mesh<dim>                                  &mesh;
-    std::set<std::pair<unsigned int, unsigned int>>   pairs, selves;
-    std::set<std::pair<unsigned int, std::string>>    at_obstacles;
+    std::set<std::pair<unsigned int, unsigned int>>   pairs, idle_pairs, selves;
+    std::set<std::pair<unsigned int, std::string>>    at_obstacles, idle_at_obstacles;
     std::set<std::pair<dealii::CellId, unsigned int>> slaves;
   };
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/contact/geometry/boundary_faces.h>
 #include <signorini/contact/geometry/reach.h>
+#include <signorini/contact/geometry/search.h>
 #include <signorini/contact/geometry/sweep.h>
 
 #include <deal.II/base/mpi.h>
@@ -26,13 +27,42 @@ namespace Signorini
 
     template <int dim>
     bool
-    is_behind(const Place<dim> &place, const ObstaclePlace<dim> &closest)
+    is_in(const Place<dim> &place, const ObstaclePlace<dim> &closest)
     {
-      constexpr double small = 1e-3, alike = 0.1;
-      return closest.gap < -small * place.depth && place.normal * closest.normal > alike;
+      constexpr double small = 1e-3;
+      return closest.gap < -small * place.depth;
     }
 
-    /// Those that it may come to, and that are not behind it already.
+    template <int dim>
+    bool
+    is_behind(const Place<dim> &place, const ObstaclePlace<dim> &closest)
+    {
+      constexpr double alike = 0.1;
+      return is_in(place, closest) && place.normal * closest.normal > alike;
+    }
+
+    template <int dim>
+    bool
+    sees(const Place<dim> &place, const ObstaclePlace<dim> &closest)
+    {
+      return faces_each_other(place.normal, closest.normal);
+    }
+
+    template <int dim>
+    std::vector<Place<dim>>
+    places_of(const Configuration<dim> &now, const std::string &surface)
+    {
+      const QGauss<dim - 1>    inner(2);
+      std::vector<Place<dim>>  result;
+      const BoundaryFaces<dim> faces(now, surface);
+      for (unsigned int i = 0; i < faces.faces.size(); ++i)
+        for (const Point<dim - 1> &xi : inner.get_points())
+          result.push_back(
+            {faces.patches[i].position(xi), faces.patches[i].normal(xi), faces.depth(i)});
+      return result;
+    }
+
+    /// Those that it may come to, and that are not in it already and see nothing of it.
     template <int dim>
     std::vector<Place<dim>>
     reachable(const Configuration<dim> &from,
@@ -40,19 +70,14 @@ namespace Signorini
               const Obstacle<dim>      &obstacle,
               const double              way)
     {
-      const RigidPose<dim>     pose = from.pose(obstacle);
-      const QGauss<dim - 1>    inner(2);
-      std::vector<Place<dim>>  result;
-      const BoundaryFaces<dim> faces(from, surface);
-      for (unsigned int i = 0; i < faces.faces.size(); ++i)
-        for (const Point<dim - 1> &xi : inner.get_points())
-          {
-            const FacePatch<dim>    &patch = faces.patches[i];
-            const Place<dim>         place{patch.position(xi), patch.normal(xi), faces.depth(i)};
-            const ObstaclePlace<dim> closest = from.closest(obstacle, pose, place.x);
-            if (closest.gap <= way && !is_behind(place, closest))
-              result.push_back(place);
-          }
+      const RigidPose<dim>    pose = from.pose(obstacle);
+      std::vector<Place<dim>> result;
+      for (const Place<dim> &place : places_of(from, surface))
+        {
+          const ObstaclePlace<dim> closest = from.closest(obstacle, pose, place.x);
+          if (closest.gap <= way && (!is_in(place, closest) || sees(place, closest)))
+            result.push_back(place);
+        }
       return result;
     }
   } // namespace
@@ -88,14 +113,18 @@ namespace Signorini
           between[i] += gone / way * (last[i] - first[i]);
         const RigidPose<dim> pose = from.pose(obstacle, between);
         double               free = way;
-        bool                 any  = false;
+        // Places that are behind the obstacle; in it; and those of these that see its surface.
+        std::vector<unsigned int> n(3, 0);
         for (const Place<dim> &place : places)
           {
             const ObstaclePlace<dim> closest = from.closest(obstacle, pose, place.x);
-            any                              = any || is_behind(place, closest);
-            free                             = std::min(free, closest.gap);
+            n[0] += is_behind(place, closest);
+            n[1] += is_in(place, closest);
+            n[2] += is_in(place, closest) && sees(place, closest);
+            free = std::min(free, closest.gap);
           }
-        if (Utilities::MPI::max(any ? 1 : 0, comm) > 0)
+        Utilities::MPI::sum(n, comm, n);
+        if (n[0] > 0 || (n[1] > 0 && n[2] == 0))
           return true;
         if (gone >= way)
           return false;
@@ -105,11 +134,29 @@ namespace Signorini
 
 
 
+  template <int dim>
+  bool
+  is_within(const Configuration<dim> &now,
+            const std::string        &surface,
+            const Obstacle<dim>      &obstacle)
+  {
+    constexpr double              much   = 0.2;
+    const RigidPose<dim>          pose   = now.pose(obstacle);
+    const std::vector<Place<dim>> places = places_of(now, surface);
+    const bool any = std::any_of(places.begin(), places.end(), [&](const Place<dim> &place) {
+      return now.closest(obstacle, pose, place.x).gap < -much * place.depth;
+    });
+    return Utilities::MPI::max(any ? 1 : 0, now.elasticity().mesh().communicator()) > 0;
+  }
+
+
+
 #define INSTANTIATE(dim)                                                                           \
   template bool goes_through(const Configuration<dim> &,                                           \
                              const LA::Vector &,                                                   \
                              const std::string &,                                                  \
-                             const Obstacle<dim> &);
+                             const Obstacle<dim> &);                                               \
+  template bool is_within(const Configuration<dim> &, const std::string &, const Obstacle<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE
