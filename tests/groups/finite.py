@@ -454,7 +454,184 @@ def operators(test):
         test.check(cycles[1] <= 1.2 * cycles[0], f"{cycles[1]} instead of {cycles[0]} cycles")
 
 
+LED = """
+set Dimension = 2
+set Model = plane strain
+set Deformation = finite
+subsection Bodies
+ set Names = block
+ subsection block
+  set Mesh = box
+  set Corners = 0,0 : 1,1
+  set Subdivisions = 4,4
+  set Young's modulus = 1
+  set Poisson's ratio = 0.3
+ end
+end
+subsection Obstacles
+ set Names = floor
+ subsection floor
+  set Shape = plane
+  set Point = 0,-0.2
+  set Normal = 0,1
+ end
+end
+subsection Supports
+ set Names = top
+ subsection top
+  set Boundaries = block.top
+  set Displacement = 0; -0.3*t
+ end
+end
+subsection Contact pairs
+ set Names = p
+ subsection p
+  set Slave = block.bottom
+  set Master = floor
+ end
+end
+"""
+
+
+def led_without_force(test):
+    """Bodies that are led about meet no force at first, or at last: no reason not to solve that."""
+    scene = write(test, "led.prm", LED)
+    for sets in ([], ["Mesh/Degree=2"], ["Bodies/block/Young's modulus=2e5"], ["Contact method/Method=penalty"]):
+        one, many = (force_of(test.results(scene, [*sets, f"Load steps/Number={n}"]), "p") for n in (1, 3))
+        test.check(one > 0.1 and abs(many / one - 1) <= 1e-8, f"{sets}: {one:.10g} in one load step, {many:.10g} in three")
+    away = force_of(test.results(scene, ["Supports/top/Displacement=0; -1.2*t*(1-t)", "Load steps/Number=4"]), "p")
+    test.check(abs(away) <= 1e-12, f"a force of {away:.3g} is left")
+
+
+BEAM = """
+set Dimension = 2
+set Deformation = finite
+subsection Bodies
+  set Names = beam
+  subsection beam
+    set Mesh = box
+    set Corners = 0,0 : 2,0.3
+    set Subdivisions = 24,5
+    set Young's modulus = 1
+    set Poisson's ratio = 0.3
+  end
+end
+subsection Obstacles
+  set Names = roller
+  subsection roller
+    set Shape = cylinder
+    set Center = 1.8, 0.5
+    set Radius = 0.2
+    set Displacement = 0; -0.2*t
+  end
+end
+subsection Supports
+  set Names = root
+  subsection root
+    set Boundaries = beam.left
+    set Displacement = 0; 0
+  end
+end
+subsection Contact pairs
+  set Names = contact
+  subsection contact
+    set Slave = beam.top
+    set Master = roller
+  end
+end
+"""
+
+
+def to_the_middle(test):
+    """A roller that comes with its middle to a surface in one load step, from where that sees nothing of it."""
+    scene = write(test, "beam.prm", BEAM)
+    many, one = (force_of(test.results(scene, [f"Load steps/Number={n}"])) for n in (20, 1))
+    test.print(f"{many:.10g} in 20 load steps, {one:.10g} in one that is cut")
+    test.check(many > 1e-4 and abs(one / many - 1) <= 1e-8, f"{many:.10g} in 20 load steps, {one:.10g} in one")
+
+
+THROUGH = """
+set Dimension = 2
+set Deformation = finite
+subsection Bodies
+ set Names = lower, upper
+ subsection lower
+  set Mesh = box
+  set Corners = 0,0 : 3,1
+  set Subdivisions = 24,8
+  set Young's modulus = 1000
+  set Poisson's ratio = 0.3
+ end
+ subsection upper
+  set Mesh = box
+  set Corners = 1.03,1.3 : 1.97,2.3
+  set Subdivisions = 8,8
+  set Young's modulus = 1000
+  set Poisson's ratio = 0.3
+ end
+end
+subsection Obstacles
+ set Names = floor
+ subsection floor
+  set Shape = plane
+  set Point = 0,0
+  set Normal = 0,1
+ end
+end
+subsection Supports
+ set Names = side, top
+ subsection side
+  set Type = symmetry
+  set Boundaries = lower.left
+ end
+ subsection top
+  set Boundaries = upper.top
+  set Displacement = 0; -0.9*t
+ end
+end
+subsection Loads
+ set Names = w
+ subsection w
+  set Bodies = lower
+  set Body force = 0; -1
+ end
+end
+subsection Contact pairs
+ set Names = foot
+ subsection foot
+  set Slave = lower.bottom
+  set Master = floor
+ end
+end
+"""
+
+
+def passed_through(test):
+    """Flat faces that have gone through each other by more than half a cell, so that no surface is near."""
+    scene = write(test, "through.prm", THROUGH)
+    for depth in (0.06, 0.15, 0.6):
+        for ranks in (1, 2):
+            found = unseen(test.results(scene, [f"Supports/top/Displacement=0; -{0.3 + depth}*t"], ranks))
+            test.check("'upper." in found, f"by {depth}, {ranks} ranks: {found or 'nothing'}")
+    found = unseen(test.results(scene, ["Supports/top/Displacement=0; -0.2*t"]))
+    test.check(not found, found)
+
+
+def yeoh_volume(test):
+    """The same law, mixed or not: squeezed between walls, by what Poisson's ratio is at the border of the two."""
+    text = (SCENES / "finite-block.prm").read_text().replace("set Young's modulus = 1\n", "set Law = Yeoh\n")
+    scene = write(test, "yeoh.prm", text)
+    forces = [force_of(test.results(scene, ["Bodies/block/Coefficients=0.2, -0.01, 0.002", f"Bodies/block/Formulation={form}",
+                                            "Bodies/block/Poisson's ratio=0.3", "Mesh/Degree=2"]), "top")
+              for form in ("displacement", "mixed")]
+    test.check(abs(forces[1] / forces[0] - 1) <= 1e-6, f"{forces[0]:.10g} and {forces[1]:.10g} mixed")
+
+
 def cases():
+    yield Case("finite", "led", led_without_force)
+    yield Case("finite", "to the middle", to_the_middle)
+    yield Case("finite", "passed through", passed_through, ranks=2)
+    yield Case("finite", "Yeoh's volume", yeoh_volume)
     yield Case("finite", "operators", operators, ranks=2)
     yield Case("finite", "thin wall", thin_wall)
     yield Case("finite", "snap-through", snap_through)
