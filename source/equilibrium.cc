@@ -222,15 +222,17 @@ namespace Signorini
   double
   Equilibrium<dim>::jump_since(const State &before)
   {
-    constexpr double fast = 3; // slower ones are no jumps
-    LA::Vector       way  = state.displacement;
+    constexpr double fast     = 3; // slower ones are no jumps
+    const double     duration = state.time - before.time;
+    if (duration == 0) // only the mesh is another
+      return 0;
+    LA::Vector way = state.displacement;
     way -= before.displacement;
     LA::Vector held = before.displacement;
     elasticity.distribute(held);
     held -= before.displacement;
     // What supports and obstacles are led along faster is none either.
-    const double duration = state.time - before.time, speed = way.l2_norm() / duration,
-                 drive  = held.l2_norm() / duration,
+    const double speed = way.l2_norm() / duration, drive = held.l2_norm() / duration,
                  pushed = last_drive > 0 ? std::max(1., drive / last_drive) : 1,
                  times  = last_speed > 0 && (drive == 0 || last_drive > 0) ?
                             speed / (last_speed * pushed) :
