@@ -146,6 +146,18 @@ namespace Signorini
       return result;
     }
 
+    /// Places of a that may be in b.
+    template <int dim>
+    std::vector<unsigned int>
+    in_box_of(const Outside<dim> &a, const Outside<dim> &b)
+    {
+      std::vector<unsigned int> result;
+      for (unsigned int i = 0; i < a.places.size(); ++i)
+        if (b.box->point_inside(a.places[i]))
+          result.push_back(i);
+      return result;
+    }
+
     template <int dim>
     Overlap
     overlap_of(const Outside<dim>         &a,
@@ -153,21 +165,18 @@ namespace Signorini
                const WatchedSurfaces<dim> &watched,
                const MPI_Comm              comm)
     {
-      // What is in the other one is in its box.
-      const bool                    is_self = &a == &b;
-      std::vector<unsigned int>     asked;
-      std::vector<Point<dim>>       places;
-      std::vector<Tensor<1, dim>>   normals;
-      std::vector<PlaceAtRest<dim>> rest;
-      for (unsigned int i = 0; i < a.places.size(); ++i)
-        if (b.box->point_inside(a.places[i]))
-          {
-            asked.push_back(i);
-            places.push_back(a.places[i]);
-            normals.push_back(a.normals[i]);
-            if (is_self)
-              rest.push_back(a.rest[i]);
-          }
+      const bool                      is_self = &a == &b;
+      const std::vector<unsigned int> asked   = in_box_of(a, b);
+      std::vector<Point<dim>>         places;
+      std::vector<Tensor<1, dim>>     normals;
+      std::vector<PlaceAtRest<dim>>   rest;
+      for (const unsigned int i : asked)
+        {
+          places.push_back(a.places[i]);
+          normals.push_back(a.normals[i]);
+          if (is_self)
+            rest.push_back(a.rest[i]);
+        }
       const auto partners =
         find_partners(places, normals, b.masters(is_self), a.deepest / 2, comm, nullptr, {}, rest);
       Overlap largest;
@@ -200,15 +209,13 @@ namespace Signorini
             const unsigned int  body,
             const MPI_Comm      comm)
     {
-      std::vector<unsigned int> asked;
-      std::vector<Point<dim>>   places, at_rest;
-      for (unsigned int i = 0; i < a.places.size(); ++i)
-        if (b.box->point_inside(a.places[i]))
-          {
-            asked.push_back(i);
-            places.push_back(a.places[i]);
-            at_rest.push_back(a.rest[i].x);
-          }
+      const std::vector<unsigned int> asked = in_box_of(a, b);
+      std::vector<Point<dim>>         places, at_rest;
+      for (const unsigned int i : asked)
+        {
+          places.push_back(a.places[i]);
+          at_rest.push_back(a.rest[i].x);
+        }
       if (Utilities::MPI::sum(asked.size(), comm) == 0)
         return {};
       const auto ends   = b.box->get_boundary_points();
