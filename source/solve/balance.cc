@@ -47,9 +47,10 @@ namespace Signorini
         largest = std::max(largest, force.l2_norm());
         at_work = forces_at_work(force, largest);
       }
-    if (largest <= bodies.load_noise()) // then only what was at work before can tell what is small
+    // Then only what was at work before can tell what is small.
+    if (largest <= 1e-13 * bodies.largest_load())
       {
-        largest = 1e13 * bodies.load_noise();
+        largest = bodies.largest_load();
         at_work.assign(n_bodies, largest);
       }
     bodies.constraints().set_zero(r);

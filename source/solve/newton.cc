@@ -1,6 +1,7 @@
 #include <signorini/parameters/text.h>
 #include <signorini/solve/line_search.h>
 #include <signorini/solve/newton.h>
+#include <signorini/solve/step_length.h>
 
 #include <cmath>
 
@@ -167,20 +168,24 @@ namespace Signorini
     const bool is_settled =
       contact.empty() || (n > 0 && step.changes == 0 && !step.withholds && !stage.softness_changed);
     // As many digits as a step of Newton's method finds where surfaces move on.
-    const double reduction = goal.is_rough() ? std::min(strategy.reduction(), step.residual) :
-                             is_settled      ? 0. :
-                                               strategy.reduction();
+    const double reduction   = goal.is_rough() ? std::min(strategy.reduction(), step.residual) :
+                               is_settled      ? 0. :
+                                                 strategy.reduction();
+    const bool   is_searched = bodies.is_nonlinear() && !step.withholds && !step.follows;
     linearise(u);
     solve_linear(stage.rhs, reduction, 0.5 * goal.tolerance * balance.least(), step);
-    stage.damping = strategy.is_cautious() && has_energy(system) ?
-                      best_step(system, law, r, {stage.gap, stage.stress, p}, x.block(0)) :
-                      1.;
-    stage.damping *= bodies.longest_step(u, x.block(0));
+    if (bodies.bulk())
+      bodies.bulk()->add(1, x.block(2));
+    stage.damping = bodies.longest_step(u, x.block(0));
+    if (is_searched)
+      stage.damping = descending_step({bodies, system, law, u, p, r}, x, stage.damping);
+    else if (strategy.is_cautious() && has_energy(system))
+      stage.damping *= best_step(system, law, r, {stage.gap, stage.stress, p}, x.block(0));
     u.add(stage.damping, x.block(0));
     if (system.is_saddle_point())
       p.add(stage.damping, x.block(1));
-    if (bodies.bulk())
-      bodies.bulk()->add(stage.damping, x.block(2));
+    if (bodies.bulk() && stage.damping != 1)
+      bodies.bulk()->add(stage.damping - 1, x.block(2));
     const auto driven = system.free_motions().driven(r, 1e-8 * balance.scale());
     if (!driven.empty() && !system.free_motions().close(u, r))
       {

@@ -38,11 +38,20 @@ namespace Signorini
     virtual double
     load_size() const = 0;
 
-    /// Forces that are smaller are what rounding has left of those before; not collective.
+    /// The largest load_size() so far where that tells what is rounding of later ones, else 0; not
+    /// collective.
     virtual double
-    load_noise() const
+    largest_load() const
     {
       return 0;
+    }
+
+    /// Does residual() differ from its linearisation at u? Not where it extends one, see
+    /// start_from().
+    virtual bool
+    is_nonlinear() const
+    {
+      return false;
     }
 
     /// Linearise at u: stiffness() is that of u from then on. Its version tells whether anything

@@ -40,9 +40,15 @@ namespace Signorini
 
     /// Bodies may be led about without any force: then reactions are nothing but rounding.
     double
-    load_noise() const override
+    largest_load() const override
     {
-      return 1e-13 * largest;
+      return largest;
+    }
+
+    bool
+    is_nonlinear() const override
+    {
+      return origin.size() == 0;
     }
 
     void

@@ -33,7 +33,8 @@ namespace Signorini
   /// methods with multipliers change one point at a time, the worst; the others minimise a convex
   /// energy (but for Nitsche's method with theta = 0 or -1, and mixed bodies), along which each
   /// step is searched exactly: it costs vectors of the surface only. If the method augments, one
-  /// solution follows the other.
+  /// solution follows the other. Steps of bodies that deform by any amount go no farther than their
+  /// energy falls, see descending_step().
   class Newton
   {
   public:
