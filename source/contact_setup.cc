@@ -246,10 +246,16 @@ namespace Signorini
     const std::vector<bool>  idle = idle_pairs(*contact, pressure, scene.pairs.size());
     const Configuration<dim> now(elasticity, u);
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-      if (const Obstacle<dim> *obstacle = scene.obstacle_of(scene.pairs[i]);
-          obstacle && idle[i] && is_within(now, scene.pairs[i].slave, *obstacle))
-        throw SolverFailure("'" + scene.pairs[i].slave + "' has got through the obstacle '" +
-                            obstacle->name + "'; load in smaller steps");
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(scene.pairs[i]))
+        {
+          const std::string &slave = scene.pairs[i].slave;
+          std::vector<bool>  seen; // those of the faces with contact points
+          for (const SlaveFace<dim> &face : my_surfaces[i].slave_faces)
+            seen.push_back(!idle[i] && face.degree > 0);
+          if (is_within(now, slave, *obstacle, seen) || holds(now, slave, *obstacle))
+            throw SolverFailure("'" + slave + "' has got through the obstacle '" + obstacle->name +
+                                "'; load in smaller steps, or refine the surface");
+        }
   }
 
 

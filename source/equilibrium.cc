@@ -2,6 +2,7 @@
 #include <signorini/equilibrium.h>
 #include <signorini/parameters/text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -206,7 +207,8 @@ namespace Signorini
         my_report.reason = failure.what();
         my_report.reason += contact.pressed_twice(in_place.active());
       }
-    my_report.curves_down = elasticity.is_finite() && in_place.has_curved_down();
+    my_report.curves_down =
+      elasticity.is_finite() && (in_place.has_curved_down() || curves_down_since(before));
     if (my_report.curves_down) // so may hierarchies
       in_place.release();
     keep_failure(t);
@@ -241,14 +243,27 @@ namespace Signorini
     last_drive          = drive;
     if (times <= fast)
       return 0;
+    return curves_down_since(before) ? times : 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::curves_down_since(const State &before)
+  {
+    LA::Vector way = state.displacement;
+    way -= before.displacement;
+    if (way.linfty_norm() == 0)
+      return false;
     for (const double share : {0.25, 0.5, 0.75})
       {
         LA::Vector between = before.displacement;
         between.add(share, way);
         if (in_place.curves_down(between))
-          return times;
+          return true;
       }
-    return 0;
+    return false;
   }
 
 
@@ -400,12 +415,15 @@ namespace Signorini
         in_vain = now < least ? 0 : in_vain + 1;
         least   = std::min(least, now);
       }
-    my_report.converged = false;
+    const bool by_segments = std::all_of(scene.pairs.begin(), scene.pairs.end(), [&](auto &pair) {
+      return scene.integration_of(pair).rule == Rule::segments;
+    });
+    my_report.converged    = false;
     my_report.reason =
       "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load steps/Number)" +
-      std::string(elasticity.is_finite() ?
-                    ", or integrate by segments (Contact method/Integration)" :
-                    ", or take Contact method/Contact geometry = reference");
+      std::string(!is_finite   ? ", or take Contact method/Contact geometry = reference" :
+                  !by_segments ? ", or integrate by segments (Contact method/Integration)" :
+                                 "");
     return false;
   }
 

@@ -6,6 +6,7 @@
 #include <signorini/simulation.h>
 #include <signorini/solve/linear_reference.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -411,15 +412,37 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    template <int dim>
+    bool
+    is_driven_by_forces(const Scene<dim> &scene)
+    {
+      const auto has_free = [](const Obstacle<dim> &obstacle) {
+        for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+          if (obstacle.body.is_free(i))
+            return true;
+        return false;
+      };
+      return !scene.loads.empty() ||
+             std::any_of(scene.obstacles.begin(), scene.obstacles.end(), has_free);
+    }
+  } // namespace
+
+
+
   template <int dim>
   ExitCode
   Simulation<dim>::finish(NewtonReport end)
   {
     if (!end.converged && end.curves_down)
       end.reason +=
-        "; the last load that was solved is that of t = " + short_text(state.time) +
-        ", and beyond the tangent was not positive definite: where bodies snap through or "
-        "buckle, no load near by is in balance; prescribe displacements instead of forces";
+        (state.time > 0 ? "; the last load that was solved is that of t = " +
+                            short_text(state.time) + ", and beyond" :
+                          std::string("; no load was solved, and on the way")) +
+        " the tangent was not positive definite: where bodies snap through or buckle, no load near "
+        "by is in balance" +
+        (is_driven_by_forces(scene) ? "; prescribe displacements instead of forces" : "");
     recorder->add_sizes(*elasticity, *contact);
     std::ostringstream text;
     if (!end.converged)

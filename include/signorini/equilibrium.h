@@ -139,6 +139,9 @@ namespace Signorini
     /// See NewtonReport::jump.
     double
     jump_since(const State &before);
+    /// Does the tangent curve down on the straight way from there?
+    bool
+    curves_down_since(const State &before);
     /// That of the state.
     void
     recall_bulk_stress();

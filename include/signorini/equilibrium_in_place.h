@@ -96,11 +96,11 @@ namespace Signorini
       return my_active;
     }
 
-    /// See Newton::curves_down(). Collective.
+    /// See Newton::curves_down(); false if there is no contact yet. Collective.
     bool
     curves_down(const LA::Vector &u)
     {
-      return solver->curves_down(u);
+      return solver && solver->curves_down(u);
     }
 
     /// So was one on the way, since go_on_from().

@@ -13,12 +13,13 @@ namespace Signorini
     std::string
     obstacle_to_mixed(const Scene<dim> &scene, const Body<dim> &body, const bool has_degree)
     {
+      if (model_of(scene.model) == Model::plane_stress)
+        return "a sheet, with Model = plane stress, is free to become thinner: it is for "
+               "displacement";
       if (body.degree == 1 || (body.degree == 0 && has_degree && scene.degree == 1))
         return "degree 1 has no stable bulk stress; set Degree = 2";
       if (!(body.material.poissons_ratio > 0))
         return "needs a Poisson's ratio above 0";
-      if (model_of(scene.model) == Model::plane_stress)
-        return "a sheet, with Model = plane stress, is free to become thinner; take displacement";
       if (scene.deformation != Deformation::small && body.material.law == "Saint Venant-Kirchhoff")
         return "Law = Saint Venant-Kirchhoff has no volumetric part; take neo-Hooke";
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())

@@ -550,6 +550,101 @@ def to_the_middle(test):
     test.check(many > 1e-4 and abs(one / many - 1) <= 1e-8, f"{many:.10g} in 20 load steps, {one:.10g} in one")
 
 
+SLENDER = [
+    "Bodies/beam/Corners=0,0 : 2,0.05",
+    "Bodies/beam/Subdivisions=80,4",
+    "Obstacles/roller/Center=1.8, 0.25",
+    "Obstacles/roller/Displacement=0; -0.4*t",
+]
+
+
+def slender(test):
+    """What turns stretches as well: full steps of Newton's method lead far off, and need load steps without number."""
+    scene = write(test, "beam.prm", BEAM)
+    forces = {}
+    for method, nu, n, most in (
+        ("penalty", 0.3, 1, 120),
+        ("penalty", 0.3, 5, 70),
+        ("Lagrange multiplier", 0.3, 1, 70),
+        ("Lagrange multiplier", 0.3, 5, 70),
+        ("Lagrange multiplier", 0.49, 5, 100),
+    ):
+        sets = SLENDER + [f"Contact method/Method={method}", f"Bodies/beam/Poisson's ratio={nu}", f"Load steps/Number={n}"]
+        results = test.results(scene, sets)
+        steps = sum(step["newton_iterations"] for step in results["load_steps"])
+        force = force_of(results)
+        test.print(f"{method}, nu = {nu}, {n} load steps: force {force:.10g}, {steps} Newton steps")
+        test.check(steps <= most, f"{steps} Newton steps, at most {most}")
+        # The tolerance of Newton's method, 1e-10, of forces that are (length / thickness)^2 as large as those of bending.
+        test.check(abs(forces.setdefault((method, nu), force) / force - 1) <= 2e-7, "the same force in all numbers of load steps")
+
+
+PRESSED = """
+set Dimension = 2
+set Deformation = finite
+subsection Bodies
+  set Names = block
+  subsection block
+    set Mesh = box
+    set Corners = -{width},0 : {width},1
+    set Subdivisions = {cells},10
+    set Young's modulus = 1
+    set Poisson's ratio = 0.3
+  end
+end
+subsection Obstacles
+  set Names = tip
+  subsection tip
+    {shape}
+    set Displacement = 0; -{depth}*t
+  end
+end
+subsection Supports
+  set Names = held
+  subsection held
+    set Boundaries = {held}
+    set Displacement = 0; 0
+  end
+end
+subsection Contact pairs
+  set Names = contact
+  subsection contact
+    set Slave = block.top
+    set Master = tip
+  end
+end
+"""
+
+
+def cylinder(center, radius):
+    return f"set Shape = cylinder\nset Center = {center}\nset Radius = {radius}"
+
+
+def gap_function(gap):
+    return f"set Shape = gap function\nset Normal = 0, -1\nset Gap = {gap}"
+
+
+def obstacle_inside(test):
+    """A small obstacle gets into a body between the points of its surface, where contact finds nothing of it; or a part of an obstacle
+    does while another part has pressure."""
+    def scene(name, **keys):
+        return write(test, f"{name}.prm", PRESSED.format(**dict(dict(width=1, cells=20, depth=0.5, held="block.left, block.right"), **keys)))
+
+    roller = scene("roller", shape=cylinder("0.03, 1.1", 0.1))
+    found = force_of(test.results(roller, ["Load steps/Number=5"]))
+    fine = force_of(test.results(roller, ["Load steps/Number=5", "Bodies/block/Subdivisions=40,20"]))
+    test.print(f"a roller as wide as two faces: {found:.6g}, {fine:.6g} on finer faces")
+    test.check(abs(found / fine - 1) <= 0.01, f"{found:.6g} and {fine:.6g}")
+    lobes = gap_function("1.01 - y + min(100*(x + 1.02)^2, (x - 1)^2)")
+    for name, keys in (("pin", dict(shape=cylinder("0.03, 1.02", 0.02))),
+                       ("lobes", dict(shape=lobes, width=2, cells=40, depth=0.4, held="block.bottom"))):
+        run = test.run(scene(name, **keys), ["Load steps/Cut-backs=2"])
+        test.check(run.code == 3 and "has got through the obstacle 'tip'" in run.out, f"{name}: exit code {run.code}: {run.out[-500:]}")
+    # The formula of a gap says little far from where it is zero, but it knows on which side.
+    steep = test.results(scene("steep", shape=gap_function("1 - y + 20*(x - 1)^2"), width=2, cells=48, depth=0.3, held="block.bottom"))
+    test.check(not unseen(steep), f"a surface that is not in the obstacle at all is warned of: {unseen(steep)}")
+
+
 THROUGH = """
 set Dimension = 2
 set Deformation = finite
@@ -630,6 +725,8 @@ def yeoh_volume(test):
 def cases():
     yield Case("finite", "led", led_without_force)
     yield Case("finite", "to the middle", to_the_middle)
+    yield Case("finite", "slender", slender)
+    yield Case("finite", "obstacle inside", obstacle_inside)
     yield Case("finite", "passed through", passed_through, ranks=2)
     yield Case("finite", "Yeoh's volume", yeoh_volume)
     yield Case("finite", "operators", operators, ranks=2)

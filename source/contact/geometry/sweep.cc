@@ -20,9 +20,10 @@ namespace Signorini
     template <int dim>
     struct Place
     {
-      Point<dim>     x;
+      Point<dim>     x, at_rest;
       Tensor<1, dim> normal;
       double         depth;
+      unsigned int   face; ///< number on this rank
     };
 
     template <int dim>
@@ -57,8 +58,11 @@ namespace Signorini
       const BoundaryFaces<dim> faces(now, surface);
       for (unsigned int i = 0; i < faces.faces.size(); ++i)
         for (const Point<dim - 1> &xi : inner.get_points())
-          result.push_back(
-            {faces.patches[i].position(xi), faces.patches[i].normal(xi), faces.depth(i)});
+          result.push_back({faces.patches[i].position(xi),
+                            faces.rest[i].position(xi),
+                            faces.patches[i].normal(xi),
+                            faces.depth(i),
+                            i});
       return result;
     }
 
@@ -138,15 +142,54 @@ namespace Signorini
   bool
   is_within(const Configuration<dim> &now,
             const std::string        &surface,
-            const Obstacle<dim>      &obstacle)
+            const Obstacle<dim>      &obstacle,
+            const std::vector<bool>  &is_seen)
   {
-    constexpr double              much   = 0.2;
-    const RigidPose<dim>          pose   = now.pose(obstacle);
+    constexpr double              much = 0.2;
+    const Configuration<dim>      at_rest(now.elasticity());
+    const RigidPose<dim>          pose = now.pose(obstacle), first = at_rest.pose(obstacle);
     const std::vector<Place<dim>> places = places_of(now, surface);
     const bool any = std::any_of(places.begin(), places.end(), [&](const Place<dim> &place) {
-      return now.closest(obstacle, pose, place.x).gap < -much * place.depth;
+      return !is_seen[place.face] &&
+             now.closest(obstacle, pose, place.x).gap < -much * place.depth &&
+             at_rest.closest(obstacle, first, place.at_rest).gap >= 0;
     });
     return Utilities::MPI::max(any ? 1 : 0, now.elasticity().mesh().communicator()) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  holds(const Configuration<dim> &now, const std::string &surface, const Obstacle<dim> &obstacle)
+  {
+    constexpr double        inwards = 0.5, much = 0.5;
+    const MPI_Comm          comm = now.elasticity().mesh().communicator();
+    const RigidPose<dim>    pose = now.pose(obstacle);
+    std::vector<Point<dim>> points; // of the obstacle
+    std::vector<double>     deep;
+    double                  reach = 0;
+    for (const Place<dim> &place : places_of(now, surface))
+      {
+        const ObstaclePlace<dim> closest = now.closest(obstacle, pose, place.x);
+        if (closest.gap < much * place.depth || place.normal * closest.normal < inwards)
+          continue;
+        points.push_back(place.x - closest.gap * closest.normal);
+        deep.push_back(much * place.depth);
+        reach = std::max(reach, closest.gap);
+      }
+    reach = Utilities::MPI::max(reach, comm);
+    if (reach == 0)
+      return false;
+    const BoundaryFaces<dim>  faces(now, [&](const CellIterator<dim> &cell, unsigned int) {
+      return cell->material_id() == now.elasticity().mesh().body_of(surface);
+    });
+    const auto                tell  = [](unsigned int, const Point<dim - 1> &, Partner<dim> &) {};
+    const std::vector<double> found = depths(points, {faces.patches, tell, {}, {}}, reach, comm);
+    unsigned int              n     = 0;
+    for (unsigned int i = 0; i < points.size(); ++i)
+      n += std::isfinite(found[i]) && found[i] > deep[i];
+    return Utilities::MPI::sum(n, comm) > 0;
   }
 
 
@@ -156,7 +199,11 @@ namespace Signorini
                              const LA::Vector &,                                                   \
                              const std::string &,                                                  \
                              const Obstacle<dim> &);                                               \
-  template bool is_within(const Configuration<dim> &, const std::string &, const Obstacle<dim> &);
+  template bool is_within(const Configuration<dim> &,                                              \
+                          const std::string &,                                                     \
+                          const Obstacle<dim> &,                                                   \
+                          const std::vector<bool> &);                                              \
+  template bool holds(const Configuration<dim> &, const std::string &, const Obstacle<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

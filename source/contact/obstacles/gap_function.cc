@@ -3,7 +3,9 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -48,22 +50,33 @@ namespace Signorini
       closest_point(const Point<dim> &x, const double length) const override
       {
         // To the tangent plane at the last point, and back to the surface along the gradient: a
-        // factor of gap times curvature each time.
+        // factor of gap times curvature each time; shorter where that is more than one.
         Point<dim>       foot  = x;
         Tensor<1, dim>   n     = normal / normal.norm();
         constexpr double small = 1e-13;
-        for (unsigned int i = 0; i < 50; ++i)
+        double           share = 1, last = std::numeric_limits<double>::max();
+        for (unsigned int i = 0; i < 100 && last > small * length; ++i)
           {
             const Tensor<1, dim> slope = gradient(foot, length);
             n                          = slope / slope.norm();
             const Tensor<1, dim> arm   = x - foot;
             const Tensor<1, dim> step  = arm - (arm * n) * n - gap.value(foot) / slope.norm() * n;
-            foot += step;
-            if (step.norm() <= small * length)
-              break;
+            if (step.norm() > 0.8 * last)
+              share = std::max(share / 2, 1e-3);
+            last = step.norm();
+            foot += share * step;
           }
-        const double         distance = (x - foot) * n;
-        const Tensor<2, dim> of_foot  = curvature(foot, length);
+        const double distance = (x - foot) * n, value = gap.value(x);
+        // Far from a surface that bends much, the formula knows on which side x is, and about how
+        // far from it.
+        constexpr double rough = 1e-6;
+        if (!(last <= rough * length) ||
+            (distance * value < 0 && std::abs(distance) > rough * length))
+          {
+            const Tensor<1, dim> slope = gradient(x, length);
+            return {value / slope.norm(), slope / slope.norm()};
+          }
+        const Tensor<2, dim> of_foot = curvature(foot, length);
         // Curvatures k become k/(1 + k distance).
         const Tensor<2, dim> stretch = unit_symmetric_tensor<dim>() + distance * of_foot;
         return {distance, n, invert(stretch) * of_foot};

@@ -3,6 +3,7 @@
 #include <signorini/contact/geometry/configuration.h>
 
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
@@ -19,10 +20,20 @@ namespace Signorini
                const std::string        &surface,
                const Obstacle<dim>      &obstacle);
 
-  /// Is the surface in the obstacle somewhere, by more than a fifth of a cell? Collective.
+  /// Is a part of the surface that was outside of the obstacle at rest in it now, by more than a
+  /// fifth of a cell? Collective.
+  /// @param is_seen by the number of the face on this rank: contact is looked for there
   template <int dim>
   bool
   is_within(const Configuration<dim> &now,
             const std::string        &surface,
-            const Obstacle<dim>      &obstacle);
+            const Obstacle<dim>      &obstacle,
+            const std::vector<bool>  &is_seen);
+
+  /// Is the obstacle in the body of the surface, by more than half a cell, where it is closest to
+  /// the surface? Where it is smaller than the faces, it may get there past all points of the
+  /// surface. Collective.
+  template <int dim>
+  bool
+  holds(const Configuration<dim> &now, const std::string &surface, const Obstacle<dim> &obstacle);
 } // namespace Signorini
