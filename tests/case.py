@@ -10,6 +10,7 @@ from typing import Callable
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 SCENES = TESTS / "scenes"
+VARIED = TESTS / "varied"  # scenes that cases change; they expect nothing themselves
 PRM = ROOT / "prm"
 
 SHORT = {"Lagrange multiplier": "multiplier", "augmented Lagrangian": "augmented", "perturbed Lagrangian": "perturbed",
@@ -19,6 +20,10 @@ SHORT = {"Lagrange multiplier": "multiplier", "augmented Lagrangian": "augmented
 def method(name, **keys):
     """The settings that choose a contact method; its own keys by name: method("penalty", Factor=10)."""
     return [f"Contact method/Method={name}"] + [f"Contact method/{name}/{key}={value}" for key, value in keys.items()]
+
+
+def force_of(results, pair="contact"):
+    return results["load_steps"][-1]["pairs"][pair]["normal_force"]
 
 
 def short(name):
@@ -61,6 +66,13 @@ class Test:
         self.n_checks += 1
         if not holds:
             self.problems.append(problem)
+
+    def write(self, name, text):
+        """A file beside the runs."""
+        self.directory.mkdir(parents=True, exist_ok=True)
+        file = self.directory / name
+        file.write_text(text)
+        return file
 
     def run(self, scene, sets=(), ranks=1, check=False):
         """A run in a folder of its own; the scene is not expected to be good."""
