@@ -250,8 +250,9 @@ namespace Signorini
         {
           const std::string &slave = scene.pairs[i].slave;
           std::vector<bool>  seen; // those of the faces with contact points
-          for (const SlaveFace<dim> &face : my_surfaces[i].slave_faces)
-            seen.push_back(!idle[i] && face.degree > 0);
+          if (!idle[i])
+            for (const SlaveFace<dim> &face : my_surfaces[i].slave_faces)
+              seen.push_back(face.degree > 0);
           if (is_within(now, slave, *obstacle, seen) || holds(now, slave, *obstacle))
             throw SolverFailure("'" + slave + "' has got through the obstacle '" + obstacle->name +
                                 "'; load in smaller steps, or refine the surface");

@@ -150,9 +150,9 @@ namespace Signorini
     const RigidPose<dim>          pose = now.pose(obstacle), first = at_rest.pose(obstacle);
     const std::vector<Place<dim>> places = places_of(now, surface);
     const bool any = std::any_of(places.begin(), places.end(), [&](const Place<dim> &place) {
-      return !is_seen[place.face] &&
+      return (is_seen.empty() || !is_seen[place.face]) &&
              now.closest(obstacle, pose, place.x).gap < -much * place.depth &&
-             at_rest.closest(obstacle, first, place.at_rest).gap >= 0;
+             (is_seen.empty() || at_rest.closest(obstacle, first, place.at_rest).gap >= 0);
     });
     return Utilities::MPI::max(any ? 1 : 0, now.elasticity().mesh().communicator()) > 0;
   }

@@ -20,9 +20,9 @@ namespace Signorini
                const std::string        &surface,
                const Obstacle<dim>      &obstacle);
 
-  /// Is a part of the surface that was outside of the obstacle at rest in it now, by more than a
-  /// fifth of a cell? Collective.
-  /// @param is_seen by the number of the face on this rank: contact is looked for there
+  /// Is the surface in the obstacle somewhere, by more than a fifth of a cell? Collective.
+  /// @param is_seen by the number of the face on this rank: contact is looked for there, which
+  /// knows better, and other parts count only if they were outside at rest; empty: nowhere
   template <int dim>
   bool
   is_within(const Configuration<dim> &now,
