@@ -63,7 +63,7 @@ namespace Signorini
     linearise(u);
     LA::BlockVector rhs = system.zero(), left = system.zero();
     rhs.block(0)         = of_displacement;
-    const LA::Vector gap = contact.gap(u), s = stress(u);
+    const LA::Vector gap = contact.gap(u), s = contact.stress(u, bodies.bulk_stress());
     left.block(0) = balance.residual(u, p, s, active);
     if (bodies.bulk())
       left.block(2) = bodies.bulk()->residual(u);

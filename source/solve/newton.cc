@@ -63,7 +63,7 @@ namespace Signorini
   {
     NewtonStep &step    = stage.step;
     stage.gap           = contact.gap(u);
-    stage.stress        = stress(u);
+    stage.stress        = contact.stress(u, bodies.bulk_stress());
     const bool was_soft = law.is_soft();
     if (!contact.empty())
       {
@@ -101,14 +101,6 @@ namespace Signorini
         if (system.is_saddle_point())
           stage.rhs.block(1) = defect;
       }
-  }
-
-
-
-  LA::Vector
-  Newton::stress(const LA::Vector &u) const
-  {
-    return contact.stress(u, bodies.bulk() ? bodies.bulk()->coefficients() : LA::Vector());
   }
 
 

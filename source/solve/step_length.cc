@@ -30,8 +30,6 @@ namespace Signorini
       at_start() const;
 
     private:
-      LA::Vector
-      stress(const LA::Vector &at) const;
       /// What the law says; unknown ones as of the augmented Lagrangian, (p - c g)+.
       LA::Vector
       pressure(const LawInputs &in) const;
@@ -55,7 +53,8 @@ namespace Signorini
           LA::Vector p = start.p;
           if (start.system.is_saddle_point())
             p.add(a, step.block(1));
-          const LA::Vector gap = contact.gap(at), s = stress(at);
+          const LA::Vector gap = contact.gap(at),
+                           s   = contact.stress(at, start.bodies.bulk_stress());
           force += contact.force(pressure({gap, s, p}), s);
           contact.add_moved_force(force, at);
         }
@@ -71,8 +70,9 @@ namespace Signorini
       double result = -(start.r * du);
       if (start.system.is_saddle_point())
         {
-          const LA::Vector gap = contact.gap(start.u), s = stress(start.u);
-          LA::Vector       more = pressure({gap, s, start.p});
+          const LA::Vector gap = contact.gap(start.u),
+                           s   = contact.stress(start.u, start.bodies.bulk_stress());
+          LA::Vector more      = pressure({gap, s, start.p});
           more -= start.p;
           LA::Vector force = contact.force(more, s);
           start.bodies.constraints().set_zero(force);
@@ -85,16 +85,6 @@ namespace Signorini
           result += volume * step.block(2);
         }
       return result;
-    }
-
-
-
-    LA::Vector
-    Resistance::stress(const LA::Vector &at) const
-    {
-      return contact.stress(at,
-                            start.bodies.bulk() ? start.bodies.bulk()->coefficients() :
-                                                  LA::Vector());
     }
 
 

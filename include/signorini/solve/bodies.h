@@ -85,6 +85,13 @@ namespace Signorini
       return nullptr;
     }
 
+    /// BulkEquations::coefficients(); empty if no body is mixed.
+    LA::Vector
+    bulk_stress() const
+    {
+      return bulk() ? bulk()->coefficients() : LA::Vector();
+    }
+
     virtual const dealii::AffineConstraints<double> &
     constraints() const = 0;
 

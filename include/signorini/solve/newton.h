@@ -95,9 +95,6 @@ namespace Signorini
     void
     evaluate(
       const LA::Vector &u, LA::Vector &p, LA::Vector &active, NewtonReport &report, Stage &stage);
-    /// The normal stress of the bodies at the contact points.
-    LA::Vector
-    stress(const LA::Vector &u) const;
     /// Is that the solution, or why will there be none? Or it is that of an augmentation, and the
     /// next one starts.
     void

@@ -16,10 +16,10 @@ namespace Signorini
   };
 
   /// An a up to the longest for which u + a du has about the least energy, or the longest if the
-  /// energy falls all the way, or hardly rises at its end. Where contact pressures are unknowns, it
-  /// is that of the augmented Lagrangian, with the stiffness by which the active set is decided;
-  /// mixed bodies have the bulk stress that the step leads to; and where forces have no energy, it
-  /// is the work that is done against them.
+  /// energy falls all the way, or hardly rises at its end. Where contact pressures are unknowns,
+  /// it is that of the augmented Lagrangian, with the multipliers that go along, p + a dp, and
+  /// the stiffness by which the active set is decided; mixed bodies have the bulk stress that the
+  /// step leads to; and where forces have no energy, it is the work that is done against them.
   ///
   /// Of slender bodies Newton's method leads far off otherwise: what turns stretches as well, with
   /// far more stiffness than bending has. A slope costs a residual, some percent of a step.
