@@ -305,10 +305,12 @@ namespace Signorini
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary())
-              add_boundary(cell, f, result);
-            else if (cell->neighbor_is_coarser(f))
-              add_strip(cell, f, distance_to_neighbour(cell, f, reinit(cell, f)), result);
+            {
+              if (cell->face(f)->at_boundary())
+                add_boundary(cell, f, result);
+              else if (cell->neighbor_is_coarser(f))
+                add_strip(cell, f, distance_to_neighbour(cell, f, reinit(cell, f)), result);
+            }
       return result;
     }
   } // namespace

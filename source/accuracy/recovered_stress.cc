@@ -1,12 +1,12 @@
 #include <signorini/accuracy/recovered_stress.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/stress.h>
+#include <signorini/linear_algebra/dense.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
 
 namespace Signorini
 {
@@ -219,7 +219,7 @@ namespace Signorini
     constexpr double rounding = 1e-9;
     for (unsigned int i = 0; i < n; ++i)
       N(i, i) += rounding * N(0, 0);
-    const Matrix coefficients = N.template selfadjointView<Eigen::Lower>().ldlt().solve(right);
+    const Matrix coefficients = solve_symmetric(N, right);
 
     values.reinit(cell, degree); // degree + 1 points a direction
     const FEValues<dim> &at     = values.get_present_fe_values();

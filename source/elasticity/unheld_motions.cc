@@ -1,11 +1,11 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/elasticity/unheld_motions.h>
+#include <signorini/linear_algebra/dense.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 
 namespace Signorini
 {
@@ -57,15 +57,15 @@ namespace Signorini
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           matrix(i, j) = gram(i, j);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-      const double                                         scale = 1 + gram.linfty_norm();
-      std::vector<Vector<double>>                          result;
+      const SymmetricEigenpairs   pairs = eigenpairs_of_symmetric(matrix);
+      const double                scale = 1 + gram.linfty_norm();
+      std::vector<Vector<double>> result;
       for (unsigned int i = 0; i < n; ++i)
-        if (solver.eigenvalues()[i] < 1e-8 * scale)
+        if (pairs.values[i] < 1e-8 * scale)
           {
             result.emplace_back(n);
             for (unsigned int j = 0; j < n; ++j)
-              result.back()[j] = solver.eigenvectors()(j, i);
+              result.back()[j] = pairs.vectors(j, i);
           }
       return result;
     }

@@ -2,13 +2,13 @@
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/nodal_fields.h>
 #include <signorini/fields/surface_parts.h>
+#include <signorini/linear_algebra/dense.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
 
 namespace Signorini
 {
@@ -84,8 +84,7 @@ namespace Signorini
           for (unsigned int e = 0; e < dim; ++e)
             spread(d, e) =
               sums[1 + dim + dim * d + e] / sums[0] - sums[1 + d] / sums[0] * sums[1 + e] / sums[0];
-        const auto values =
-          Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, dim, dim>>(spread).eigenvalues();
+        const Eigen::VectorXd values = eigenvalues_of_symmetric(spread);
         // An interval of half-width a: a^2/3; an ellipse: a^2/4.
         for (unsigned int d = 0; d < dim - 1; ++d)
           result.semi_axes.push_back(

@@ -15,12 +15,12 @@ namespace Signorini
   {
     using Index = types::global_dof_index;
 
-    constexpr unsigned int dim = 3, n_corners = 8;
+    constexpr unsigned int space_dim = 3;
 
-    const parallel::distributed::Triangulation<dim> &
-    distributed(const DoFHandler<dim> &dofs)
+    const parallel::distributed::Triangulation<space_dim> &
+    distributed(const DoFHandler<space_dim> &dofs)
     {
-      return dynamic_cast<const parallel::distributed::Triangulation<dim> &>(
+      return dynamic_cast<const parallel::distributed::Triangulation<space_dim> &>(
         dofs.get_triangulation());
     }
 
@@ -60,7 +60,7 @@ namespace Signorini
 
 
 
-  LevelVertices::LevelVertices(const DoFHandler<dim>           &dofs,
+  LevelVertices::LevelVertices(const DoFHandler<space_dim>     &dofs,
                                const AffineConstraints<double> &hanging,
                                const AffineConstraints<double> &constraints)
     : my_curve(distributed(dofs))
@@ -74,10 +74,10 @@ namespace Signorini
           if (Index &name = names[cell->vertex_index(v)]; name == numbers::invalid_dof_index)
             {
               name = cell->vertex_dof_index(v, 0, cell->active_fe_index());
-              AssertThrow(name % dim == 0 &&
+              AssertThrow(name % space_dim == 0 &&
                             cell->vertex_dof_index(v, 2, cell->active_fe_index()) == name + 2,
                           ExcInternalError("Components of a node are not one after the other."));
-              for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int c = 0; c < space_dim; ++c)
                 if (const auto *entries = constraints.get_constraint_entries(name + c))
                   {
                     lines[name + c] = {*entries, hanging.is_constrained(name + c)};
@@ -98,7 +98,7 @@ namespace Signorini
     std::map<unsigned int, std::vector<unsigned int>> asked; // numbers of vertices
     std::vector<bool>                                 is_asked(names.size(), false);
     for (const CellCurve::Place &place : my_curve.ancestors())
-      for (unsigned int v = 0; v < n_corners; ++v)
+      for (unsigned int v = 0; v < GeometryInfo<space_dim>::vertices_per_cell; ++v)
         if (const unsigned int vertex = place.cell->vertex_index(v);
             names[vertex] == numbers::invalid_dof_index && !is_asked[vertex])
           {
@@ -114,7 +114,7 @@ namespace Signorini
       for (const Question &question : list)
         {
           Answer answer{name(my_curve.leaf(question.position).cell, question.corner), {}};
-          for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int c = 0; c < space_dim; ++c)
             if (const Line *of_dof = line(answer.name + c))
               answer.lines.emplace_back(c, *of_dof);
           answers[rank].push_back(answer);
@@ -135,10 +135,10 @@ namespace Signorini
   {
     const std::size_t n = list.size();
     for (std::size_t i = 0; i < n; ++i)
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0; c < space_dim; ++c)
         if (const Line *of_dof = line(list[i] + c))
           for (const auto &entry : of_dof->entries)
-            list.push_back(entry.first - entry.first % dim);
+            list.push_back(entry.first - entry.first % space_dim);
   }
 
 
@@ -190,20 +190,20 @@ namespace Signorini
                                const unsigned int        n_rigid,
                                const MPI_Comm            comm)
     : on_finest(owned)
-    , numbers(on_finest.size() / dim, dealii::numbers::invalid_dof_index)
+    , numbers(on_finest.size() / space_dim, dealii::numbers::invalid_dof_index)
   {
     const Owners      owners(owned, comm);
     std::vector<bool> is_there(numbers.size(), false);
     for (const Index name : corners)
       if (on_finest.has(name))
-        is_there[on_finest.place(name) / dim] = true;
+        is_there[on_finest.place(name) / space_dim] = true;
     for (const auto &[rank, list] :
          Utilities::MPI::some_to_some(comm, owners.of_others(corners, on_finest)))
       for (const Index name : list)
-        is_there[on_finest.place(name) / dim] = true;
+        is_there[on_finest.place(name) / space_dim] = true;
     for (std::size_t i = 0; i < is_there.size(); ++i)
       if (is_there[i])
-        my_names.push_back(on_finest.dof(dim * i));
+        my_names.push_back(on_finest.dof(space_dim * i));
 
     const auto  counts = Utilities::MPI::all_gather(comm, my_names.size());
     const auto  rank   = Utilities::MPI::this_mpi_process(comm);
@@ -214,7 +214,7 @@ namespace Signorini
     if (rank + 1 == counts.size())
       my_owned.add_range(3 * all, 3 * all + n_rigid);
     for (unsigned int i = 0; i < my_names.size(); ++i)
-      numbers[on_finest.place(my_names[i]) / dim] = before + i;
+      numbers[on_finest.place(my_names[i]) / space_dim] = before + i;
 
     const auto                                 questions = owners.of_others(known, on_finest);
     std::map<unsigned int, std::vector<Index>> answers;

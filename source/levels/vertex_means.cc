@@ -14,7 +14,7 @@ namespace Signorini
 
   namespace
   {
-    constexpr unsigned int dim = 3;
+    constexpr unsigned int n_components = 3;
   } // namespace
 
 
@@ -56,7 +56,7 @@ namespace Signorini
         for (std::uint32_t &node : nodes.of[i].nodes)
           {
             std::uint8_t bits = 0;
-            for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int c = 0; c < n_components; ++c)
               if (!above.constraints.is_constrained(node + c))
                 bits |= 1 << c;
             free[i].push_back(bits);
@@ -91,11 +91,11 @@ namespace Signorini
     const float *const u = vertices.resolve(of_coarse);
     for_each_node(
       [=](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
-        float sum[dim] = {};
+        float sum[n_components] = {};
         for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int c = 0; c < n_components; ++c)
             sum[c] += u[of[j] + c];
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           if (is_free >> c & 1)
             of_fine[node + c] += sum[c] / n;
       });
@@ -111,11 +111,11 @@ namespace Signorini
     float *const f = vertices.zero();
     for_each_node(
       [=](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
-        float share[dim];
-        for (unsigned int c = 0; c < dim; ++c)
+        float share[n_components];
+        for (unsigned int c = 0; c < n_components; ++c)
           share[c] = is_free >> c & 1 ? of_fine[node + c] / n : 0.f;
         for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int c = 0; c < n_components; ++c)
             f[of[j] + c] += share[c];
       });
     for (const auto &[i, place] : rigid)
@@ -135,7 +135,7 @@ namespace Signorini
     std::unordered_map<Index, Row> result;
     for_each_node(
       [&](const auto node, const auto is_free, const std::uint32_t *of, const unsigned int n) {
-        for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int c = 0; c < n_components; ++c)
           if (is_asked[node + c] && is_free >> c & 1)
             for (unsigned int j = 0; j < n; ++j)
               vertices.for_each_element(of[j] + c, [&](const Index dof, const double weight) {

@@ -22,7 +22,7 @@ namespace Signorini
   {
     template <int dim>
     Json
-    list(const Point<dim> &p)
+    coordinates_of(const Point<dim> &p)
     {
       Json result = Json::array();
       for (unsigned int d = 0; d < dim; ++d)
@@ -146,8 +146,8 @@ namespace Signorini
           const BoundingBox<dim> box   = mesh.extent(b);
           const auto &[low, high]      = box.get_boundary_points();
           result[scene.bodies[b].name] = {
-            {"from", list(low)},
-            {"to", list(high)},
+            {"from", coordinates_of(low)},
+            {"to", coordinates_of(high)},
             {"cells", cells[b]},
             {"degree", elasticity.degree(b)},
             {"boundaries", describe_boundaries(boundaries, mesh, b)},

@@ -1,10 +1,10 @@
+#include <signorini/linear_algebra/dense.h>
 #include <signorini/solve/free_motions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
 
 namespace Signorini
 {
@@ -107,10 +107,10 @@ namespace Signorini
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = 0; b < n; ++b)
         stiffness(a, b) /= amplitude[a] * amplitude[b];
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
-    const Eigen::MatrixXd                               &vectors = solver.eigenvectors();
+    const SymmetricEigenpairs pairs   = eigenpairs_of_symmetric(stiffness);
+    const Eigen::MatrixXd    &vectors = pairs.vectors;
     for (unsigned int i = 0; i < n; ++i)
-      if (solver.eigenvalues()[i] <= negligible)
+      if (pairs.values[i] <= negligible)
         {
           double     largest = 0;
           FreeMotion one;

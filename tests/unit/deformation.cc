@@ -163,7 +163,7 @@ TEST_CASE("tangents of deformed cells are the derivatives of their forces")
 {
   for (const unsigned int degree : {1, 2})
     {
-      for (const std::string &law : {"neo-Hooke", "Mooney-Rivlin", "Hencky"})
+      for (const std::string law : {"neo-Hooke", "Mooney-Rivlin", "Hencky"})
         {
           check_tangent<2>("plane strain", degree, law);
           check_tangent<2>("plane stress", degree, law);
@@ -192,7 +192,7 @@ TEST_CASE("small deformations are those of linear elasticity")
 
 TEST_CASE("rotations turn the forces of a deformation, and do nothing else")
 {
-  for (const std::string &law : {"neo-Hooke", "Mooney-Rivlin", "Hencky"})
+  for (const std::string law : {"neo-Hooke", "Mooney-Rivlin", "Hencky"})
     {
       check_objectivity<2>("plane strain", law);
       check_objectivity<2>("plane stress", law);

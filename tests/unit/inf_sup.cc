@@ -19,7 +19,7 @@ using namespace TestScene;
 
 namespace
 {
-  struct Case
+  struct StabilityCase
   {
     unsigned int degree;
     Basis        basis;
@@ -80,7 +80,7 @@ namespace
 
   template <int dim>
   double
-  inf_sup(const Case &which, const unsigned int refinement)
+  inf_sup(const StabilityCase &which, const unsigned int refinement)
   {
     const unsigned int cells  = which.slave_cells * refinement;
     const auto         method = make_method("Lagrange multiplier");
@@ -127,7 +127,7 @@ namespace
 
   template <int dim>
   void
-  check(const Case &which, const std::vector<unsigned int> &refinements)
+  check(const StabilityCase &which, const std::vector<unsigned int> &refinements)
   {
     std::ostringstream  row;
     std::vector<double> beta;

@@ -51,7 +51,7 @@ namespace
     return patches;
   }
 
-  enum class Body
+  enum class TestShape
   {
     cube,
     ball
@@ -60,19 +60,19 @@ namespace
   // Refined more towards one side, so that faces of two sizes meet.
   template <int dim>
   std::vector<FacePatch<dim>>
-  surface_of(const Body body, const MPI_Comm comm)
+  surface_of(const TestShape body, const MPI_Comm comm)
   {
     parallel::distributed::Triangulation<dim> triangulation(comm);
-    if (body == Body::cube)
+    if (body == TestShape::cube)
       GridGenerator::hyper_cube(triangulation, -1, 1);
     else
       GridGenerator::hyper_ball(triangulation);
-    triangulation.refine_global(body == Body::cube || dim == 2 ? 2 : 1);
+    triangulation.refine_global(body == TestShape::cube || dim == 2 ? 2 : 1);
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() && cell->center()[0] > 0.3)
         cell->set_refine_flag();
     triangulation.execute_coarsening_and_refinement();
-    return boundary_faces(triangulation, body == Body::cube ? 1 : 2);
+    return boundary_faces(triangulation, body == TestShape::cube ? 1 : 2);
   }
 
   template <int dim>
@@ -225,7 +225,7 @@ namespace
 TEST_CASE_TEMPLATE("find_partners agrees with brute force on a serial copy", D, Dim2, Dim3)
 {
   constexpr int dim = D::value;
-  for (const Body body : {Body::cube, Body::ball})
+  for (const TestShape body : {TestShape::cube, TestShape::ball})
     for (const double reach : {0.05, 0.4, 3.})
       {
         const Cloud<dim> cloud    = share_of_points<dim>(400, MPI_COMM_WORLD);
@@ -259,7 +259,7 @@ TEST_CASE_TEMPLATE("find_partners agrees with brute force on a serial copy", D, 
 TEST_CASE("the tree spares most projections")
 {
   const Cloud<3>   cloud  = share_of_points<3>(400, MPI_COMM_WORLD);
-  const auto       master = master_faces(surface_of<3>(Body::ball, MPI_COMM_WORLD));
+  const auto       master = master_faces(surface_of<3>(TestShape::ball, MPI_COMM_WORLD));
   SearchStatistics statistics;
   find_partners(cloud.points, cloud.normals, master, 0.2, MPI_COMM_WORLD, &statistics);
   const unsigned long faces = Utilities::MPI::sum(master.patches.size(), MPI_COMM_WORLD);

@@ -24,10 +24,10 @@ namespace Signorini
   {
     double              youngs_modulus = 200000, poissons_ratio = 0.3;
     std::string         law = "neo-Hooke"; ///< of large deformation: one of material_laws()
-    std::vector<double> coefficients;      ///< of the law; empty: it needs none but E and nu
+    std::vector<double> coefficients = {}; ///< of the law; empty: it needs none but E and nu
 
     /// Of large deformation; null: what deforms is taken for small.
-    std::shared_ptr<const Hyperelastic> energy;
+    std::shared_ptr<const Hyperelastic> energy = {};
 
     Formulation formulation = Formulation::automatic; ///< what the user wants
     bool        is_mixed    = false;                  ///< what it is

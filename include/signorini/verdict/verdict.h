@@ -23,7 +23,7 @@ namespace Signorini
     std::string where; ///< "pair fit", "body ring"; may be empty
     double      value = 0, limit = 0;
     Outcome     outcome = Outcome::passed;
-    std::string what, cure; ///< of those that did not pass
+    std::string what = {}, cure = {}; ///< of those that did not pass
 
     /// Which load step counts.
     enum class Over

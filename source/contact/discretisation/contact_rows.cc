@@ -49,7 +49,7 @@ namespace Signorini
                 distance < closest[i])
               {
                 closest[i] = distance;
-                result[i]  = {{first_row + q, surface.seams[i].weight}};
+                result[i]  = {{types::global_dof_index(first_row + q), surface.seams[i].weight}};
               }
       return result;
     }

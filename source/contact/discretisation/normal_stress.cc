@@ -2,6 +2,7 @@
 #include <signorini/contact/geometry/face_patch.h>
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/deformation.h>
+#include <signorini/linear_algebra/dense.h>
 #include <signorini/mesh/lagrange.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 
 namespace Signorini
 {
@@ -330,10 +330,7 @@ namespace Signorini
           values(i, q) = root * phi[i];
       }
     return 2 * elasticity.material(cell->material_id()).mu() / bulk.size(*cell) *
-           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(values * values.transpose(),
-                                                          Eigen::EigenvaluesOnly)
-             .eigenvalues()
-             .maxCoeff();
+           eigenvalues_of_symmetric(values * values.transpose()).maxCoeff();
   }
 
 
@@ -365,17 +362,14 @@ namespace Signorini
       }
 
     // Rigid-body modes, on which both sides vanish, are left out.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
-    const double    smallest = 1e-10 * modes.eigenvalues().maxCoeff();
-    Eigen::VectorXd scale    = modes.eigenvalues();
+    const SymmetricEigenpairs modes    = eigenpairs_of_symmetric(K);
+    const double              smallest = 1e-10 * modes.values.maxCoeff();
+    Eigen::VectorXd           scale    = modes.values;
     for (unsigned int i = 0; i < n; ++i)
       scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
-    const Eigen::MatrixXd scaled = stress * modes.eigenvectors() * scale.asDiagonal();
+    const Eigen::MatrixXd scaled = stress * modes.vectors * scale.asDiagonal();
     return bound_of_bulk_stress(face) +
-           Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled * scaled.transpose(),
-                                                          Eigen::EigenvaluesOnly)
-             .eigenvalues()
-             .maxCoeff();
+           eigenvalues_of_symmetric(scaled * scaled.transpose()).maxCoeff();
   }
 
 

@@ -1,8 +1,9 @@
 #include <signorini/contact/discretisation/pressure_basis.h>
+#include <signorini/linear_algebra/dense.h>
 
 #include <limits>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 namespace Signorini
 {
@@ -45,9 +46,7 @@ namespace Signorini
       constexpr double      smallest = 0.01;
       const Eigen::VectorXd scale    = D.cwiseSqrt().cwiseInverse();
       const Eigen::MatrixXd scaled   = scale.asDiagonal() * M * scale.asDiagonal();
-      if (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
-            .eigenvalues()
-            .minCoeff() < smallest)
+      if (eigenvalues_of_symmetric(scaled).minCoeff() < smallest)
         return identity;
       return D.asDiagonal() * M.inverse();
     }

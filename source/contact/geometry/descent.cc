@@ -12,7 +12,7 @@ namespace Signorini
   {
     // Quadratic model of f(xi) = |x(xi) - x|^2 / 2 around one parameter.
     template <int dim>
-    struct Model
+    struct QuadraticModel
     {
       Tensor<1, dim>                      residual; // x(xi) - x
       std::array<Tensor<1, dim>, dim - 1> tangents;
@@ -38,10 +38,10 @@ namespace Signorini
     }
 
     template <int dim>
-    Model<dim>
+    QuadraticModel<dim>
     model_at(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &xi)
     {
-      Model<dim> m;
+      QuadraticModel<dim> m;
       m.residual            = face.position(xi) - x;
       m.tangents            = face.tangents(xi);
       const auto curvatures = face.curvatures(xi);
@@ -129,11 +129,11 @@ namespace Signorini
     // One damped step from xi; false if no damping makes f smaller (up to rounding).
     template <int dim>
     bool
-    descend(const Point<dim>         &x,
-            const FacePatch<dim>     &face,
-            const Model<dim>         &m,
-            const Tensor<1, dim - 1> &step,
-            Point<dim - 1>           &xi)
+    descend(const Point<dim>          &x,
+            const FacePatch<dim>      &face,
+            const QuadraticModel<dim> &m,
+            const Tensor<1, dim - 1>  &step,
+            Point<dim - 1>            &xi)
     {
       const Point<dim> start = x + m.residual;
       const double     slack = rounding(x, face) * m.residual.norm();
@@ -162,8 +162,8 @@ namespace Signorini
     const double tolerance = 1e-12 * face.diameter() + rounding(x, face);
     for (unsigned int iteration = 0; iteration < 30; ++iteration)
       {
-        const Model<dim>   m = model_at(x, face, xi);
-        Tensor<1, dim - 1> lower, upper;
+        const QuadraticModel<dim> m = model_at(x, face, xi);
+        Tensor<1, dim - 1>        lower, upper;
         for (unsigned int d = 0; d < dim - 1; ++d)
           {
             lower[d] = -xi[d];

@@ -294,4 +294,15 @@ namespace Signorini
     result.center = weights(n_nodes, center_of(corners, all()));
     return result;
   }
+
+
+
+  MeshFile::Nodes
+  nodes_at(const MeshFile::Element &element, const MeshFile::Nodes &positions)
+  {
+    MeshFile::Nodes nodes;
+    for (const unsigned int position : positions)
+      nodes.push_back(element.nodes[position]);
+    return nodes;
+  }
 } // namespace Signorini

@@ -10,17 +10,6 @@ namespace Signorini
     using Shape = MeshFile::Shape;
     using Nodes = MeshFile::Nodes;
 
-    Nodes
-    nodes_at(const MeshFile::Element &element, const Nodes &places)
-    {
-      Nodes nodes;
-      for (const unsigned int place : places)
-        nodes.push_back(element.nodes[place]);
-      return nodes;
-    }
-
-
-
     /// The cells that are connected, by what `links` lists of each shape, with one of those that
     /// are wanted.
     template <typename Links, typename Wanted>

@@ -20,17 +20,6 @@ namespace Signorini
     using Shape = MeshFile::Shape;
     using Nodes = MeshFile::Nodes;
 
-    Nodes
-    nodes_at(const MeshFile::Element &element, const Nodes &places)
-    {
-      Nodes nodes;
-      for (const unsigned int place : places)
-        nodes.push_back(element.nodes[place]);
-      return nodes;
-    }
-
-
-
     class Division
     {
     public:

@@ -66,10 +66,10 @@ namespace Signorini
 
 
 
-    class Reader
+    class GmshReader
     {
     public:
-      Reader(const std::string &file_name)
+      GmshReader(const std::string &file_name)
         : file_name(file_name)
         , in(file_name)
       {
@@ -369,6 +369,6 @@ namespace Signorini
   MeshFile
   read_gmsh(const std::string &file_name)
   {
-    return Reader(file_name).read();
+    return GmshReader(file_name).read();
   }
 } // namespace Signorini

@@ -30,10 +30,10 @@ namespace Signorini
 
 
 
-    class Reader
+    class VTKReader
     {
     public:
-      explicit Reader(const std::string &file_name)
+      explicit VTKReader(const std::string &file_name)
         : file_name(file_name)
         , in(file_name, std::ios::binary)
       {
@@ -301,6 +301,6 @@ namespace Signorini
   MeshFile
   read_vtk(const std::string &file_name)
   {
-    return Reader(file_name).read();
+    return VTKReader(file_name).read();
   }
 } // namespace Signorini

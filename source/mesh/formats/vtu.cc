@@ -39,10 +39,10 @@ namespace Signorini
 
 
 
-    class Reader
+    class VTUReader
     {
     public:
-      explicit Reader(const std::string &file_name)
+      explicit VTUReader(const std::string &file_name)
         : file_name(file_name)
       {
         std::ifstream in(file_name, std::ios::binary);
@@ -268,6 +268,6 @@ namespace Signorini
   MeshFile
   read_vtu(const std::string &file_name)
   {
-    return Reader(file_name).read();
+    return VTUReader(file_name).read();
   }
 } // namespace Signorini

@@ -13,10 +13,6 @@ namespace Signorini
   {
     using Nodes = MeshFile::Nodes;
 
-    template <int dim>
-    constexpr MeshFile::Shape cell_shape =
-      dim == 2 ? MeshFile::Shape::quadrilateral : MeshFile::Shape::hexahedron;
-
     /// The corners of the edges, faces and the inside of a cell, as sets of its vertices.
     template <int dim>
     std::vector<Nodes>

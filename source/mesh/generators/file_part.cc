@@ -25,12 +25,6 @@ namespace Signorini
   namespace
   {
     template <int dim>
-    constexpr MeshFile::Shape cell_shape =
-      dim == 2 ? MeshFile::Shape::quadrilateral : MeshFile::Shape::hexahedron;
-
-
-
-    template <int dim>
     void
     check_shape(const MeshFile::Element &element)
     {

@@ -1,3 +1,4 @@
+#include <signorini/linear_algebra/dense.h>
 #include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/fitted_surface.h>
 #include <signorini/parameters/text.h>
@@ -9,7 +10,7 @@
 #include <functional>
 #include <limits>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 namespace Signorini
 {
@@ -116,7 +117,7 @@ namespace Signorini
           A(i, dim) = 1;
           b(i)      = points[i].square();
         }
-      const Eigen::VectorXd x = A.colPivHouseholderQr().solve(b);
+      const Eigen::VectorXd x = solve_least_squares(A, b);
       FittedSurface<dim>    result{};
       for (unsigned int d = 0; d < dim; ++d)
         result.center[d] = x(d);
@@ -137,8 +138,7 @@ namespace Signorini
           const Eigen::Vector3d v = Eigen::Vector3d(n[0], n[1], n[2]) - mean;
           spread += v * v.transpose();
         }
-      const Eigen::Vector3d a =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+      const Eigen::Vector3d a = eigenpairs_of_symmetric(spread).vectors.col(0);
       return Tensor<1, 3>({a[0], a[1], a[2]});
     }
 
@@ -200,7 +200,7 @@ namespace Signorini
               moved(j) += step;
               J.col(j) = (deviations(guess.at(moved), points) - r) / step;
             }
-          const Eigen::VectorXd change = J.colPivHouseholderQr().solve(r);
+          const Eigen::VectorXd change = solve_least_squares(J, r);
           if (!change.allFinite())
             break;
           x -= change;

@@ -1,9 +1,9 @@
+#include <signorini/linear_algebra/dense.h>
 #include <signorini/mesh/generators/local_surface.h>
 
 #include <array>
 #include <cmath>
 
-#include <Eigen/Dense>
 
 namespace Signorini
 {
@@ -39,7 +39,7 @@ namespace Signorini
         }
       // The normal gets the least eigenvalue.
       spread -= spread.trace() * n * n.transpose();
-      return Eigen::SelfAdjointEigenSolver<Square>(spread).eigenvectors().rightCols(dim - 1);
+      return eigenpairs_of_symmetric(spread).vectors.rightCols(dim - 1);
     }
 
     /// All up to a degree, from that of degree 0 on.
@@ -110,9 +110,9 @@ namespace Signorini
       }
     Vector x = Vector::Zero(n);
     if (through)
-      x.tail(n - 1) = A.rightCols(n - 1).colPivHouseholderQr().solve(b);
+      x.tail(n - 1) = solve_least_squares(A.rightCols(n - 1), b);
     else
-      x = A.colPivHouseholderQr().solve(b);
+      x = solve_least_squares(A, b);
     coefficients.assign(x.data(), x.data() + n);
 
     for (const auto &arm : arms)

@@ -40,7 +40,7 @@ namespace Signorini
     /// Length or area, and center of gravity, so that those of a plane patch do not depend on the
     /// mesh.
     template <int dim>
-    struct Piece
+    struct Facet
     {
       double     size;
       Point<dim> center;
@@ -49,7 +49,7 @@ namespace Signorini
 
 
     template <int dim>
-    std::vector<Piece<dim>>
+    std::vector<Facet<dim>>
     pieces_of(const CellData<dim - 1> &face, const std::vector<Point<dim>> &vertices)
     {
       const std::vector<unsigned int> &v = face.vertices;
@@ -60,7 +60,7 @@ namespace Signorini
           const auto triangle =
             [&](const unsigned int i, const unsigned int j, const unsigned int k) {
               const Tensor<1, dim> a = vertices[j] - vertices[i], b = vertices[k] - vertices[i];
-              return Piece<dim>{cross_product_3d(a, b).norm() / 2, center_of({i, j, k}, vertices)};
+              return Facet<dim>{cross_product_3d(a, b).norm() / 2, center_of({i, j, k}, vertices)};
             };
           return {triangle(v[0], v[1], v[2]), triangle(v[3], v[2], v[1])};
         }

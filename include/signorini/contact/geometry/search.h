@@ -42,10 +42,10 @@ namespace Signorini
       complete;
     /// The sides of each face, by the parameter that is constant there (2 d + (0 or 1)), behind
     /// which the surface goes on. Empty: nobody wants to know.
-    std::vector<std::array<bool, 2 * (dim - 1)>> inner_sides;
+    std::vector<std::array<bool, 2 * (dim - 1)>> inner_sides = {};
     /// Where the faces were at rest, if points that were there on the same surface must not take
     /// what is_beyond_itself() for their partner. Empty: slave and master are two surfaces.
-    std::vector<FacePatch<dim>> rest;
+    std::vector<FacePatch<dim>> rest = {};
   };
 
   /// A place of a surface at rest.

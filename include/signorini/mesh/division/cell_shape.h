@@ -89,4 +89,8 @@ namespace Signorini
     std::vector<Coordinates>                    corners;
     mutable std::map<unsigned int, SecondOrder> by_n_nodes;
   };
+
+  /// The nodes of a cell at `positions` of its list, such as those of one of its faces.
+  MeshFile::Nodes
+  nodes_at(const MeshFile::Element &element, const MeshFile::Nodes &positions);
 } // namespace Signorini

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/mesh/mesh_file.h>
+
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria_description.h>
@@ -11,6 +13,11 @@
 
 namespace Signorini
 {
+  /// The shape that cells of a body have: quadrilaterals in 2D, hexahedra in 3D.
+  template <int dim>
+  constexpr MeshFile::Shape cell_shape =
+    dim == 2 ? MeshFile::Shape::quadrilateral : MeshFile::Shape::hexahedron;
+
   /// The same nodes in the order in which sets of nodes can be compared.
   inline std::vector<unsigned int>
   sorted(std::vector<unsigned int> nodes)
