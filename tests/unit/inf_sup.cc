@@ -44,12 +44,21 @@ namespace
                     repeat<dim>(std::to_string(cells), std::to_string(cells)));
   }
 
-  /// x^T K^-1 x for the columns x of forces.
+  /// x^T K^-1 x for the columns x of forces. These act on the surface alone, so that products are of
+  /// their few entries.
   Eigen::MatrixXd
   flexibility(const LA::SparseMatrix &K, const std::vector<LA::Vector> &forces)
   {
     LA::DirectSolver solver(LA::DirectLibrary::KLU);
     REQUIRE(solver.factorise(K) == 0);
+    std::vector<std::vector<std::pair<unsigned int, double>>> entries;
+    for (const LA::Vector &force : forces)
+      {
+        entries.emplace_back();
+        for (unsigned int i = 0; i < force.locally_owned_size(); ++i)
+          if (const double value = force.begin()[i]; value != 0)
+            entries.back().emplace_back(i, value);
+      }
     Eigen::MatrixXd result(forces.size(), forces.size());
     LA::Vector      x;
     for (unsigned int i = 0; i < forces.size(); ++i)
@@ -57,7 +66,12 @@ namespace
         x.reinit(forces[i]);
         solver.solve(x, forces[i]);
         for (unsigned int j = 0; j <= i; ++j)
-          result(i, j) = result(j, i) = x * forces[j];
+          {
+            double product = 0;
+            for (const auto &[k, value] : entries[j])
+              product += value * x.begin()[k];
+            result(i, j) = result(j, i) = product;
+          }
       }
     return result;
   }
