@@ -142,7 +142,7 @@ namespace Signorini
       scene.bodies[body].degree = 2;
     mesh->set_degrees(scene.degrees());
     auto richer = make_elasticity(scene, *mesh);
-    richer->setup();
+    richer->setup(elasticity->time_of_supports());
     State carried        = state;
     carried.bulk_stress  = LA::Vector();
     carried.displacement = enriched(*elasticity, state.displacement, *richer);

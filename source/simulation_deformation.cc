@@ -15,6 +15,8 @@ namespace Signorini
   bool
   Simulation<dim>::solve(const double t, const double tolerance)
   {
+    if (!elasticity->has_supports_of(t))
+      change_supports(t);
     if (scene.deformation != Deformation::automatic)
       return equilibrium->solve(t, tolerance);
     const State before = state;
@@ -24,6 +26,22 @@ namespace Signorini
       return true;
     become_finite(before);
     return equilibrium->solve(t, tolerance);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::change_supports(const double t)
+  {
+    out << "  supports: others hold from here on" << std::endl;
+    former_cycles  = multigrid_cycles();
+    former_seconds = mesh_seconds();
+    auto other     = make_elasticity(scene, *mesh);
+    other->setup(t);
+    const State carried = state;
+    replace_elasticity(std::move(other), carried, equilibrium->follows(), contact->memory());
+    equilibrium->recall_active_set();
   }
 
 
@@ -58,7 +76,7 @@ namespace Signorini
     scene.become_finite();
     scene.check(); // what goes with small deformation alone
     auto finite = make_elasticity(scene, *mesh);
-    finite->setup();
+    finite->setup(elasticity->time_of_supports());
     Json known = contact->memory();
     for (Json &pair : known) // how far to look is another matter there
       for (const char *key : {"reach", "nearby", "known"})
@@ -88,6 +106,7 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template bool Simulation<dim>::solve(double, double);                                            \
+  template void Simulation<dim>::change_supports(double);                                          \
   template bool Simulation<dim>::is_small_enough();                                                \
   template void Simulation<dim>::become_finite(const State &);                                     \
   template void Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>>,              \

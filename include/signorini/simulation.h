@@ -68,6 +68,10 @@ namespace Signorini
     /// simulation_deformation.cc.
     bool
     solve(double t, double tolerance);
+    /// To those that act at time t, on the same mesh and from the same state: all that is made of
+    /// the constraints is made anew.
+    void
+    change_supports(double t);
     void
     run_load_history();
     /// All load steps, cut back where they cannot be solved.

@@ -113,7 +113,7 @@ namespace Signorini
       for (const LA::Vector &one : z)
         duals.push_back(elasticity.with_ghosts(one));
       for (const Support<dim> &support : elasticity.supports())
-        if (support.type != SupportType::symmetry)
+        if (support.type != SupportType::symmetry && support.acts(elasticity.time_of_supports()))
           for (const std::string &boundary : support.boundaries)
             if (elasticity.mesh().body_of(boundary))
               for (const types::boundary_id id : elasticity.mesh().boundary_ids(boundary))

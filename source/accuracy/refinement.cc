@@ -137,7 +137,7 @@ namespace Signorini
     transfer.prepare_for_coarsening_and_refinement(in);
     triangulation.execute_coarsening_and_refinement();
 
-    elasticity.setup();
+    elasticity.setup(elasticity.time_of_supports());
     std::vector<LA::Vector>   parts(vectors.size(), elasticity.zero_mesh_vector());
     std::vector<LA::Vector *> out;
     for (LA::Vector &part : parts)

@@ -50,9 +50,21 @@ namespace Signorini
     section.add("Direction",
                 direction,
                 "in which a roller holds; 0: normal to the faces; any length");
+    section.add("From",
+                from,
+                "the support begins to hold right after this time, at which a load step ends; 0: "
+                "it holds from the start",
+                non_negative);
+    section.add("Until",
+                until,
+                "the support holds up to this time, at which a load step ends, and then no more; "
+                "0: to the end",
+                non_negative);
     if (!section.reading())
       return;
     place = section.place_of("Boundaries");
+    if (until > 0 && until <= from)
+      section.fail("Until", "must be later than From, or 0 for a support that holds to the end");
     if (boundaries.empty() && nodes.empty())
       section.fail("Boundaries", "a support needs at least one boundary, or Nodes, or a Point");
     const bool has_normal = nodes.empty() || direction.norm() > 0;
@@ -69,6 +81,16 @@ namespace Signorini
       section.fail("Normal displacement", "belongs to Type = roller");
     if (type != SupportType::roller && direction.norm() > 0)
       section.fail("Direction", "belongs to Type = roller");
+  }
+
+
+
+  template <int dim>
+  bool
+  Support<dim>::acts(const double t) const
+  {
+    constexpr double rounding = 1e-10;
+    return (from == 0 || t > from * (1 + rounding)) && (until == 0 || t <= until * (1 + rounding));
   }
 
 
@@ -94,7 +116,9 @@ namespace Signorini
                 force,
                 "at each of the Nodes, or at the Point, around which stresses are singular: one "
                 "formula in x,y,z,t a component, separated by ';' [force]");
-    section.add("Bodies", bodies, "where the body force acts");
+    section.add("Bodies",
+                bodies,
+                "where the body force acts: BODY, or BODY.SET of cells of a mesh file, ...");
     section.add("Body force",
                 body_force,
                 "one formula in x,y,z,t a component, separated by ';' [force/volume]");

@@ -7,6 +7,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -43,7 +44,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Displacements<dim>::distribute_dofs()
+  Displacements<dim>::distribute_dofs(const double t)
   {
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -56,9 +57,21 @@ namespace Signorini
     DoFTools::make_hanging_node_constraints(dofs, hanging);
     hanging.close();
 
-    held = find_held_nodes(my_mesh, dofs, hanging, my_supports, my_model);
-    make_constraints(0);
+    my_time_of_supports = t;
+    held                = find_held_nodes(my_mesh, dofs, hanging, my_supports, t, my_model);
+    make_constraints(t);
     inclined = find_inclined_supports();
+  }
+
+
+
+  template <int dim>
+  bool
+  Displacements<dim>::has_supports_of(const double t) const
+  {
+    return std::all_of(my_supports.begin(), my_supports.end(), [&](const Support<dim> &support) {
+      return support.acts(t) == support.acts(my_time_of_supports);
+    });
   }
 
 

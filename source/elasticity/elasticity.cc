@@ -49,9 +49,9 @@ namespace Signorini
 
   template <int dim>
   void
-  Elasticity<dim>::setup()
+  Elasticity<dim>::setup(const double t)
   {
-    this->distribute_dofs();
+    this->distribute_dofs(t);
     unheld.find();
     stabilisation = unheld.springs(materials, rigid_stiffness(), strength);
     thermal_strain.reinit();

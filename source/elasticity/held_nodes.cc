@@ -386,13 +386,16 @@ namespace Signorini
                   const DoFHandler<dim>           &dofs,
                   const AffineConstraints<double> &hanging,
                   const std::vector<Support<dim>> &supports,
+                  const double                     t,
                   const Model                      model)
   {
     Finder<dim> finder(mesh, dofs, hanging);
     if (model == Model::axisymmetric)
       finder.hold_axis();
     for (const Support<dim> &support : supports)
-      if (support.type == SupportType::displacement)
+      if (!support.acts(t))
+        continue;
+      else if (support.type == SupportType::displacement)
         hold_components(finder, mesh, support);
       else
         hold_normals(finder, mesh, support);
@@ -408,11 +411,13 @@ namespace Signorini
                   const DoFHandler<2> &,
                   const AffineConstraints<double> &,
                   const std::vector<Support<2>> &,
+                  double,
                   Model);
   template HeldNodes<3>
   find_held_nodes(const Mesh<3> &,
                   const DoFHandler<3> &,
                   const AffineConstraints<double> &,
                   const std::vector<Support<3>> &,
+                  double,
                   Model);
 } // namespace Signorini

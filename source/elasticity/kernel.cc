@@ -156,10 +156,16 @@ namespace Signorini
           ids.insert(mesh.boundary_ids(boundary).begin(), mesh.boundary_ids(boundary).end());
         for (const types::boundary_id id : ids)
           by_boundary[id].push_back(&load);
+        const std::set<std::string> names(load.bodies.begin(), load.bodies.end());
         for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
-          for (const std::string &name : load.bodies)
-            if (mesh.body_name(body) == name)
-              by_body[body].push_back(&load);
+          if (names.count(mesh.body_name(body)) > 0)
+            by_body[body].push_back(&load);
+        std::set<types::coarse_cell_id> cells;
+        for (const std::string &name : names)
+          if (name.find('.') != std::string::npos)
+            cells.merge(mesh.cell_set(name));
+        for (const types::coarse_cell_id cell : cells)
+          by_cell[cell].push_back(&load);
       }
     measure_boundaries(mesh, loads);
   }
@@ -203,12 +209,11 @@ namespace Signorini
   {
     cell_load.reinit(cell->get_fe().n_dofs_per_cell());
     bool loaded = false;
-    if (const auto found = by_body.find(cell->material_id()); found != by_body.end())
-      for (const Load<dim> *load : found->second)
-        {
-          add_body_force(cell, *load, cell_load);
-          loaded = true;
-        }
+    for (const Load<dim> *load : body_forces(cell))
+      {
+        add_body_force(cell, *load, cell_load);
+        loaded = true;
+      }
     if (nodal_forces.on(cell->active_cell_index()))
       {
         add_nodal_forces(cell, cell_load);
@@ -239,6 +244,24 @@ namespace Signorini
   {
     if (!std::isfinite(size) && what_is_wrong.empty())
       what_is_wrong = not_finite("Loads/" + load.name + "/" + key, formula, x, t);
+  }
+
+
+
+  template <int dim>
+  std::vector<const Load<dim> *>
+  LoadKernel<dim>::body_forces(const Cell &cell) const
+  {
+    std::vector<const Load<dim> *> result;
+    if (const auto found = by_body.find(cell->material_id()); found != by_body.end())
+      result = found->second;
+    if (by_cell.empty())
+      return result;
+    if (const auto found = by_cell.find(cell->id().get_coarse_cell_id()); found != by_cell.end())
+      for (const Load<dim> *load : found->second)
+        if (std::find(result.begin(), result.end(), load) == result.end())
+          result.push_back(load);
+    return result;
   }
 
 

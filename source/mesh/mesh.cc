@@ -244,6 +244,29 @@ namespace Signorini
 
 
   template <int dim>
+  std::set<types::coarse_cell_id>
+  Mesh<dim>::cell_set(const std::string &name) const
+  {
+    std::set<types::coarse_cell_id> result;
+    for (unsigned int body = 0; body < n_bodies(); ++body)
+      {
+        const std::string  start = names[body] + ".";
+        const unsigned int first = first_cells[body],
+                           end = body + 1 < n_bodies() ? first_cells[body + 1] : coarse_ids.size();
+        if (name == names[body])
+          result.insert(coarse_ids.begin() + first, coarse_ids.begin() + end);
+        else if (name.compare(0, start.size(), start) == 0)
+          for (const unsigned int cell : generators[body]->cell_set(name.substr(start.size())))
+            result.insert(coarse_ids[first + cell]);
+      }
+    if (result.empty())
+      throw SceneError("there is no body and no set of cells '" + name + "'");
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   Mesh<dim>::number_coarse_cells(const Triangulation<dim> &triangulation)
   {

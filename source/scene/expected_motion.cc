@@ -38,10 +38,11 @@ namespace Signorini
     {
       double supports = 0, obstacles = 0;
       for (const Support<dim> &support : scene.supports)
-        for (const Point<dim> &x : points)
-          supports = std::max({supports,
-                               support.displacement.value(x, t).norm(),
-                               std::abs(support.normal_displacement.value(x, t))});
+        if (support.acts(t))
+          for (const Point<dim> &x : points)
+            supports = std::max({supports,
+                                 support.displacement.value(x, t).norm(),
+                                 std::abs(support.normal_displacement.value(x, t))});
       for (const Obstacle<dim> &obstacle : scene.obstacles)
         obstacles =
           std::max(obstacles,

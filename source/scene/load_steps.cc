@@ -7,6 +7,18 @@
 
 namespace Signorini
 {
+  namespace
+  {
+    /// But for rounding.
+    bool
+    are_one(const double t, const double other)
+    {
+      return std::abs(t - other) <= 1e-10 * std::abs(other);
+    }
+  } // namespace
+
+
+
   void
   LoadSteps::read_number(Section &section, const Formula &text)
   {
@@ -64,13 +76,19 @@ namespace Signorini
   std::vector<double>
   LoadSteps::ends() const
   {
-    if (!times.empty())
-      return times;
-    if (is_automatic)
-      return {end_time};
-    std::vector<double> result;
-    for (unsigned int step = 1; step <= number; ++step)
-      result.push_back(end_time * step / number);
+    std::vector<double> result = times;
+    if (times.empty() && is_automatic)
+      result = {end_time};
+    else if (times.empty())
+      for (unsigned int step = 1; step <= number; ++step)
+        result.push_back(end_time * step / number);
+    for (const double t : changes)
+      {
+        const auto next = std::lower_bound(result.begin(), result.end(), t);
+        if (next != result.end() && !are_one(*next, t) &&
+            (next == result.begin() || !are_one(*(next - 1), t)))
+          result.insert(next, t);
+      }
     return result;
   }
 

@@ -1,5 +1,6 @@
 #include <signorini/elasticity/material_law.h>
 #include <signorini/parameters/section.h>
+#include <signorini/parameters/text.h>
 #include <signorini/scene/descriptions.h>
 #include <signorini/scene/formulation.h>
 #include <signorini/scene/scene.h>
@@ -105,6 +106,8 @@ namespace Signorini
     section.add_section("Load steps", "The history of loading.", [&](Section &s) {
       load_steps.declare(s);
     });
+    if (section.reading())
+      end_steps_where_supports_change();
     section.add_section("Newton", "The nonlinear iteration.", [&](Section &s) {
       newton.declare(s);
     });
@@ -114,6 +117,27 @@ namespace Signorini
                         "Formulas that the computed solution is compared with.",
                         [&](Section &s) { known.declare(s); });
     section.add_named("Expected results", expected, "What is known about the answer.");
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::end_steps_where_supports_change()
+  {
+    load_steps.changes.clear();
+    for (const Support<dim> &support : supports)
+      {
+        if (support.from >= load_steps.end_time)
+          throw SceneError("Supports/" + support.name + "/From = " + short_text(support.from) +
+                           ": the scene ends at t = " + short_text(load_steps.end_time) +
+                           ", so that this support never holds; set an earlier time, or take it "
+                           "out");
+        for (const double t : {support.from, support.until})
+          if (t > 0)
+            load_steps.changes.push_back(t);
+      }
+    std::sort(load_steps.changes.begin(), load_steps.changes.end());
   }
 
 

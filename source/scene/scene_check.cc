@@ -42,6 +42,18 @@ namespace Signorini
       return false;
     }
 
+    /// BODY.SET
+    template <int dim>
+    bool
+    is_cell_set(const std::vector<Body<dim>> &bodies, const std::string &name)
+    {
+      return std::any_of(bodies.begin(), bodies.end(), [&](const Body<dim> &body) {
+        const std::string start = body.name + ".";
+        return name.compare(0, start.size(), start) == 0 &&
+               !body.mesh.generator->cell_set(name.substr(start.size())).empty();
+      });
+    }
+
     /// In one matrix, rounding of the stiff body is a force on the soft one.
     template <int dim>
     void
@@ -172,7 +184,9 @@ namespace Signorini
       {
         require("boundary", load.boundaries, boundaries, load.place, sets);
         require_nodes(load.nodes);
-        require("body", load.bodies, body_names, load.bodies_place);
+        for (const std::string &name : load.bodies)
+          if (!is_cell_set(bodies, name))
+            require("body or set of cells", {name}, body_names, load.bodies_place);
       }
     std::vector<std::string> masters = boundaries;
     masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());

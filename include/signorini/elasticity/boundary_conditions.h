@@ -38,7 +38,7 @@ namespace Signorini
   };
 
   /// A prescribed displacement on boundaries of bodies, or on nodes: per component, or along one
-  /// direction.
+  /// direction; at all times, or in a span of time.
   template <int dim>
   struct Support
   {
@@ -50,6 +50,12 @@ namespace Signorini
     VectorExpression<dim>    displacement;
     Expression<dim>          normal_displacement; ///< of a roller
     dealii::Point<dim>       direction; ///< in which a roller holds; zero: along the normal
+    double                   from  = 0; ///< holds at later times; 0: also at the start
+    double                   until = 0; ///< and up to this one; 0: to the end
+
+    /// Does it hold at time t? A time as close to an end of its span as rounding is that end.
+    bool
+    acts(double t) const;
 
     void
     declare(Section &section);
@@ -67,8 +73,8 @@ namespace Signorini
     std::string              place, bodies_place; ///< of the names in the scene file
     VectorExpression<dim>    traction;            ///< [force/area]
     Expression<dim>          pressure;            ///< [force/area], positive pushes into the body
-    std::vector<std::string> bodies;
-    VectorExpression<dim>    body_force; ///< [force/volume]
+    std::vector<std::string> bodies;              ///< "body", or "body.set" of cells
+    VectorExpression<dim>    body_force;          ///< [force/volume]
     NodeChoice               nodes;
     VectorExpression<dim>    force;       ///< at each node, or at the point [force]
     VectorExpression<dim>    total_force; ///< on all boundaries or nodes of this load [force]

@@ -112,11 +112,23 @@ namespace Signorini
       all_constraints.distribute(u);
     }
 
+    /// All, also those that do not act at present.
     const std::vector<Support<dim>> &
     supports() const
     {
       return my_supports;
     }
+
+    /// The time whose supports the constraints are of: supports begin and end, see Support::acts().
+    double
+    time_of_supports() const
+    {
+      return my_time_of_supports;
+    }
+
+    /// Do the same supports act at time t?
+    bool
+    has_supports_of(double t) const;
 
     const HeldNodes<dim> &
     held_nodes() const
@@ -197,12 +209,13 @@ namespace Signorini
 
     ~Displacements() = default;
 
-    /// Distribute degrees of freedom on the mesh as it is now, and prescribe what holds at time 0.
+    /// Distribute degrees of freedom on the mesh as it is now, and prescribe what the supports that
+    /// act at time t do then.
     void
-    distribute_dofs();
+    distribute_dofs(double t);
 
-    /// Evaluate what is prescribed at time t. Throws SceneError where a formula of a rigid body has
-    /// no finite value. Collective.
+    /// Evaluate what is prescribed at time t by the supports of time_of_supports(). Throws
+    /// SceneError where a formula of a rigid body has no finite value. Collective.
     void
     prescribe(double t);
 
@@ -230,7 +243,7 @@ namespace Signorini
     dealii::IndexSet                  locally_owned, locally_relevant;
     dealii::AffineConstraints<double> hanging, all_constraints;
     HeldNodes<dim>                    held;
-    double                            my_time = 0, my_lever = 1;
+    double                            my_time = 0, my_time_of_supports = 0, my_lever = 1;
     bool                              inclined = false;
     mutable LA::Vector                zero_with_ghosts; ///< of the mesh; empty: nobody asked yet
   };

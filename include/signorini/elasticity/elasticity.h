@@ -32,9 +32,10 @@ namespace Signorini
     /// bodies about as far as contact then gives way, from where it is found soonest.
     static constexpr double default_stabilisation = 0.25;
 
-    /// Distribute degrees of freedom on the mesh as it is now.
+    /// Distribute degrees of freedom on the mesh as it is now, with the supports that act at time
+    /// t. K, and all that is made of its constraints, is another one where these change.
     void
-    setup();
+    setup(double t = 0);
 
     /// Assemble K; once per mesh. That of mixed bodies knows nothing of their bulk stress.
     void

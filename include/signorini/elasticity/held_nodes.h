@@ -44,17 +44,18 @@ namespace Signorini
   template <int dim>
   using HeldNodes = std::map<dealii::types::global_dof_index, HeldNode<dim>>;
 
-  /// The nodes on cells that this rank knows which supports hold. A set of nodes stands for these,
-  /// and for all nodes on edges, faces and cells of the coarse mesh with all corners in it; hanging
-  /// nodes follow their neighbours and are left out. On curved boundaries, a node has the mean of
-  /// its faces' normals where they differ by less than 50 degrees, and several directions at
-  /// corners. Throws SceneError where a symmetry plane is not plane. Collective.
+  /// The nodes on cells that this rank knows which supports that act at time t hold. A set of nodes
+  /// stands for these, and for all nodes on edges, faces and cells of the coarse mesh with all
+  /// corners in it; hanging nodes follow their neighbours and are left out. On curved boundaries, a
+  /// node has the mean of its faces' normals where they differ by less than 50 degrees, and several
+  /// directions at corners. Throws SceneError where a symmetry plane is not plane. Collective.
   template <int dim>
   HeldNodes<dim>
   find_held_nodes(const Mesh<dim>                         &mesh,
                   const dealii::DoFHandler<dim>           &dofs,
                   const dealii::AffineConstraints<double> &hanging,
                   const std::vector<Support<dim>>         &supports,
+                  double                                   t,
                   Model                                    model);
 
   /// Add what the supports prescribe at time t, one line a direction, to be closed by the caller.

@@ -80,6 +80,9 @@ namespace Signorini
           const std::string        &key,
           const std::string        &formula,
           const dealii::Point<dim> &x);
+    /// The body forces that act on a cell, each once.
+    std::vector<const Load<dim> *>
+    body_forces(const Cell &cell) const;
     void
     add_body_force(const Cell &cell, const Load<dim> &load, dealii::Vector<double> &cell_load);
     void
@@ -102,8 +105,9 @@ namespace Signorini
 
     std::string what_is_wrong;
 
-    std::map<unsigned int, std::vector<const Load<dim> *>>               by_body;
-    std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>> by_boundary;
+    std::map<unsigned int, std::vector<const Load<dim> *>>                  by_body;
+    std::map<dealii::types::coarse_cell_id, std::vector<const Load<dim> *>> by_cell; ///< of sets
+    std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>>    by_boundary;
     std::map<const Load<dim> *, double> areas; ///< of the boundaries of total forces
   };
 } // namespace Signorini

@@ -143,6 +143,20 @@ namespace Signorini
       return {};
     }
 
+    /// Names of the sets of cells.
+    virtual std::vector<std::string>
+    cell_sets() const
+    {
+      return {};
+    }
+
+    /// The cells of such a set, of the coarse mesh of generate().
+    virtual std::vector<unsigned int>
+    cell_set(const std::string & /*name*/) const
+    {
+      return {};
+    }
+
     /// Why the mesh can be used only if a contact pair joins two boundaries of this body; empty if
     /// it can be used anyhow.
     virtual std::string

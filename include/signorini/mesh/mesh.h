@@ -220,6 +220,11 @@ namespace Signorini
     NodeSet<dim>
     node_set(const std::string &name) const;
 
+    /// The coarse cells of "body", or of the set "body.SET", by their ids. Throws SceneError if
+    /// there is no such set.
+    std::set<dealii::types::coarse_cell_id>
+    cell_set(const std::string &name) const;
+
     /// Of the bodies whose generators have one.
     const CoarseField<dim> &
     temperature() const

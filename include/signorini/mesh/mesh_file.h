@@ -41,8 +41,9 @@ namespace Signorini
       Nodes nodes;
     };
 
-    /// What has a common name. In d dimensions, its elements of dimension d are a part; those of
-    /// dimension d-1, the faces, and the faces all of whose corners are in `nodes` are a boundary.
+    /// What has a common name. In d dimensions, its elements of dimension d are a part and a set of
+    /// cells; those of dimension d-1 and the faces are a boundary, or if there are none, the faces
+    /// all of whose corners are in `nodes`.
     struct Group
     {
       std::string               name;

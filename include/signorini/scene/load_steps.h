@@ -15,9 +15,10 @@ namespace Signorini
     unsigned int        number       = 1;
     bool                is_automatic = false; ///< as many as are needed, of any length
     std::vector<double> times;                ///< instead of equal steps
+    std::vector<double> changes;              ///< at which steps end too: of supports
     unsigned int        cut_backs = 4;
 
-    /// The ends of all steps that are asked for; of automatic ones the last.
+    /// The ends of all steps that are asked for; of automatic ones the last, and the changes.
     std::vector<double>
     ends() const;
 

@@ -136,6 +136,9 @@ namespace Signorini
     become_finite();
 
   private:
+    /// Throws SceneError where a support begins after the end.
+    void
+    end_steps_where_supports_change();
     /// What goes with Deformation = finite alone, or not with it. Throws SceneError.
     void
     check_finite() const;

@@ -44,12 +44,19 @@ namespace Signorini
       for (const auto &group : file.groups)
         if (group.name == names[n])
           {
+            const auto is_face = [&](const unsigned int e) {
+              return dimension_of(file.elements[e].shape) == dim - 1;
+            };
             for (const unsigned int e : group.elements)
-              if (dimension_of(file.elements[e].shape) == dim - 1)
+              if (is_face(e))
                 add(corners_of(file.elements[e]), n);
             for (const auto &face : group.faces)
               add(face, n);
 
+            // Beside a surface, nodes of the same name are another set.
+            if (!group.faces.empty() ||
+                std::any_of(group.elements.begin(), group.elements.end(), is_face))
+              continue;
             std::vector<bool> contains(file.nodes.size());
             for (const unsigned int node : group.nodes)
               contains[representatives[node]] = true;

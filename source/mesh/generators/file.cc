@@ -5,6 +5,7 @@
 #include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/curved_cells.h>
 #include <signorini/mesh/generators/file.h>
+#include <signorini/mesh/generators/numbered_sets.h>
 #include <signorini/mesh/generators/round_off.h>
 #include <signorini/mesh/pieces.h>
 #include <signorini/parameters/section.h>
@@ -124,6 +125,24 @@ namespace Signorini
 
 
 
+    /// The cells of each group that has any in the part, by their places in it.
+    template <int dim>
+    std::map<std::string, std::vector<unsigned int>>
+    cell_sets_of(const MeshFile &file, const FilePart<dim> &part)
+    {
+      std::map<const MeshFile::Element *, unsigned int> cell_of;
+      for (unsigned int c = 0; c < part.elements.size(); ++c)
+        cell_of[part.elements[c]] = c;
+      std::map<std::string, std::vector<unsigned int>> result;
+      for (const MeshFile::Group &group : file.groups)
+        for (const unsigned int e : group.elements)
+          if (const auto found = cell_of.find(&file.elements[e]); found != cell_of.end())
+            result[group.name].push_back(found->second);
+      return result;
+    }
+
+
+
     bool
     is_in(const std::string &name, const std::vector<std::string> &names)
     {
@@ -219,8 +238,35 @@ namespace Signorini
                 temperature_field,
                 "name in the file of temperatures at the nodes, linear between those of corners; "
                 "empty: none");
+    section.add("Node sets",
+                node_set_text,
+                "sets of nodes beside those of the file, by its numbers: NAME: 1, 4-7; NAME: ...; "
+                "numbers of an instance as INSTANCE.4-7");
+    section.add("Face sets",
+                face_set_text,
+                "boundaries beside those of the file: faces of elements of the part by their "
+                "numbers and labels as Abaqus has them, NAME: 3.S2, 5-8.S1; NAME: ...");
+    section.add("Cell sets",
+                cell_set_text,
+                "sets of elements of the part beside those of the file, by its numbers: NAME: 3, "
+                "5-8; NAME: ...");
     if (section.reading())
       read(section);
+  }
+
+
+
+  template <int dim>
+  void
+  FileMesh<dim>::add_sets(MeshFile &all, std::string &key) const
+  {
+    const NumberedSets sets(all, cells_of_part(all, dim, selection.part));
+    key = "Node sets";
+    sets.add_nodes(node_set_text, all);
+    key = "Face sets";
+    sets.add_faces(face_set_text, all);
+    key = "Cell sets";
+    sets.add_cells(cell_set_text, all);
   }
 
 
@@ -266,6 +312,8 @@ namespace Signorini
         if (!selection.part.empty() && !is_in(selection.part, parts))
           throw SceneError("has no such part; it has " + (parts.empty() ? "none" : join(parts)));
 
+        add_sets(all, key);
+
         key = "Boundaries";
         check_groups(all, selection.boundaries);
 
@@ -273,7 +321,8 @@ namespace Signorini
         const FileSelection after = divide(all, section.path(), path);
         const FilePart<dim> part(all, after);
         tell(section.path(), path, part.notes);
-        nodes = part.nodes;
+        nodes         = part.nodes;
+        sets_of_cells = cell_sets_of(all, part);
         if (!part.touching_pieces.empty())
           unless_pair =
             section.place_of("File") + ": mesh file '" + path + "' " + part.touching_pieces;

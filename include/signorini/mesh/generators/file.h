@@ -66,6 +66,22 @@ namespace Signorini
       return nodes.find(name);
     }
 
+    std::vector<std::string>
+    cell_sets() const override
+    {
+      std::vector<std::string> names;
+      for (const auto &[name, cells] : sets_of_cells)
+        names.push_back(name);
+      return names;
+    }
+
+    std::vector<unsigned int>
+    cell_set(const std::string &name) const override
+    {
+      const auto found = sets_of_cells.find(name);
+      return found == sets_of_cells.end() ? std::vector<unsigned int>() : found->second;
+    }
+
     std::string
     needs_pair() const override
     {
@@ -75,19 +91,24 @@ namespace Signorini
   private:
     void
     read(const Section &section);
+    /// The sets that the scene makes, as if they were in the file.
+    void
+    add_sets(MeshFile &all, std::string &key) const;
 
     /// Divide cells that are no quadrilaterals or hexahedra, and say so. Returns how to go on.
     FileSelection
     divide(MeshFile &all, const std::string &body, const std::string &path) const;
 
     std::string   file, curved_text = "automatic", temperature_field;
+    std::string   node_set_text, face_set_text, cell_set_text;
     FileSelection selection;
     bool          mid_side_nodes = true;
 
-    CoarseMesh<dim>     mesh;
-    std::vector<double> temperatures; ///< at its vertices
-    FileNodes<dim>      nodes;
-    std::string         unless_pair;
-    bool                is_curved = false;
+    CoarseMesh<dim>                                  mesh;
+    std::vector<double>                              temperatures; ///< at its vertices
+    FileNodes<dim>                                   nodes;
+    std::map<std::string, std::vector<unsigned int>> sets_of_cells;
+    std::string                                      unless_pair;
+    bool                                             is_curved = false;
   };
 } // namespace Signorini
