@@ -92,7 +92,7 @@ namespace Signorini
             has_face |= found->second == 1;
         const std::set<unsigned int> set(group.nodes.begin(), group.nodes.end());
         const bool is_all = std::includes(set.begin(), set.end(), nodes.begin(), nodes.end());
-        if (!set.empty() && !is_all)
+        if (!set.empty() && !is_all && group.faces.empty())
           for (const auto &[face, n] : n_cells)
             has_face |=
               n == 1 && std::all_of(face.begin(), face.end(), [&](const unsigned int node) {
@@ -169,13 +169,13 @@ namespace Signorini
     std::optional<double> initial;
     bool                  is_uniform = same(model.initial_temperatures, initial);
     body.initial_temperature         = initial.value_or(0);
-    DeckModel::Curve curve{{0, body.initial_temperature, ""}};
+    DeckModel::Curve curve{{0, body.initial_temperature, "", {}}};
     for (const auto &[step, temperatures] : model.temperatures)
       {
         std::optional<double> value;
         is_uniform &= same(temperatures.of_nodes, value);
         if (value)
-          curve.push_back({step, *value, temperatures.amplitude});
+          curve.push_back({step, *value, temperatures.amplitude, {}});
       }
     if (!is_uniform)
       model.leave_out("temperatures that differ from node to node of " + body.name +

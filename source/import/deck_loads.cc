@@ -19,12 +19,73 @@ namespace Signorini
 
 
   void
-  DeckReader::set(Curve &curve, const double value) const
+  DeckReader::know_parameters(const std::set<std::string> &known)
   {
-    const unsigned int step = in_step ? model.steps.size() : 0;
-    if (!curve.empty() && curve.back().step == step)
+    for (const auto &[name, value] : in.all_parameters())
+      if (known.count(name) == 0)
+        leave_out("its " + name);
+    const std::string amplitude = in.value("AMPLITUDE");
+    if (!amplitude.empty() && model.amplitudes.count(upper_case(amplitude)) == 0)
+      leave_out("its AMPLITUDE=" + amplitude + ", which is not there above; values are ramped");
+  }
+
+
+
+  DeckModel::Change
+  DeckReader::change_to(const double value) const
+  {
+    const bool is_velocity = upper_case(in.value("TYPE")) == "VELOCITY";
+    return {present_step(),
+            value,
+            upper_case(in.value("AMPLITUDE")),
+            is_velocity ? DeckModel::Change::Kind::velocity : DeckModel::Change::Kind::value};
+  }
+
+
+
+  /// The last line of a step counts.
+  void
+  DeckReader::replace(Curve &curve, const double value) const
+  {
+    if (!curve.empty() && curve.back().step == present_step())
       curve.pop_back();
-    curve.push_back({step, value, upper_case(in.value("AMPLITUDE"))});
+    curve.push_back(change_to(value));
+  }
+
+
+
+  /// What one step says adds up, and replaces what earlier ones have said.
+  void
+  DeckReader::add(Curve &curve, const double value) const
+  {
+    const DeckModel::Change change = change_to(value);
+    if (curve.empty() || curve.back().step < change.step ||
+        curve.back().kind == DeckModel::Change::Kind::removed)
+      replace(curve, value);
+    else if (curve.back().amplitude != change.amplitude)
+      in.fail("loads of different amplitudes at one place in one step; CalculiX refuses them, and "
+              "so does this program");
+    else
+      curve.back().value += value;
+  }
+
+
+
+  /// OP=NEW ends what earlier steps have begun; that of the first card of its kind in a step
+  /// counts.
+  bool
+  DeckReader::removes_old(const std::string &kind)
+  {
+    return told.insert(kind).second && in_step && upper_case(in.value("OP")) == "NEW";
+  }
+
+
+
+  void
+  DeckReader::remove_old(Curve &curve) const
+  {
+    if (curve.back().step < present_step() && curve.back().kind != DeckModel::Change::Kind::removed)
+      curve.push_back({present_step(), 0., "", DeckModel::Change::Kind::removed});
   }
 
 
@@ -38,16 +99,15 @@ namespace Signorini
 
 
 
-  /// OP=NEW ends what earlier steps have begun.
-  void
-  DeckReader::remove_old(const std::vector<Curve *> &curves) const
+  /// Each once.
+  std::vector<unsigned int>
+  DeckReader::nodes_of(const std::string &target) const
   {
-    if (upper_case(in.value("OP")) != "NEW")
-      return;
-    const unsigned int step = in_step ? model.steps.size() : 0;
-    for (Curve *curve : curves)
-      if (!curve->empty() && curve->back().step < step)
-        curve->push_back({step, 0., ""});
+    std::vector<unsigned int> nodes;
+    model.deck.nodes.append(in, target, nodes);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
   }
 
 
@@ -56,13 +116,14 @@ namespace Signorini
   DeckModel::AtNodes *
   DeckReader::at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target)
   {
-    for (DeckModel::AtNodes &one : list)
-      if (upper_case(one.target) == upper_case(target))
-        return &one;
+    const std::string upper = upper_case(target);
+    const auto        known = places.find({&list, upper});
+    if (known != places.end())
+      return &list[known->second];
     DeckModel::AtNodes one;
     const AbaqusSet   *set = model.deck.nodes.find(target);
-    one.target             = set ? set->name : target;
-    model.deck.nodes.append(in, target, one.nodes);
+    one.name               = set ? set->name : target;
+    one.nodes              = nodes_of(target);
     for (const unsigned int node : one.nodes)
       if (transformed.count(node) > 0)
         {
@@ -70,8 +131,39 @@ namespace Signorini
           model.lacks_restraint |= in.keyword() == "BOUNDARY";
           return nullptr;
         }
+    places[{&list, upper}] = list.size();
     list.push_back(one);
     return &list.back();
+  }
+
+
+
+  void
+  DeckReader::hold(const std::string               &target,
+                   const std::vector<unsigned int> &components,
+                   const double                     value)
+  {
+    if (DeckModel::AtNodes *nodes = at_nodes(model.supported, target))
+      for (const unsigned int d : components)
+        {
+          nodes->components[d] = true;
+          for (const unsigned int node : nodes->nodes)
+            replace(model.supports[{node, d}], value);
+        }
+  }
+
+
+
+  /// False for what is neither a displacement nor a velocity that stays the same.
+  bool
+  DeckReader::takes_type()
+  {
+    const std::string type = upper_case(in.value("TYPE"));
+    if (type.empty() || type == "DISPLACEMENT" || (type == "VELOCITY" && !in.has("AMPLITUDE")))
+      return true;
+    leave_out("its TYPE=" + type + (in.has("AMPLITUDE") ? " with an amplitude" : ""));
+    model.lacks_restraint = true;
+    return false;
   }
 
 
@@ -81,14 +173,18 @@ namespace Signorini
   {
     if (!counts())
       return;
-    if (in_step && upper_case(in.value("OP")) == "NEW")
-      leave_out("its OP=NEW; supports of earlier steps stay");
+    if (removes_old("BOUNDARY"))
+      for (auto &[where, curve] : model.supports)
+        remove_old(curve);
     for (const std::string type : {"FIXED", "USER", "SUBMODEL"})
       if (in.has(type))
         {
           leave_out(type);
           return;
         }
+    know_parameters({"OP", "AMPLITUDE", "TYPE"});
+    if (!takes_type())
+      return;
     for (Words words; in.next_line(words);)
       {
         if (words.size() > 1 && !words[1].empty() && !std::isdigit(words[1][0]))
@@ -103,9 +199,10 @@ namespace Signorini
           model.leave_out("*BOUNDARY of rotations and temperatures", in.place());
         if (first < 1 || first > 3)
           continue;
-        if (DeckModel::AtNodes *nodes = at_nodes(model.supports, words[0]))
-          for (unsigned int d = first; d <= std::min(last, 3u); ++d)
-            set(nodes->components[d - 1], number(words, 3));
+        std::vector<unsigned int> components;
+        for (unsigned int d = first; d <= std::min(last, 3u); ++d)
+          components.push_back(d - 1);
+        hold(words[0], components, number(words, 3));
       }
   }
 
@@ -125,9 +222,8 @@ namespace Signorini
     const auto                                                    found = held.find(kind);
     if (found == held.end())
       leave_out("type " + kind);
-    else if (DeckModel::AtNodes *nodes = at_nodes(model.supports, target))
-      for (const unsigned int d : found->second)
-        set(nodes->components[d], 0.);
+    else
+      hold(target, found->second, 0.);
   }
 
 
@@ -137,25 +233,20 @@ namespace Signorini
   {
     if (!counts())
       return;
-    std::vector<Curve *> curves;
-    for (auto &one : model.forces)
-      for (Curve &curve : one.components)
-        curves.push_back(&curve);
-    remove_old(curves);
+    know_parameters({"OP", "AMPLITUDE"});
+    if (removes_old("CLOAD"))
+      for (auto &[where, curve] : model.forces)
+        remove_old(curve);
     for (Words words; in.next_line(words);)
       {
         const unsigned int d = component(words, 1);
         if (d < 1 || d > 3)
           model.leave_out("*CLOAD of moments and fluxes", in.place());
-        else if (DeckModel::AtNodes *nodes = at_nodes(model.forces, words[0]))
+        else if (DeckModel::AtNodes *nodes = at_nodes(model.loaded, words[0]))
           {
-            // Forces of one step on the same node add up.
-            Curve       &curve = nodes->components[d - 1];
-            const double there =
-              !curve.empty() && in_step && curve.back().step == model.steps.size() ?
-                curve.back().value :
-                0;
-            set(curve, there + number(words, 2));
+            nodes->components[d - 1] = true;
+            for (const unsigned int node : nodes->nodes)
+              add(model.forces[{node, d - 1}], number(words, 2));
           }
       }
   }
@@ -168,88 +259,111 @@ namespace Signorini
     ++n_element_loads;
     if (!counts())
       return;
-    std::vector<Curve *> curves;
-    for (auto &one : model.pressures)
-      curves.push_back(&one.pressure);
-    for (auto &one : model.body_loads)
-      curves.push_back(&one.size);
-    remove_old(curves);
-    std::vector<double> values; // in the order of the surfaces that the mesh reader makes
+    know_parameters({"OP", "AMPLITUDE"});
+    if (removes_old("DLOAD"))
+      remove_distributed();
+    std::vector<double> pressures; // in the order of the surfaces that the mesh reader makes
     for (Words words; in.next_line(words);)
       {
         const std::string label = words.size() > 1 ? upper_case(words[1]) : "";
-        if (is_pressure_label(label))
+        if (!is_pressure_label(label))
           {
-            const double value = number(words, 2);
-            if (std::find(values.begin(), values.end(), value) == values.end())
-              {
-                values.push_back(value);
-                add_pressure(name_of_loaded_faces(n_element_loads, values.size()), value);
-              }
+            add_body_load(words);
             continue;
+          }
+        const double value = number(words, 2);
+        if (std::find(pressures.begin(), pressures.end(), value) == pressures.end())
+          {
+            pressures.push_back(value);
+            model.pressed.push_back(name_of_loaded_faces(n_element_loads, pressures.size()));
           }
         Members elements;
         model.deck.elements.append(in, words[0], elements);
-        add_gravity(elements, words);
-      }
-  }
-
-
-
-  /// A later step may change the pressure on the same faces.
-  void
-  DeckReader::add_pressure(const std::string &surface, const double value)
-  {
-    const auto faces_of = [&](const std::string &name) {
-      std::set<MeshFile::Nodes> faces;
-      for (const auto &group : model.deck.mesh.groups)
-        if (upper_case(group.name) == upper_case(name))
-          for (MeshFile::Nodes face : group.faces)
+        std::set<DeckModel::Face> faces;
+        for (const unsigned int e : elements)
+          for (DeckModel::Face face :
+               abaqus_faces(model.deck.mesh.elements[e], "S" + label.substr(1)))
             {
               std::sort(face.begin(), face.end());
               faces.insert(face);
             }
-      return faces;
-    };
-    const auto faces = faces_of(surface);
-    for (DeckModel::FaceLoad &other : model.pressures)
-      {
-        const auto others = faces_of(other.surface);
-        if (others == faces)
-          return set(other.pressure, value);
-        if (std::any_of(faces.begin(), faces.end(), [&](const auto &face) {
-              return others.count(face) > 0;
-            }))
-          leave_out("in place of others on a part of the same faces; all act together");
+        for (const DeckModel::Face &face : faces)
+          add(model.pressures[face], value);
       }
-    model.pressures.push_back({surface, {}});
-    set(model.pressures.back().pressure, value);
+  }
+
+
+
+  /// *DLOAD and *DSLOAD alike. CalculiX leaves forces per volume as they are.
+  void
+  DeckReader::remove_distributed()
+  {
+    for (auto &[face, curve] : model.pressures)
+      remove_old(curve);
+    for (DeckModel::BodyLoad &load : model.gravity)
+      remove_old(load.size);
+    for (const auto &[where, curve] : model.body_forces)
+      if (curve.back().step < present_step())
+        {
+          leave_out("that OP=NEW ends BX, BY, BZ; they go on, as in CalculiX");
+          break;
+        }
   }
 
 
 
   void
-  DeckReader::add_gravity(const Members &elements, const Words &words)
+  DeckReader::add_pressure(const std::string &surface, const double value)
   {
-    const std::string   label = words.size() > 1 ? upper_case(words[1]) : "";
-    DeckModel::BodyLoad load{elements, {{0, 0, 0}}, label == "GRAV", {}};
+    model.pressed.push_back(surface);
+    const std::set<DeckModel::Face> faces = model.faces_of(surface);
+    if (faces.empty())
+      leave_out("on '" + surface + "', which has no faces of elements");
+    for (const DeckModel::Face &face : faces)
+      add(model.pressures[face], value);
+  }
+
+
+
+  void
+  DeckReader::add_body_load(const Words &words)
+  {
+    const std::string label = words.size() > 1 ? upper_case(words[1]) : "";
     if (label == "GRAV")
-      {
-        const double x = number(words, 3), y = number(words, 4), z = number(words, 5);
-        const double n = std::sqrt(x * x + y * y + z * z);
-        if (n == 0)
-          in.fail("*DLOAD, GRAV needs a direction");
-        load.direction = {{x / n, y / n, z / n}};
-      }
+      add_gravity(words);
     else if (label == "BX" || label == "BY" || label == "BZ")
-      load.direction[label[1] - 'X'] = 1;
-    else
       {
-        leave_out("type " + label);
-        return;
+        const unsigned int    d = label[1] - 'X';
+        DeckModel::BodyForces one{words[0], {}, d};
+        model.deck.elements.append(in, words[0], one.elements);
+        std::sort(one.elements.begin(), one.elements.end());
+        one.elements.erase(std::unique(one.elements.begin(), one.elements.end()),
+                           one.elements.end());
+        for (const unsigned int e : one.elements)
+          add(model.body_forces[{e, d}], number(words, 2));
+        model.forced.push_back(one);
       }
-    set(load.size, number(words, 2));
-    model.body_loads.push_back(load);
+    else
+      leave_out("type " + label);
+  }
+
+
+
+  /// Replaces gravity of an earlier step of the same name and direction, and no other.
+  void
+  DeckReader::add_gravity(const Words &words)
+  {
+    const double x = number(words, 3), y = number(words, 4), z = number(words, 5);
+    const double n = std::sqrt(x * x + y * y + z * z);
+    if (n == 0)
+      in.fail("*DLOAD, GRAV needs a direction");
+    DeckModel::BodyLoad load{upper_case(words[0]), {}, {{x / n, y / n, z / n}}, {}};
+    for (DeckModel::BodyLoad &other : model.gravity)
+      if (other.name == load.name && other.direction == load.direction)
+        return add(other.size, number(words, 2));
+    model.deck.elements.append(in, words[0], load.elements);
+    add(load.size, number(words, 2));
+    model.gravity.push_back(load);
   }
 
 
@@ -259,15 +373,12 @@ namespace Signorini
   {
     if (!counts())
       return;
-    std::vector<Curve *> curves;
-    for (auto &one : model.pressures)
-      curves.push_back(&one.pressure);
-    remove_old(curves);
+    know_parameters({"OP", "AMPLITUDE"});
+    if (removes_old("DLOAD"))
+      remove_distributed();
     for (Words words; in.next_line(words);)
       if (words.size() > 1 && upper_case(words[1]) == "P")
-        {
-          add_pressure(words[0], number(words, 2));
-        }
+        add_pressure(words[0], number(words, 2));
       else
         leave_out("type " + (words.size() > 1 ? upper_case(words[1]) : ""));
   }

@@ -1,4 +1,5 @@
 #include <signorini/import/deck_model.h>
+#include <signorini/parameters/raw.h>
 
 #include <algorithm>
 
@@ -55,39 +56,102 @@ namespace Signorini
 
 
 
-  // Without amplitude, a static step goes from the last value to the new one along a line.
-  DeckModel::Points
-  DeckModel::history(const Curve &curve) const
+  namespace
   {
-    Points result;
-    double value = 0;
-    for (const Change &change : curve)
-      if (change.step == 0)
-        value = change.value;
-    add(result, 0, value, 1);
+    using Model = DeckModel;
+    using Kind  = Model::Change::Kind;
+
+    /// Step 0 is reached in step 1, if that says nothing else.
+    Model::Curve
+    from_first_step(Model::Curve curve)
+    {
+      if (curve.size() > 1 && curve[0].step == 0 && curve[1].step == 1)
+        curve.erase(curve.begin());
+      if (!curve.empty() && curve[0].step == 0)
+        curve[0].step = 1;
+      return curve;
+    }
+
+
+
+    /// One step of a value that an amplitude scales. Returns its end.
+    double
+    add_amplitude(Model::Points          &result,
+                  const Model::Amplitude &amplitude,
+                  const Model::Step      &step,
+                  const double            size)
+    {
+      const double start = amplitude.is_total ? step.begin : 0, period = step.end - step.begin;
+      const auto at = [&](const double t) { return size * value_at(amplitude.points, start + t); };
+      add(result, step.begin, at(0), period);
+      for (const auto &[t, y] : amplitude.points)
+        if (t > start && t < start + period)
+          add(result, step.begin + t - start, size * y, period);
+      add(result, step.end, at(period), period);
+      return at(period);
+    }
+  } // namespace
+
+
+
+  DeckModel::History
+  DeckModel::history(const Curve &given, const bool is_initial) const
+  {
+    const Curve   curve = is_initial ? given : from_first_step(given);
+    History       result;
+    double        value = is_initial && !curve.empty() && curve[0].step == 0 ? curve[0].value : 0;
+    const Change *last  = nullptr;
+    add(result.points, 0, value, 1);
     for (unsigned int s = 1; s <= steps.size(); ++s)
       {
-        const Step   step   = steps[s - 1];
-        const double period = step.end - step.begin;
+        const Step  &step   = steps[s - 1];
+        const double period = step.end - step.begin, before = value;
+        bool         is_new = false;
         for (const Change &change : curve)
           if (change.step == s)
             {
-              const auto amplitude = amplitudes.find(change.amplitude);
-              if (amplitude == amplitudes.end())
-                add(result, step.begin, value, period);
-              else
-                {
-                  const Points &points = amplitude->second;
-                  add(result, step.begin, change.value * value_at(points, 0), period);
-                  for (const auto &[t, y] : points)
-                    if (t > 0 && t < period)
-                      add(result, step.begin + t, change.value * y, period);
-                }
-              value = change.value *
-                      (amplitude == amplitudes.end() ? 1. : value_at(amplitude->second, period));
+              last   = &change;
+              is_new = true;
             }
-        add(result, step.end, value, period);
+        const auto amplitude =
+          last && last->kind == Kind::value ? amplitudes.find(last->amplitude) : amplitudes.end();
+        if (amplitude != amplitudes.end() && (is_new || amplitude->second.is_total))
+          value = add_amplitude(result.points, amplitude->second, step, last->value);
+        else
+          {
+            if (is_new)
+              value = last->kind == Kind::value ? last->value : 0;
+            if (last && last->kind == Kind::velocity)
+              value = before + last->value * period;
+            const bool is_jump = is_new && (last->kind == Kind::removed || step.is_constant);
+            add(result.points, step.begin, is_jump ? value : before, period);
+            add(result.points, step.end, value, period);
+          }
+        if (last && last->kind != Kind::removed)
+          {
+            if (result.spans.empty() || result.spans.back().second != step.begin)
+              result.spans.emplace_back(step.begin, step.end);
+            result.spans.back().second = step.end;
+          }
       }
+    if (steps.empty() && !curve.empty())
+      result.points[0].second = curve.back().value;
     return result;
+  }
+
+
+
+  std::set<DeckModel::Face>
+  DeckModel::faces_of(const std::string &surface) const
+  {
+    std::set<Face> faces;
+    for (const auto &group : deck.mesh.groups)
+      if (upper_case(group.name) == upper_case(surface))
+        for (Face face : group.faces)
+          {
+            std::sort(face.begin(), face.end());
+            faces.insert(face);
+          }
+    return faces;
   }
 } // namespace Signorini

@@ -304,9 +304,12 @@ namespace Signorini
         leave_out("its DEFINITION=" + definition + "; what refers to it is ramped");
         return;
       }
-    if (in.has("TIME") && upper_case(in.value("TIME")) != "STEP TIME")
-      leave_out("its TIME; it counts from the beginning of each step");
-    DeckModel::Points  &points = model.amplitudes[upper_case(in.value("NAME"))];
+    know_parameters({"NAME", "TIME", "DEFINITION", "VALUE", "INPUT"});
+    if (upper_case(in.value("VALUE")) == "ABSOLUTE")
+      leave_out("its VALUE=ABSOLUTE; values are factors");
+    DeckModel::Amplitude &amplitude = model.amplitudes[upper_case(in.value("NAME"))];
+    amplitude.is_total              = upper_case(in.value("TIME")) == "TOTAL TIME";
+    DeckModel::Points  &points      = amplitude.points;
     std::vector<double> values;
     for (Words words; in.next_line(words);)
       for (const std::string &word : words)
@@ -330,7 +333,8 @@ namespace Signorini
     if (step_counts)
       {
         const double begin = model.steps.empty() ? 0. : model.steps.back().end;
-        model.steps.push_back({begin, begin + 1});
+        model.steps.push_back({begin, begin + 1, upper_case(in.value("AMPLITUDE")) == "STEP"});
+        told.clear();
       }
   }
 

@@ -1,5 +1,6 @@
 #include <signorini/import/import_deck.h>
 #include <signorini/import/scene_writer.h>
+#include <signorini/mesh/formats/abaqus_elements.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>
@@ -18,47 +19,15 @@ namespace Signorini
     text(const double x)
     {
       std::ostringstream out;
-      out.precision(12);
+      out.precision(15);
       out << x;
       return out.str();
     }
 
 
 
-    /// One subsection of a section of named items.
-    struct Item
-    {
-      std::string                                      name;
-      std::vector<std::pair<std::string, std::string>> keys;
-    };
-
-
-
-    /// Names that are there already get a number. Decks may name each node of thousands: nothing is
-    /// tried twice.
-    class Names
-    {
-    public:
-      std::string
-      unlike(const std::string &name)
-      {
-        if (taken.insert(name).second)
-          return name;
-        for (unsigned int &i = next.insert({name, 2}).first->second;; ++i)
-          if (const std::string result = name + " " + std::to_string(i);
-              taken.insert(result).second)
-            return result;
-      }
-
-    private:
-      std::set<std::string>               taken;
-      std::map<std::string, unsigned int> next;
-    };
-
-
-
     std::string
-    keys_of(const Item &item, const std::string &indent)
+    keys_of(const SceneItem &item, const std::string &indent)
     {
       std::size_t width = 0;
       for (const auto &[key, value] : item.keys)
@@ -73,13 +42,13 @@ namespace Signorini
 
 
     std::string
-    section(const std::string &title, const std::vector<Item> &items)
+    section(const std::string &title, const std::vector<SceneItem> &items)
     {
       if (items.empty())
         return "";
       std::vector<std::string> names;
       std::string              body;
-      for (const Item &item : items)
+      for (const SceneItem &item : items)
         {
           names.push_back(item.name);
           body += "  subsection " + item.name + "\n" + keys_of(item, "    ") + "  end\n";
@@ -107,7 +76,10 @@ namespace Signorini
   SceneWriter::SceneWriter(DeckModel given, const std::string &file)
     : model(std::move(given))
     , file(file)
+    , histories(model)
   {
+    for (const auto &group : model.deck.mesh.groups)
+      set_names.unlike(group.name);
     bool has_solids = false, has_planes = false;
     for (const auto &element : model.deck.mesh.elements)
       {
@@ -130,21 +102,27 @@ namespace Signorini
   std::string
   SceneWriter::bodies() const
   {
-    std::vector<Item> items;
+    std::vector<SceneItem> items;
     for (const Body &body : all)
       {
         const auto &material = model.materials.at(body.material);
-        Item        item{body.name, {{"Mesh", "file"}, {"File", file}}};
+        SceneItem   item{body.name, {{"Mesh", "file"}, {"File", file}}};
         if (all.size() > 1)
           item.keys.emplace_back("Part", body.part);
         item.keys.emplace_back("Young's modulus", text(*material.youngs_modulus));
         item.keys.emplace_back("Poisson's ratio", text(*material.poissons_ratio));
         if (body.is_quadratic)
           item.keys.emplace_back("Degree", "2");
+        for (const auto &[key, sets] : {std::pair{"Node sets", body.node_sets},
+                                        {"Face sets", body.face_sets},
+                                        {"Cell sets", body.cell_sets}})
+          if (!sets.empty())
+            item.keys.emplace_back(key, join(sets, "; "));
         if (!body.temperature.empty())
           {
             item.keys.emplace_back("Thermal expansion", text(*material.expansion));
-            item.keys.emplace_back("Temperature", formula(body.temperature));
+            item.keys.emplace_back("Temperature",
+                                   formula(model.history(body.temperature, true).points));
             item.keys.emplace_back("Reference temperature", text(body.initial_temperature));
           }
         items.push_back(item);
@@ -155,10 +133,9 @@ namespace Signorini
 
 
   std::string
-  SceneWriter::formula(const DeckModel::Curve &curve, const double factor) const
+  SceneWriter::formula(const DeckModel::Points &points, const double factor) const
   {
-    DeckModel::Points points = model.history(curve);
-    const auto        same   = [&](const auto &point) { return point.second == points[0].second; };
+    const auto same = [&](const auto &point) { return point.second == points[0].second; };
     if (std::all_of(points.begin(), points.end(), same))
       return text(factor * points[0].second);
     if (points.size() == 2 && points[0].second == 0)
@@ -176,38 +153,83 @@ namespace Signorini
 
 
   std::string
-  SceneWriter::vector_formula(const std::array<DeckModel::Curve, 3> &components,
-                              const std::string                     &otherwise,
-                              const double                           factor) const
+  SceneWriter::vector_formula(const MemberGroup &group,
+                              const std::string &otherwise,
+                              const double       factor) const
   {
     std::vector<std::string> words;
     for (unsigned int d = 0; d < dim; ++d)
-      words.push_back(components[d].empty() ? otherwise : formula(components[d], factor));
+      words.push_back(group.histories[d] == MemberGroup::free ?
+                        otherwise :
+                        formula(histories[group.histories[d]].points, factor));
     return join(words, "; ");
   }
 
 
 
-  /// "BODY.SET, ..." of all bodies with nodes of the set; empty if there are none.
+  const DeckModel::History &
+  SceneWriter::history(const unsigned int id)
+  {
+    end_steps_where_it_bends(histories[id]);
+    return histories[id];
+  }
+
+
+
+  /// What happens within a step is seen if load steps end there.
+  void
+  SceneWriter::end_steps_where_it_bends(const DeckModel::History &history)
+  {
+    for (const auto &[t, y] : history.points)
+      for (const auto &step : model.steps)
+        if (const double little = 1e-6 * (step.end - step.begin);
+            t > step.begin + little && t < step.end - little)
+          {
+            const auto next = bends.lower_bound(t - little);
+            if (next == bends.end() || *next > t + little)
+              bends.insert(t);
+          }
+  }
+
+
+
+  /// "BODY.SET, ..." of all bodies with nodes of the group; empty if there are none.
   std::string
-  SceneWriter::targets(const DeckModel::AtNodes &at, const std::string &what)
+  SceneWriter::nodes_of(const MemberGroup &group,
+                        const std::string &target,
+                        const std::string &what)
   {
     std::vector<std::string> result;
-    std::set<unsigned int>   homeless(at.nodes.begin(), at.nodes.end());
-    for (const Body &body : all)
+    std::set<unsigned int>   homeless(group.members.begin(), group.members.end());
+    const std::string name = group.is_target ? target : set_names.unlike(as_name(target) + " part");
+    for (Body &body : all)
       {
-        bool has_some = false;
-        for (const unsigned int node : at.nodes)
+        std::set<unsigned int> here;
+        for (const unsigned int node : group.members)
           if (body.has_node[node])
             {
-              has_some = true;
+              here.insert(node);
               homeless.erase(node);
             }
-        if (has_some)
-          result.push_back(body.name + "." + at.target);
+        if (here.empty())
+          continue;
+        result.push_back(body.name + "." + name);
+        if (group.is_target)
+          continue;
+        std::vector<std::string> ranges;
+        for (const auto &[instance, numbers] : model.deck.mesh.numbers)
+          {
+            std::vector<std::size_t> of_instance;
+            for (const auto &[number, node] : numbers)
+              if (here.erase(node) > 0)
+                of_instance.push_back(number);
+            for (const std::string &range : split(as_ranges(of_instance), ','))
+              ranges.push_back((instance.empty() ? "" : instance + ".") + trim(range));
+          }
+        body.node_sets.push_back(name + ": " + join(ranges));
       }
     if (!homeless.empty())
-      model.leave_out(what + " at " + std::to_string(homeless.size()) + " nodes of " + at.target +
+      model.leave_out(what + " at " + std::to_string(homeless.size()) + " nodes of " + target +
                         " that are on no solid",
                       "");
     return join(result);
@@ -215,36 +237,88 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    std::vector<MemberTarget>
+    targets_of(const std::vector<DeckModel::AtNodes> &list)
+    {
+      std::vector<MemberTarget> result;
+      for (const DeckModel::AtNodes &one : list)
+        result.push_back({one.nodes, one.components});
+      return result;
+    }
+
+
+
+    /// Nodes of their own with the same value are one item.
+    void
+    add_at_nodes(std::vector<SceneItem> &items,
+                 SetNames               &names,
+                 const bool              is_number,
+                 SceneItem               item)
+    {
+      if (is_number)
+        {
+          const auto like = std::find_if(items.begin(), items.end(), [&](const SceneItem &one) {
+            return one.name.compare(0, 5, "nodes") == 0 && std::equal(one.keys.begin() + 1,
+                                                                      one.keys.end(),
+                                                                      item.keys.begin() + 1,
+                                                                      item.keys.end());
+          });
+          if (like != items.end())
+            {
+              like->keys[0].second += ", " + item.keys[0].second;
+              return;
+            }
+          item.name = "nodes";
+        }
+      item.name = names.unlike(item.name);
+      items.push_back(item);
+    }
+  } // namespace
+
+
+
   std::string
   SceneWriter::supports()
   {
-    std::vector<Item> items;
-    Names             names;
-    for (const auto &at : model.supports)
+    std::vector<SceneItem> items;
+    SetNames               names;
+    for (const MemberGroup &group :
+         groups_by_history(model.supports, targets_of(model.supported), true, histories))
       {
-        const std::string displacement = vector_formula(at.components, "free");
-        const bool        holds        = std::any_of(at.components.begin(),
-                                       at.components.begin() + dim,
-                                       [](const auto &curve) { return !curve.empty(); });
-        const std::string where        = holds ? targets(at, "*BOUNDARY") : "";
+        const DeckModel::AtNodes &at = model.supported[group.target];
+        // A component after the other, as long as it holds.
+        std::map<std::pair<double, double>, MemberGroup> by_span;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (group.histories[d] != MemberGroup::free)
+            {
+              auto spans = history(group.histories[d]).spans;
+              if (model.steps.empty())
+                spans = {{0., 0.}};
+              for (const auto &span : spans)
+                {
+                  MemberGroup &part = by_span.insert({span, group}).first->second;
+                  if (part.histories == group.histories)
+                    part.histories.fill(MemberGroup::free);
+                  part.histories[d] = group.histories[d];
+                }
+            }
+        const std::string where = by_span.empty() ? "" : nodes_of(group, at.name, "*BOUNDARY");
         if (where.empty())
           continue;
-        for (unsigned int d = 0; d < dim; ++d)
-          if (!at.components[d].empty() && at.components[d].front().step > 1)
-            model.leave_out("that the support of " + at.target +
-                              " begins in a later step; it holds from the beginning",
-                            "*BOUNDARY");
-        // Nodes of their own with the same displacement are one support.
-        const bool is_number = at.nodes.size() == 1 && !model.deck.nodes.find(at.target);
-        const auto like      = std::find_if(items.begin(), items.end(), [&](const Item &one) {
-          return is_number && one.name.compare(0, 5, "nodes") == 0 &&
-                 one.keys[1].second == displacement;
-        });
-        if (like != items.end())
-          like->keys[0].second += ", " + where;
-        else
-          items.push_back({names.unlike(is_number ? "nodes" : as_name(at.target)),
-                           {{"Nodes", where}, {"Displacement", displacement}}});
+        for (const auto &[span, part] : by_span)
+          {
+            SceneItem item{as_name(at.name),
+                           {{"Nodes", where}, {"Displacement", vector_formula(part, "free")}}};
+            if (span.first > 0)
+              late_supports.emplace_back(at.name, span.first);
+            if (span.first > 0)
+              item.keys.emplace_back("From", text(span.first));
+            if (!model.steps.empty() && span.second < model.steps.back().end)
+              item.keys.emplace_back("Until", text(span.second));
+            add_at_nodes(items, names, is_a_node(at), item);
+          }
       }
     return section("Supports", items);
   }
@@ -255,10 +329,18 @@ namespace Signorini
   std::string
   SceneWriter::surfaces(const std::string &surface, const std::string &what)
   {
+    // A set of nodes may have the same name, in other case.
+    bool has_faces = false;
+    for (const auto &group : model.deck.mesh.groups)
+      has_faces |= upper_case(group.name) == upper_case(surface) && !group.faces.empty();
+    std::set<std::string> of_faces;
+    for (const auto &group : model.deck.mesh.groups)
+      if (!has_faces || !group.faces.empty())
+        of_faces.insert(group.name);
     std::vector<std::string> result;
     for (const Body &body : all)
       for (const std::string &boundary : body.boundaries)
-        if (upper_case(boundary) == upper_case(surface))
+        if (upper_case(boundary) == upper_case(surface) && of_faces.count(boundary) > 0)
           result.push_back(body.name + "." + boundary);
     if (result.empty())
       model.leave_out(what + " on '" + surface + "', which has no whole face of a solid", "");
@@ -267,16 +349,16 @@ namespace Signorini
 
 
 
-  /// Of plane bodies per thickness.
-  std::string
-  SceneWriter::forces(const DeckModel::AtNodes &at) const
+  /// Of plane bodies, whose forces are per thickness.
+  double
+  SceneWriter::thickness_at(const std::vector<unsigned int> &nodes) const
   {
     double thickness = 1;
     for (const Body &body : all)
-      for (const unsigned int node : at.nodes)
+      for (const unsigned int node : nodes)
         if (body.has_node[node])
           thickness = body.thickness;
-    return vector_formula(at.components, "0", dim == 2 ? 1 / thickness : 1.);
+    return dim == 2 ? thickness : 1;
   }
 
 
@@ -284,48 +366,240 @@ namespace Signorini
   std::string
   SceneWriter::loads()
   {
-    std::vector<Item> items;
-    Names             names;
-    for (const auto &at : model.forces)
+    std::vector<SceneItem> items;
+    SetNames               names;
+    for (const auto &list : {forces(), pressures(), body_forces(), gravity()})
+      for (SceneItem item : list)
+        {
+          item.name = names.unlike(item.name);
+          items.push_back(item);
+        }
+    return section("Loads", items);
+  }
+
+
+
+  std::vector<SceneItem>
+  SceneWriter::forces()
+  {
+    std::vector<SceneItem> items;
+    SetNames               names;
+    for (const MemberGroup &group :
+         groups_by_history(model.forces, targets_of(model.loaded), false, histories))
       {
-        const std::string force = forces(at), where = targets(at, "*CLOAD");
-        const bool        is_number = at.nodes.size() == 1 && !model.deck.nodes.find(at.target);
-        if (where.empty())
-          continue;
-        const auto like = std::find_if(items.begin(), items.end(), [&](const Item &one) {
-          return is_number && one.name.compare(0, 5, "nodes") == 0 && one.keys[1].second == force;
-        });
-        if (like != items.end())
-          like->keys[0].second += ", " + where;
-        else
-          items.push_back({names.unlike(is_number ? "nodes" : as_name(at.target)),
-                           {{"Nodes", where}, {"Force", force}}});
+        const DeckModel::AtNodes &at = model.loaded[group.target];
+        for (const unsigned int id : group.histories)
+          if (id != MemberGroup::free)
+            history(id);
+        if (const std::string where = nodes_of(group, at.name, "*CLOAD"); !where.empty())
+          add_at_nodes(items,
+                       names,
+                       is_a_node(at),
+                       {as_name(at.name),
+                        {{"Nodes", where},
+                         {"Force", vector_formula(group, "0", 1 / thickness_at(group.members))}}});
       }
-    for (const auto &load : model.pressures)
-      if (const std::string where = surfaces(load.surface, "a pressure"); !where.empty())
-        items.push_back({names.unlike(as_name(load.surface)),
-                         {{"Boundaries", where}, {"Pressure", formula(load.pressure)}}});
-    for (const auto &load : model.body_loads)
-      for (const Body &body : all)
-        if (std::any_of(load.elements.begin(), load.elements.end(), [&](const unsigned int e) {
+    return items;
+  }
+
+
+
+  bool
+  SceneWriter::is_a_node(const DeckModel::AtNodes &at) const
+  {
+    return at.nodes.size() == 1 && !model.deck.nodes.find(at.name);
+  }
+
+
+
+  /// "BODY.SET, ..." of a boundary that the scene makes.
+  std::string
+  SceneWriter::faces_of(const std::vector<DeckModel::Face> &faces, const std::string &name)
+  {
+    const MeshFile                 &mesh = model.deck.mesh;
+    const std::set<DeckModel::Face> wanted(faces.begin(), faces.end());
+    std::vector<std::string>        result;
+    for (Body &body : all)
+      {
+        std::map<std::string, std::vector<std::size_t>> by_label;
+        for (unsigned int e = 0; e < mesh.elements.size(); ++e)
+          if (body.has_element[e])
+            for (const std::string label : {"S1", "S2", "S3", "S4", "S5", "S6"})
+              for (DeckModel::Face face : abaqus_faces(mesh.elements[e], label))
+                {
+                  std::sort(face.begin(), face.end());
+                  if (wanted.count(face) > 0)
+                    by_label[label].push_back(mesh.elements[e].number);
+                }
+        std::vector<std::string> ranges;
+        for (const auto &[label, numbers] : by_label)
+          for (const std::string &range : split(as_ranges(numbers), ','))
+            ranges.push_back(trim(range) + "." + label);
+        if (ranges.empty())
+          continue;
+        body.face_sets.push_back(name + ": " + join(ranges));
+        result.push_back(body.name + "." + name);
+      }
+    return join(result);
+  }
+
+
+
+  /// Faces that two elements share are no boundary.
+  void
+  SceneWriter::leave_out_pressures_inside()
+  {
+    std::map<DeckModel::Face, unsigned int> n_cells;
+    if (!model.pressures.empty())
+      for (unsigned int e = 0; e < model.deck.mesh.elements.size(); ++e)
+        if (std::any_of(all.begin(), all.end(), [&](const Body &body) {
               return body.has_element[e];
             }))
+          for (DeckModel::Face face : abaqus_faces(model.deck.mesh.elements[e], ""))
+            {
+              std::sort(face.begin(), face.end());
+              ++n_cells[face];
+            }
+    unsigned int n = 0;
+    for (const auto &[face, curve] : model.pressures)
+      if (const auto found = n_cells.find(face); found != n_cells.end() && found->second > 1)
+        ++n;
+    if (n > 0)
+      model.leave_out("pressures on " + std::to_string(n) + " faces inside of bodies", "");
+  }
+
+
+
+  std::vector<SceneItem>
+  SceneWriter::pressures()
+  {
+    leave_out_pressures_inside();
+    std::vector<SceneItem>    items;
+    std::set<DeckModel::Face> done;
+    for (const std::string &surface : model.pressed)
+      {
+        const std::set<DeckModel::Face>                      faces = model.faces_of(surface);
+        std::map<unsigned int, std::vector<DeckModel::Face>> groups;
+        for (const DeckModel::Face &face : faces)
+          if (model.pressures.count(face) > 0 && done.insert(face).second)
+            groups[histories.number(model.pressures.at(face))].push_back(face);
+        for (const auto &[number, members] : groups)
           {
-            const auto &density = model.materials.at(body.material).density;
-            if (load.is_gravity && !density)
+            const bool        is_whole = members.size() == faces.size();
+            const std::string where =
+              is_whole ? surfaces(surface, "a pressure") :
+                         faces_of(members, set_names.unlike(as_name(surface) + " part"));
+            if (!where.empty())
+              items.push_back(
+                {as_name(surface),
+                 {{"Boundaries", where}, {"Pressure", formula(history(number).points)}}});
+          }
+      }
+    return items;
+  }
+
+
+
+  /// "BODY" or "BODY.SET, ..." of elements on solids.
+  std::string
+  SceneWriter::cells_of(const std::vector<unsigned int> &elements, const std::string &name)
+  {
+    std::vector<std::string> result;
+    std::string              set;
+    for (Body &body : all)
+      {
+        std::vector<std::size_t> numbers;
+        for (const unsigned int e : elements)
+          if (body.has_element[e])
+            numbers.push_back(model.deck.mesh.elements[e].number);
+        if (numbers.empty())
+          continue;
+        if (numbers.size() == static_cast<std::size_t>(
+                                std::count(body.has_element.begin(), body.has_element.end(), true)))
+          {
+            result.push_back(body.name);
+            continue;
+          }
+        if (set.empty())
+          set = set_names.unlike(as_name(name) + " part");
+        body.cell_sets.push_back(set + ": " + as_ranges(numbers));
+        result.push_back(body.name + "." + set);
+      }
+    return join(result);
+  }
+
+
+
+  std::vector<SceneItem>
+  SceneWriter::body_forces()
+  {
+    std::vector<MemberTarget> targets;
+    for (const DeckModel::BodyForces &one : model.forced)
+      {
+        targets.push_back({one.elements, {{false, false, false}}});
+        targets.back().components[one.component] = true;
+      }
+    std::vector<SceneItem> items;
+    for (const MemberGroup &group : groups_by_history(model.body_forces, targets, false, histories))
+      {
+        const std::string name = model.forced[group.target].name;
+        for (const unsigned int id : group.histories)
+          if (id != MemberGroup::free)
+            history(id);
+        if (const std::string where = cells_of(group.members, name); !where.empty())
+          items.push_back({"body force of " + as_name(name),
+                           {{"Bodies", where}, {"Body force", vector_formula(group, "0")}}});
+      }
+    return items;
+  }
+
+
+
+  /// Of the elements; 0 where the material has none.
+  std::vector<double>
+  SceneWriter::densities() const
+  {
+    std::vector<double> result(model.deck.mesh.elements.size());
+    for (const DeckModel::SolidSection &section : model.sections)
+      if (const auto material = model.materials.find(section.material);
+          material != model.materials.end())
+        for (const unsigned int e : section.elements)
+          result[e] = material->second.density.value_or(0);
+    return result;
+  }
+
+
+
+  std::vector<SceneItem>
+  SceneWriter::gravity()
+  {
+    const std::vector<double> density_of = densities();
+    std::vector<SceneItem>    items;
+    for (const DeckModel::BodyLoad &load : model.gravity)
+      {
+        std::map<double, std::vector<unsigned int>> by_density;
+        for (const unsigned int e : load.elements)
+          by_density[density_of[e]].push_back(e);
+        for (const auto &[density, elements] : by_density)
+          {
+            if (density == 0)
               {
-                model.leave_out("gravity on " + body.name + ", whose material has no *DENSITY", "");
+                model.leave_out("gravity on " + load.name + ", whose material has no *DENSITY", "");
                 continue;
               }
-            const std::string        size = formula(load.size, load.is_gravity ? *density : 1.);
+            const std::string where = cells_of(elements, load.name);
+            if (where.empty())
+              continue;
+            const std::string size = formula(history(histories.number(load.size)).points, density);
             std::vector<std::string> words;
             for (unsigned int d = 0; d < dim; ++d)
               words.push_back(load.direction[d] == 0 ? "0" :
                                                        text(load.direction[d]) + "*(" + size + ")");
-            items.push_back({names.unlike("body force of " + body.name),
-                             {{"Bodies", body.name}, {"Body force", join(words, "; ")}}});
+            items.push_back({"gravity of " + as_name(load.name),
+                             {{"Bodies", where}, {"Body force", join(words, "; ")}}});
           }
-    return section("Loads", items);
+      }
+    return items;
   }
 
 
@@ -333,8 +607,8 @@ namespace Signorini
   std::string
   SceneWriter::pairs()
   {
-    std::vector<Item> items;
-    Names             names;
+    std::vector<SceneItem> items;
+    SetNames               names;
     for (const auto &pair : model.pairs)
       {
         const std::string slaves  = surfaces(pair.slave, "the slave of a contact pair"),
@@ -361,9 +635,12 @@ namespace Signorini
   {
     if (model.steps.empty())
       return "";
-    std::vector<std::string> ends;
+    std::set<double> times = bends;
     for (const auto &step : model.steps)
-      ends.push_back(text(step.end));
+      times.insert(step.end);
+    std::vector<std::string> ends;
+    for (const double t : times)
+      ends.push_back(text(t));
     return "\nsubsection Load steps\n  set Times = " + join(ends) + "\nend\n";
   }
 
@@ -431,12 +708,30 @@ namespace Signorini
 
 
 
+  /// A support that begins in a later step takes its nodes from where they are to its value in that
+  /// step; a formula knows only its value.
+  void
+  SceneWriter::leave_out_ways_of_late_supports()
+  {
+    for (const auto &[name, begin] : late_supports)
+      for (const auto &step : model.steps)
+        if (const auto bend = bends.upper_bound(step.begin);
+            step.begin == begin && bend != bends.end() && *bend < step.end)
+          model.leave_out("the way of " + name +
+                            " to the value of a support that begins in a later step, from where "
+                            "it is; it goes there from zero",
+                          "*BOUNDARY");
+  }
+
+
+
   void
   SceneWriter::write(std::ostream &scene)
   {
     // First all sections, which leave things out.
-    const std::string body =
-      bodies() + supports() + loads() + pairs() + method() + steps() + free_motions();
+    const std::string what_acts = supports() + loads(); // and makes sets of the bodies
+    leave_out_ways_of_late_supports();
+    const std::string body = bodies() + what_acts + pairs() + method() + steps() + free_motions();
     scene << "# Made of " << file << "\n";
     for (const std::string &line : left_out())
       scene << "# " << line << "\n";

@@ -399,6 +399,150 @@ TEST_CASE("import: steps, amplitudes, gravity, pressures on elements, symmetry")
 
 
 
+namespace
+{
+  /// Two cells, one on the other, of density 0.5, held at the base; then what is given.
+  Scene<3>
+  column(const std::string &steps, std::string &scene_text)
+  {
+    const TemporaryFile file(
+      "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n"
+      "7, 1, 1, 1\n8, 0, 1, 1\n9, 0, 0, 2\n10, 1, 0, 2\n11, 1, 1, 2\n12, 0, 1, 2\n"
+      "*ELEMENT, TYPE=C3D8, ELSET=all\n1, 1, 2, 3, 4, 5, 6, 7, 8\n2, 5, 6, 7, 8, 9, 10, 11, 12\n"
+      "*NSET, NSET=base\n1, 2, 3, 4\n*NSET, NSET=top, GENERATE\n9, 12\n*ELSET, ELSET=up\n2\n"
+      "*NSET, NSET=press\n5, 6, 9, 10\n*SURFACE, NAME=PRESS\n2, S2\n*SURFACE, NAME=press2\n2, S3\n"
+      "*AMPLITUDE, NAME=wave\n0, 0, 0.5, 2, 1, 1\n"
+      "*AMPLITUDE, NAME=total, TIME=TOTAL TIME\n0, 0, 1, 1, 3, 5\n"
+      "*MATERIAL, NAME=M\n*ELASTIC\n1000, 0.3\n*DENSITY\n0.5\n"
+      "*SOLID SECTION, ELSET=all, MATERIAL=M\n*BOUNDARY\nbase, 1, 3\n" +
+        steps,
+      ".inp");
+    scene_text = imported(file.path).first;
+    return checked<3>(scene_text);
+  }
+
+  /// All forces along z at time t.
+  double
+  force_at(const Scene<3> &scene, const double t)
+  {
+    const auto &generator = *scene.bodies[0].mesh.generator;
+    const auto  in_body   = [](const std::string &name) { return name.substr(name.find('.') + 1); };
+    double      result    = 0;
+    for (const auto &load : scene.loads)
+      {
+        for (const std::string &set : load.nodes.sets)
+          result += generator.node_set(in_body(set)).size() * load.force.value({}, t)[2];
+        for (const std::string &body : load.bodies)
+          result += (body == scene.bodies[0].name ? 2 : generator.cell_set(in_body(body)).size()) *
+                    load.body_force.value({}, t)[2];
+        result -= load.boundaries.size() * load.pressure.value({}, t); // faces of size 1
+      }
+    return result;
+  }
+
+  std::string
+  step(const std::string &text, const std::string &parameters = "")
+  {
+    return "*STEP" + parameters + "\n*STATIC\n1, 1\n" + text + "*END STEP\n";
+  }
+} // namespace
+
+
+
+// The values are those of CalculiX 2.20.
+TEST_CASE("import: what a later step says of a place replaces, whatever names it; one step adds up")
+{
+  const auto check = [](const std::string                            &steps,
+                        const std::vector<std::pair<double, double>> &forces) {
+    std::string    text;
+    const Scene<3> scene = column(steps, text);
+    for (const auto &[t, force] : forces)
+      {
+        CAPTURE(text);
+        CHECK(std::abs(force_at(scene, t) - force) < 1e-6);
+      }
+    CHECK(text.find("left out") == std::string::npos);
+  };
+  check(step("*CLOAD\ntop, 3, -10\n") + step("*CLOAD\n9, 3, -50\n"), {{1, -40}, {2, -80}});
+  check(step("*CLOAD\ntop, 3, -1\n9, 3, -2\n*CLOAD\n9, 3, -4\n"), {{0.5, -5}, {1, -10}});
+  check(step("*CLOAD\ntop, 3, -1\n") + step("*CLOAD, OP=NEW\n9, 3, -5\n"),
+        {{1, -4}, {1.5, -3}, {2, -5}});
+  check(step("*CLOAD\ntop, 3, -1\n") + step("*CLOAD\n9, 3, -5\n*CLOAD, OP=NEW\n5, 3, -7\n"),
+        {{1, -4}, {2, -15}});
+  // What an amplitude has come to stays in later steps, if it does not count the total time.
+  check(step("*CLOAD, AMPLITUDE=wave\n9, 3, -1\n") + step("*CLOAD\n10, 3, -5\n"),
+        {{0.5, -2}, {1, -1}, {1.5, -3.5}, {2, -6}});
+  check(step("*CLOAD, AMPLITUDE=total\n9, 3, -1\n") + step("") + step("*CLOAD\n9, 3, -1\n"),
+        {{1, -1}, {1.5, -2}, {2, -3}, {3, -1}});
+  check(step("*CLOAD\n9, 3, -2\n", ", AMPLITUDE=STEP"), {{0.5, -2}, {1, -2}});
+  check(step("*DLOAD\nall, P2, 1\n") + step("*DLOAD\nup, P2, 5\n"), {{2, -5}});
+  check(step("*DLOAD\n2, P2, 1\nup, P2, 1\n"), {{1, -2}});
+  check(step("*DSLOAD\nPRESS, P, 1\n") + step("*DLOAD\n2, P2, 5\n"), {{1, -1}, {2, -5}});
+  // Gravity replaces that of the same name and direction, and no other.
+  const std::string down = ", 0, 0, -1\n";
+  check(step("*DLOAD\nall, GRAV, 1" + down) + step("*DLOAD\nall, GRAV, 3" + down),
+        {{1, -1}, {2, -3}});
+  check(step("*DLOAD\nall, GRAV, 1" + down) + step("*DLOAD\nup, GRAV, 3" + down), {{2, -2.5}});
+  check(step("*DLOAD\nup, GRAV, 3" + down) + step("*DLOAD, OP=NEW\nall, BZ, 2\n"),
+        {{1, -1.5}, {2, 4}});
+  check(step("*DLOAD\nall, BZ, 1\n") + step("*DLOAD\nup, BZ, 3\n"), {{1, 2}, {2, 4}});
+}
+
+
+
+TEST_CASE("import: a surface and a set of nodes may have one name")
+{
+  std::string    text;
+  const Scene<3> scene = column(step("*BOUNDARY\npress, 1, 2\n*DSLOAD\npress, P, 3\n"), text);
+  REQUIRE(scene.loads.size() == 1);
+  CHECK(scene.loads[0].boundaries == std::vector<std::string>{scene.bodies[0].name + ".PRESS"});
+  REQUIRE(scene.supports.size() == 2);
+  CHECK(scene.supports[1].nodes.sets == std::vector<std::string>{scene.bodies[0].name + ".press"});
+}
+
+
+
+TEST_CASE("import: load steps end where amplitudes bend")
+{
+  std::string text;
+  CHECK(column(step("*CLOAD, AMPLITUDE=wave\n9, 3, -1\n") + step(""), text).load_steps.ends() ==
+        std::vector<double>{0.5, 1, 2});
+}
+
+
+
+TEST_CASE("import: supports of later steps replace, begin and end")
+{
+  std::string text;
+  {
+    const Scene<3> scene =
+      column(step("*BOUNDARY\ntop, 3, 3, -0.1\n") + step("*BOUNDARY\n9, 3, 3, -0.2\n") +
+               step("*BOUNDARY, OP=NEW\nbase, 1, 3\n") +
+               step("*BOUNDARY, TYPE=VELOCITY\n9, 3, 3, -0.5\n"),
+             text);
+    const auto held = [&](const double t) {
+      double sum = 0;
+      for (const auto &support : scene.supports)
+        if (support.acts(t) && !support.displacement.prescribed(0))
+          for (const std::string &set : support.nodes.sets)
+            sum += scene.bodies[0].mesh.generator->node_set(set.substr(set.find('.') + 1)).size() *
+                   support.displacement.value({}, t)[2];
+      return sum;
+    };
+    for (const auto &[t, sum] :
+         std::vector<std::pair<double, double>>{{1, -0.4}, {2, -0.5}, {3, 0}, {4, -0.5}})
+      CHECK(std::abs(held(t) - sum) < 1e-6);
+    CHECK(scene.load_steps.ends() == std::vector<double>{1, 2, 3, 4});
+  }
+  // The support of the model is removed too.
+  const Scene<3> scene = column(step("*BOUNDARY, OP=NEW\n1, 1, 3\n2, 2, 3\n4, 3, 3\n"), text);
+  CHECK(text.find(".base") == std::string::npos);
+  for (const auto &support : scene.supports)
+    CHECK(support.until == 0);
+}
+
+
+
 TEST_CASE("import: loads without a type, and components that are none, are left out")
 {
   const TemporaryFile file("*INCLUDE, INPUT=" +

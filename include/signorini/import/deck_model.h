@@ -5,7 +5,9 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace Signorini
@@ -31,38 +33,82 @@ namespace Signorini
     struct Step
     {
       double begin, end;
+      bool   is_constant = false; ///< AMPLITUDE=STEP: what has no amplitude acts from the beginning
     };
 
-    /// A value that is set by steps. Step 0 is the model before all steps.
+    struct Amplitude
+    {
+      Points points;
+      bool   is_total = false; ///< counts the time of all steps, not that of the present one
+    };
+
+    /// What a step says of a value. Step 0 is the model before all steps.
     struct Change
     {
+      enum class Kind
+      {
+        value,
+        velocity, ///< the value grows by it in all steps from here on
+        removed   ///< by OP=NEW, from the beginning of the step
+      };
+
       unsigned int step;
       double       value;
       std::string  amplitude;
+      Kind         kind = Kind::value;
+
+      bool
+      operator<(const Change &other) const
+      {
+        return std::tie(step, value, amplitude, kind) <
+               std::tie(other.step, other.value, other.amplitude, other.kind);
+      }
     };
     using Curve = std::vector<Change>;
 
-    /// What is prescribed at a node or set of nodes, component by component; empty: nothing.
+    /// Straight lines between points, over the time of all steps.
+    struct History
+    {
+      Points                                 points;
+      std::vector<std::pair<double, double>> spans; ///< when it is prescribed, (begin, end]
+
+      bool
+      operator==(const History &other) const
+      {
+        return points == other.points && spans == other.spans;
+      }
+    };
+
+    /// What a line of supports or forces is for. What holds at a node is in the maps by nodes,
+    /// whatever set has named it.
     struct AtNodes
     {
-      std::string               target; ///< as the mesh file calls it
-      std::vector<unsigned int> nodes;
-      std::array<Curve, 3>      components;
+      std::string               name;  ///< as the mesh file calls the node or set
+      std::vector<unsigned int> nodes; ///< each once
+      std::array<bool, 3>       components{{false, false, false}};
     };
 
-    /// A pressure on a surface, or a body force per mass on elements.
-    struct FaceLoad
-    {
-      std::string surface;
-      Curve       pressure;
-    };
+    /// By node and component.
+    using NodeCurves = std::map<std::pair<unsigned int, unsigned int>, Curve>;
 
+    /// The corners of a face, sorted.
+    using Face = MeshFile::Nodes;
+
+    /// Forces per volume, or accelerations, on elements. Those of one card and of later ones that
+    /// have the same target and direction are one load.
     struct BodyLoad
     {
+      std::string               name; ///< as the deck calls the elements
       std::vector<unsigned int> elements;
-      std::array<double, 3>     direction;
-      bool                      is_gravity; ///< times the density
+      std::array<double, 3>     direction; ///< unit
       Curve                     size;
+    };
+
+    struct BodyForces
+    {
+      std::string               name;
+      std::vector<unsigned int> elements;
+      unsigned int              component;
     };
 
     struct Temperatures
@@ -89,18 +135,22 @@ namespace Signorini
       std::string slave, master, interaction;
     };
 
-    AbaqusDeck                      deck;
-    std::string                     title;
-    std::map<std::string, Material> materials; ///< by names in upper case
-    std::vector<SolidSection>       sections;
-    std::map<std::string, Points>   amplitudes; ///< by names in upper case, in time of the step
-    std::vector<Step>               steps;      ///< that are computed
-    std::vector<AtNodes>            supports, forces;
-    std::vector<FaceLoad>           pressures;
-    std::vector<BodyLoad>           body_loads;
-    std::map<unsigned int, double>  initial_temperatures; ///< of nodes
-    std::map<unsigned int, Temperatures> temperatures;    ///< by step
-    std::map<std::string, Interaction>   interactions;    ///< by names in upper case
+    AbaqusDeck                       deck;
+    std::string                      title;
+    std::map<std::string, Material>  materials; ///< by names in upper case
+    std::vector<SolidSection>        sections;
+    std::map<std::string, Amplitude> amplitudes;      ///< by names in upper case
+    std::vector<Step>                steps;           ///< that are computed
+    std::vector<AtNodes>           supported, loaded; ///< nodes and sets, in the order of the deck
+    NodeCurves                     supports, forces;
+    std::vector<std::string>       pressed; ///< surfaces, in the order of the deck
+    std::map<Face, Curve>          pressures;
+    std::vector<BodyLoad>          gravity;
+    std::vector<BodyForces>        forced;      ///< elements and sets, in the order of the deck
+    NodeCurves                     body_forces; ///< by element and component
+    std::map<unsigned int, double> initial_temperatures; ///< of nodes
+    std::map<unsigned int, Temperatures> temperatures;   ///< by step
+    std::map<std::string, Interaction>   interactions;   ///< by names in upper case
     std::vector<Pair>                    pairs;
 
     /// Something was left out that may have held a body.
@@ -112,9 +162,16 @@ namespace Signorini
     void
     leave_out(const std::string &what, const std::string &place);
 
-    /// The value over the time of all steps: straight lines between these points.
-    Points
-    history(const Curve &curve) const;
+    /// The value over the time of all steps, as CalculiX follows it: without amplitude, a step goes
+    /// from the last value to the new one along a line; what an amplitude has come to stays in
+    /// later steps, if it does not count the time of all. What is given in step 0 is there at the
+    /// start, with `is_initial`, or reached in step 1.
+    History
+    history(const Curve &curve, bool is_initial = false) const;
+
+    /// The faces of a surface, sorted; none of a set of nodes.
+    std::set<Face>
+    faces_of(const std::string &surface) const;
   };
 
   /// Read a deck with its model. Throws SceneError with file and line.

@@ -68,9 +68,13 @@ namespace Signorini
     void
     read_element_loads();
     void
+    remove_distributed();
+    void
     add_pressure(const std::string &surface, double value);
     void
-    add_gravity(const Members &elements, const Words &words);
+    add_body_load(const Words &words);
+    void
+    add_gravity(const Words &words);
     void
     read_surface_loads();
     void
@@ -94,14 +98,34 @@ namespace Signorini
     number(const Words &words, unsigned int i) const;
     unsigned int
     component(const Words &words, unsigned int i) const;
+    std::vector<unsigned int>
+    nodes_of(const std::string &target) const;
     DeckModel::AtNodes *
     at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target);
+    void
+    hold(const std::string &target, const std::vector<unsigned int> &components, double value);
     bool
     counts() const;
+    /// Other parameters of the present keyword are left out.
     void
-    set(Curve &curve, double value) const;
+    know_parameters(const std::set<std::string> &known);
+    bool
+    takes_type();
+    unsigned int
+    present_step() const
+    {
+      return in_step ? model.steps.size() : 0;
+    }
+    DeckModel::Change
+    change_to(double value) const;
     void
-    remove_old(const std::vector<Curve *> &curves) const;
+    replace(Curve &curve, double value) const;
+    void
+    add(Curve &curve, double value) const;
+    bool
+    removes_old(const std::string &kind);
+    void
+    remove_old(Curve &curve) const;
 
     static const std::map<std::string, void (DeckReader::*)()> registry;
     static const std::map<std::string, std::string>            not_modelled;
@@ -113,5 +137,8 @@ namespace Signorini
     bool                   in_step = false, step_counts = false;
     unsigned int           n_element_loads = 0;
     std::set<unsigned int> transformed; ///< nodes with axes of their own
+    /// Where the entry of a node or set is in a list of the model.
+    std::map<std::pair<const void *, std::string>, std::size_t> places;
+    std::set<std::string> told; ///< kinds of loads and supports of which this step has cards
   };
 } // namespace Signorini

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/import/deck_model.h>
+#include <signorini/import/history_groups.h>
 #include <signorini/mesh/pieces.h>
 
 #include <iosfwd>
@@ -32,6 +33,9 @@ namespace Signorini
       bool                  is_quadratic        = false;
       double                initial_temperature = 0;
       DeckModel::Curve      temperature; ///< empty without thermal strain
+
+      /// Sets that the scene makes beside those of the deck, as the keys of the body have them.
+      std::vector<std::string> node_sets, face_sets, cell_sets;
     };
 
     /// Without what the scene file has a meaning for.
@@ -53,6 +57,14 @@ namespace Signorini
     supports();
     std::string
     loads();
+    std::vector<SceneItem>
+    forces();
+    std::vector<SceneItem>
+    pressures();
+    std::vector<SceneItem>
+    body_forces();
+    std::vector<SceneItem>
+    gravity();
     std::string
     pairs();
     std::string
@@ -63,22 +75,41 @@ namespace Signorini
     free_motions() const;
 
     std::string
-    targets(const DeckModel::AtNodes &at, const std::string &what);
+    nodes_of(const MemberGroup &group, const std::string &target, const std::string &what);
+    std::string
+    faces_of(const std::vector<DeckModel::Face> &faces, const std::string &name);
+    std::string
+    cells_of(const std::vector<unsigned int> &elements, const std::string &name);
+    void
+    leave_out_pressures_inside();
+    std::vector<double>
+    densities() const;
+    bool
+    is_a_node(const DeckModel::AtNodes &at) const;
     std::string
     surfaces(const std::string &surface, const std::string &what);
+    double
+    thickness_at(const std::vector<unsigned int> &nodes) const;
     std::string
-    forces(const DeckModel::AtNodes &at) const;
+    formula(const DeckModel::Points &points, double factor = 1) const;
     std::string
-    formula(const DeckModel::Curve &curve, double factor = 1) const;
-    std::string
-    vector_formula(const std::array<DeckModel::Curve, 3> &components,
-                   const std::string                     &otherwise,
-                   double                                 factor = 1) const;
+    vector_formula(const MemberGroup &group, const std::string &otherwise, double factor = 1) const;
+    const DeckModel::History &
+    history(unsigned int id);
+    void
+    leave_out_ways_of_late_supports();
+    void
+    end_steps_where_it_bends(const DeckModel::History &history);
 
     DeckModel         model;
     const std::string file;
     unsigned int      dim = 3;
     std::string       kind; ///< of 2D: plane strain, ...
     std::vector<Body> all;
+
+    Histories                                   histories;     ///< of the model
+    SetNames                                    set_names;     ///< of the deck and of the scene
+    std::set<double>                            bends;         ///< within steps, of what acts
+    std::vector<std::pair<std::string, double>> late_supports; ///< and when they begin
   };
 } // namespace Signorini
