@@ -25,7 +25,9 @@ namespace Signorini
     , timer(timer)
     , out(out)
   {
-    const double closing = largest_closing(scene, elasticity.mesh());
+    constexpr double touching = 1e-6; // of the scene: as exact as places of nodes are in files
+    const double     closing =
+      std::max(largest_closing(scene, elasticity.mesh()), touching * elasticity.mesh().size());
     reach.assign(scene.pairs.size(),
                  elasticity.has_free_motions() ? std::max(closing, elasticity.mesh().size() / 10) :
                                                  closing);

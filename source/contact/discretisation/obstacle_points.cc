@@ -87,7 +87,7 @@ namespace Signorini
             point.partner.bend = bend_of_obstacle(place, pose, x, first);
           points.push_back(std::move(point));
         }
-    keep_near_faces(limit, points);
+    keep_near_faces(slave, limit, points);
     return points;
   }
 

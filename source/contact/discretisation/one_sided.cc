@@ -71,17 +71,16 @@ namespace Signorini
       return Utilities::MPI::max(deepest, comm);
     }
 
-    /// That an initial overlap asks for.
+    /// Throws SceneError if surfaces that stand still overlap by more than that.
     template <int dim>
-    double
-    limit_for(const double overlap, const ContactPair<dim> &pair)
+    void
+    check_search_distance(const double overlap, const ContactPair<dim> &pair)
     {
       if (pair.search_distance > 0 && overlap > pair.search_distance)
         throw SceneError(
           pair.slave_place + ": '" + pair.slave + "' lies up to " + short_text(overlap, 4) +
           " deep in '" + pair.master + "' at the start, deeper than its Search distance of " +
           short_text(pair.search_distance, 4) + "; enlarge that, or move the bodies apart");
-      return 1.1 * overlap;
     }
 
     template <int dim>
@@ -165,8 +164,9 @@ namespace Signorini
       ContactSurface<dim>
       make()
       {
-        // Not the reach: boxes of overlapping bodies may be as far apart as the overlap is deep.
-        if (at_rest && is_apart(elasticity, pair, obstacle, slave, limit))
+        is_far = at_rest && is_apart(elasticity, pair, obstacle, slave, limit);
+        // Boxes of overlapping surfaces may be as far apart as the overlap is deep.
+        if (is_far && (obstacle || !may_overlap(elasticity.mesh(), pair)))
           {
             surface.is_apart = true;
             return std::move(surface);
@@ -203,7 +203,8 @@ namespace Signorini
                                   std::min(range.reach, farthest) :
                                   farthest;
         const double overlap  = overlap_beyond(first, elasticity, pair, obstacle, slave);
-        return overlap > 0 ? limit_for(overlap, pair) : first;
+        check_search_distance(overlap, pair);
+        return overlap > 0 ? 1.1 * overlap : first;
       }
 
       MasterFaces<dim>
@@ -238,7 +239,7 @@ namespace Signorini
       {
         pair_within_limit();
         // Is there nothing within the search distance, if what moves does not come so far?
-        if (at_rest && pair.search_distance > limit &&
+        if (at_rest && !is_far && pair.search_distance > limit &&
             Utilities::MPI::sum(paired.size(), comm) == 0)
           {
             limit = pair.search_distance;
@@ -305,7 +306,7 @@ namespace Signorini
           contact_points(configuration, pair, method, slave, integration, paired, gaps);
         check_gaps(pair, surface.points, comm);
         check_stresses(surface.points, comm);
-        surface.sees_nothing = Utilities::MPI::sum(paired.size(), comm) == 0;
+        surface.sees_nothing = !is_far && Utilities::MPI::sum(paired.size(), comm) == 0;
       }
 
       /// To be taken again where surfaces move on.
@@ -327,7 +328,9 @@ namespace Signorini
       choose_points()
       {
         surface.overlap = deepest_overlap(surface.points, comm);
-        surface.reach   = std::max(surface.reach, 2 * surface.overlap);
+        if (at_rest && !pair.gap_is_given())
+          check_search_distance(surface.overlap, pair);
+        surface.reach = std::max(surface.reach, 2 * surface.overlap);
         if (!pair.separates)
           keep_touching(pair, slave, paired, surface.points);
         else if (surface.reach < limit)
@@ -367,9 +370,10 @@ namespace Signorini
       const std::vector<LaidPoint<dim>> &laid;
       const bool                         is_laid;
       double                             limit;
-      std::optional<SelfContact<dim>>    self;   ///< where slave and master are one surface
-      std::vector<PairedPoint<dim>>      paired; ///< as long as surface.points
-      std::vector<PairedPoint<dim>>      seams;  ///< as long as surface.seams
+      bool                               is_far = false; ///< by boxes, farther than the limit
+      std::optional<SelfContact<dim>>    self;           ///< where slave and master are one surface
+      std::vector<PairedPoint<dim>>      paired;         ///< as long as surface.points
+      std::vector<PairedPoint<dim>>      seams;          ///< as long as surface.seams
       ContactSurface<dim>                surface;
     };
   } // namespace

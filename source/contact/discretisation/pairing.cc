@@ -241,7 +241,7 @@ namespace Signorini
         points.push_back(std::move(point));
     if (!slave.rest) // what is beyond a body itself is left out already
       drop_false_overlaps(slave.patches, master, comm, statistics, points);
-    keep_near_faces(limit, points);
+    keep_near_faces(slave.patches, limit, points);
     points = sorted_by_faces(std::move(points));
     // Of faces without points, and of those that are not paired by segments, they are not asked
     // for.
@@ -269,7 +269,7 @@ namespace Signorini
                    SearchStatistics                  &statistics)
   {
     auto points = pair_by_projection(slave, laid, master, limit, comm, statistics);
-    keep_near_faces(limit, points);
+    keep_near_faces(slave.patches, limit, points);
     return points;
   }
 
@@ -277,18 +277,22 @@ namespace Signorini
 
   template <int dim>
   void
-  keep_near_faces(const double limit, std::vector<PairedPoint<dim>> &points)
+  keep_near_faces(const std::vector<FacePatch<dim>> &slave,
+                  const double                       limit,
+                  std::vector<PairedPoint<dim>>     &points)
   {
-    std::vector<double> nearest;
-    for (const auto &point : points)
+    std::vector<bool> is_near(slave.size(), false);
+    for (const PairedPoint<dim> &point : points)
       {
-        if (point.face >= nearest.size())
-          nearest.resize(point.face + 1, std::numeric_limits<double>::max());
-        nearest[point.face] = std::min(nearest[point.face], point.partner.distance);
+        const Partner<dim> &partner = point.partner;
+        if (!is_near[point.face])
+          is_near[point.face] =
+            partner.distance <= limit ||
+            (slave[point.face].position(point.xi) - partner.position) * partner.normal < 0;
       }
     points.erase(std::remove_if(points.begin(),
                                 points.end(),
-                                [&](const auto &point) { return nearest[point.face] > limit; }),
+                                [&](const auto &point) { return !is_near[point.face]; }),
                  points.end());
   }
 
@@ -309,9 +313,9 @@ namespace Signorini
                    MPI_Comm,
                    SearchStatistics &);
   template void
-  keep_near_faces(double, std::vector<PairedPoint<2>> &);
+  keep_near_faces(const std::vector<FacePatch<2>> &, double, std::vector<PairedPoint<2>> &);
   template void
-  keep_near_faces(double, std::vector<PairedPoint<3>> &);
+  keep_near_faces(const std::vector<FacePatch<3>> &, double, std::vector<PairedPoint<3>> &);
   template Quadrature<1>
   face_rule<2>(const Integration &);
   template Quadrature<2>

@@ -37,14 +37,15 @@ namespace Signorini
       return BoundingBox<dim>({low, high});
     }
 
+    /// The place on a face, which the mean of its nodes is not where it is curved.
     template <int dim>
-    Tensor<1, dim>
-    normal_at_center(const FacePatch<dim> &patch)
+    Point<dim - 1>
+    middle()
     {
-      Point<dim - 1> middle;
+      Point<dim - 1> xi;
       for (unsigned int d = 0; d < dim - 1; ++d)
-        middle[d] = 0.5;
-      return patch.normal(middle);
+        xi[d] = 0.5;
+      return xi;
     }
 
     template <int dim>
@@ -54,8 +55,8 @@ namespace Signorini
       double deepest = 0;
       for (const FacePatch<dim> &patch : slave)
         {
-          const ObstaclePlace<dim> place = shape.closest(patch.center());
-          if (faces_each_other(normal_at_center(patch), place.normal))
+          const ObstaclePlace<dim> place = shape.closest(patch.position(middle<dim>()));
+          if (faces_each_other(patch.normal(middle<dim>()), place.normal))
             deepest = std::max(deepest, -place.gap);
         }
       return deepest;
@@ -72,10 +73,10 @@ namespace Signorini
       std::vector<Point<dim>>     centers;
       std::vector<Tensor<1, dim>> normals;
       for (const FacePatch<dim> &patch : slave)
-        if (box.point_inside(patch.center()))
+        if (const Point<dim> x = patch.position(middle<dim>()); box.point_inside(x))
           {
-            centers.push_back(patch.center());
-            normals.push_back(normal_at_center(patch));
+            centers.push_back(x);
+            normals.push_back(patch.normal(middle<dim>()));
           }
       const MasterFaces<dim> faces{master, [](auto, const auto &, auto &) {}};
       const double           diagonal =
@@ -101,6 +102,16 @@ namespace Signorini
     for (unsigned int d = 1; box && d < dim; ++d)
       depth = std::min(depth, box->side_length(d));
     return depth;
+  }
+
+
+
+  template <int dim>
+  bool
+  may_overlap(const Mesh<dim> &mesh, const ContactPair<dim> &pair)
+  {
+    return !pair.gap_is_given() && !pair.is_self() &&
+           common_depth(extent_of_body(mesh, pair.slave), extent_of_body(mesh, pair.master)) > 0;
   }
 
 
@@ -139,6 +150,10 @@ namespace Signorini
   common_depth(const BoundingBox<2> &, const BoundingBox<2> &);
   template double
   common_depth(const BoundingBox<3> &, const BoundingBox<3> &);
+  template bool
+  may_overlap(const Mesh<2> &, const ContactPair<2> &);
+  template bool
+  may_overlap(const Mesh<3> &, const ContactPair<3> &);
   template double
   overlap_beyond(double,
                  const Elasticity<2> &,

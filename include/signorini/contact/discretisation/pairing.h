@@ -88,8 +88,8 @@ namespace Signorini
   /// covered more than once by segments: those farther away by a face than the nearest are left
   /// out; if that is not enough, it is paired by Gauss points, which take the nearest layer.
   ///
-  /// Points come face by face. Faces take part as a whole, or not at all if no point of theirs has
-  /// a partner within the limit. Collective.
+  /// Points come face by face. Faces take part as a whole, or not at all, see keep_near_faces().
+  /// Collective.
   template <int dim>
   Pairing<dim>
   pair_points(const SlaveSide<dim>   &slave,
@@ -121,8 +121,11 @@ namespace Signorini
   }
 
   /// Drop the points of faces whose nearest partner is beyond the limit. A shape function on a part
-  /// of a face would be a weight that changes its sign.
+  /// of a face would be a weight that changes its sign. Points that lie behind their partner's face
+  /// are near, however deep: an overlap is contact, whatever is expected to move.
   template <int dim>
   void
-  keep_near_faces(double limit, std::vector<PairedPoint<dim>> &points);
+  keep_near_faces(const std::vector<FacePatch<dim>> &slave,
+                  double                             limit,
+                  std::vector<PairedPoint<dim>>     &points);
 } // namespace Signorini

@@ -12,10 +12,15 @@ namespace Signorini
   double
   common_depth(const dealii::BoundingBox<dim> &a, const dealii::BoundingBox<dim> &b);
 
+  /// True if boxes of the bodies of a pair allow an overlap of its surfaces before anything moves.
+  template <int dim>
+  bool
+  may_overlap(const Mesh<dim> &mesh, const ContactPair<dim> &pair);
+
   /// How deep the slave of a pair lies in its master before anything moves, if some of it is deeper
   /// than the distance within which partners are searched for; else 0. Overlaps are never too far
-  /// apart to be contact, however large. Centers of slave faces are asked, and those of bodies only
-  /// where boxes of both allow such an overlap. Collective.
+  /// apart to be contact, however large. The middles of slave faces are asked, which are as deep,
+  /// and those of bodies only where boxes of both allow such an overlap. Collective.
   /// @param obstacle null if the master is a boundary of a body
   template <int dim>
   double
