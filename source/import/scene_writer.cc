@@ -176,6 +176,22 @@ namespace Signorini
 
 
 
+  /// In one of the components that there are.
+  bool
+  SceneWriter::says_something(const MemberGroup &group)
+  {
+    bool result = false;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (group.histories[d] != MemberGroup::free)
+        {
+          history(group.histories[d]);
+          result = true;
+        }
+    return result;
+  }
+
+
+
   /// What happens within a step is seen if load steps end there.
   void
   SceneWriter::end_steps_where_it_bends(const DeckModel::History &history)
@@ -388,9 +404,8 @@ namespace Signorini
          groups_by_history(model.forces, targets_of(model.loaded), false, histories))
       {
         const DeckModel::AtNodes &at = model.loaded[group.target];
-        for (const unsigned int id : group.histories)
-          if (id != MemberGroup::free)
-            history(id);
+        if (!says_something(group))
+          continue;
         if (const std::string where = nodes_of(group, at.name, "*CLOAD"); !where.empty())
           add_at_nodes(items,
                        names,
@@ -543,9 +558,8 @@ namespace Signorini
     for (const MemberGroup &group : groups_by_history(model.body_forces, targets, false, histories))
       {
         const std::string name = model.forced[group.target].name;
-        for (const unsigned int id : group.histories)
-          if (id != MemberGroup::free)
-            history(id);
+        if (!says_something(group))
+          continue;
         if (const std::string where = cells_of(group.members, name); !where.empty())
           items.push_back({"body force of " + as_name(name),
                            {{"Bodies", where}, {"Body force", vector_formula(group, "0")}}});
@@ -725,11 +739,33 @@ namespace Signorini
 
 
 
+  /// A load step for each of very many would take long.
+  void
+  SceneWriter::limit_bends()
+  {
+    constexpr std::size_t most = 100;
+    for (const auto &step : model.steps)
+      {
+        const auto begin = bends.upper_bound(step.begin), end = bends.lower_bound(step.end);
+        const auto n = std::distance(begin, end);
+        if (static_cast<std::size_t>(n) <= most)
+          continue;
+        model.leave_out("the " + std::to_string(n) +
+                          " bends of amplitudes in the step that ends at " + text(step.end) +
+                          "; its end alone is solved",
+                        "*AMPLITUDE");
+        bends.erase(begin, end);
+      }
+  }
+
+
+
   void
   SceneWriter::write(std::ostream &scene)
   {
     // First all sections, which leave things out.
     const std::string what_acts = supports() + loads(); // and makes sets of the bodies
+    limit_bends();
     leave_out_ways_of_late_supports();
     const std::string body = bodies() + what_acts + pairs() + method() + steps() + free_motions();
     scene << "# Made of " << file << "\n";

@@ -31,6 +31,17 @@ namespace Signorini
       return names;
     }
 
+    template <int dim>
+    std::vector<std::string>
+    cell_set_names(const std::vector<Body<dim>> &bodies)
+    {
+      std::vector<std::string> names;
+      for (const Body<dim> &body : bodies)
+        for (const std::string &set : body.mesh.generator->cell_sets())
+          names.push_back(body.name + "." + set);
+      return names;
+    }
+
     /// BODY.NUMBER of a node of a mesh file.
     template <int dim>
     bool
@@ -40,18 +51,6 @@ namespace Signorini
         if (const std::string start = body.name + "."; name.compare(0, start.size(), start) == 0)
           return !body.mesh.generator->node_set(name.substr(start.size())).empty();
       return false;
-    }
-
-    /// BODY.SET
-    template <int dim>
-    bool
-    is_cell_set(const std::vector<Body<dim>> &bodies, const std::string &name)
-    {
-      return std::any_of(bodies.begin(), bodies.end(), [&](const Body<dim> &body) {
-        const std::string start = body.name + ".";
-        return name.compare(0, start.size(), start) == 0 &&
-               !body.mesh.generator->cell_set(name.substr(start.size())).empty();
-      });
     }
 
     /// In one matrix, rounding of the stiff body is a force on the soft one.
@@ -166,7 +165,9 @@ namespace Signorini
     const auto obstacle_names = names_of(obstacles);
     const auto boundaries     = boundary_names(bodies);
     const auto sets           = node_set_names(bodies);
-    const auto require_nodes  = [&](const NodeChoice &nodes) {
+    auto       with_cells     = cell_set_names(bodies);
+    with_cells.insert(with_cells.begin(), body_names.begin(), body_names.end());
+    const auto require_nodes = [&](const NodeChoice &nodes) {
       std::vector<std::string> named; // the others are numbers of nodes
       for (const std::string &set : nodes.sets)
         if (!is_node_number(bodies, set))
@@ -184,9 +185,7 @@ namespace Signorini
       {
         require("boundary", load.boundaries, boundaries, load.place, sets);
         require_nodes(load.nodes);
-        for (const std::string &name : load.bodies)
-          if (!is_cell_set(bodies, name))
-            require("body or set of cells", {name}, body_names, load.bodies_place);
+        require("body or set of cells", load.bodies, with_cells, load.bodies_place);
       }
     std::vector<std::string> masters = boundaries;
     masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());

@@ -14,6 +14,8 @@ namespace Signorini
     bool
     may_be_symmetry(const Support<dim> &support, const Tensor<1, dim> &normal)
     {
+      if (support.from > 0 || support.until > 0)
+        return false;
       if (support.type != SupportType::displacement)
         return support.type == SupportType::symmetry;
       for (unsigned int d = 0; d < dim; ++d)

@@ -96,6 +96,10 @@ namespace Signorini
     vector_formula(const MemberGroup &group, const std::string &otherwise, double factor = 1) const;
     const DeckModel::History &
     history(unsigned int id);
+    bool
+    says_something(const MemberGroup &group);
+    void
+    limit_bends();
     void
     leave_out_ways_of_late_supports();
     void

@@ -130,14 +130,15 @@ namespace Signorini
     std::map<std::string, std::vector<unsigned int>>
     cell_sets_of(const MeshFile &file, const FilePart<dim> &part)
     {
-      std::map<const MeshFile::Element *, unsigned int> cell_of;
+      constexpr unsigned int    none = -1;
+      std::vector<unsigned int> cell_of(file.elements.size(), none);
       for (unsigned int c = 0; c < part.elements.size(); ++c)
-        cell_of[part.elements[c]] = c;
+        cell_of[part.elements[c] - file.elements.data()] = c;
       std::map<std::string, std::vector<unsigned int>> result;
       for (const MeshFile::Group &group : file.groups)
         for (const unsigned int e : group.elements)
-          if (const auto found = cell_of.find(&file.elements[e]); found != cell_of.end())
-            result[group.name].push_back(found->second);
+          if (cell_of[e] != none)
+            result[group.name].push_back(cell_of[e]);
       return result;
     }
 
