@@ -43,7 +43,6 @@ namespace Signorini
       add(const double area, const Point<dim> &x)
       {
         sums[0] += area;
-        extend(x);
         for (unsigned int d = 0; d < dim; ++d)
           {
             sums[1 + d] += area * x[d];
@@ -64,9 +63,17 @@ namespace Signorini
       }
 
       ContactPatch
-      patch(const Model model) const
+      patch(const Model model)
       {
         ContactPatch result;
+        // Where neither nodes nor points tell how far it goes, its center.
+        if (sums[0] > 0 && box[0] == -std::numeric_limits<double>::max())
+          {
+            Point<dim> center;
+            for (unsigned int d = 0; d < dim; ++d)
+              center[d] = sums[1 + d] / sums[0];
+            extend(center);
+          }
         result.area = sums[0];
         result.edge = edge;
         for (unsigned int d = 0; d < dim && result.area > 0; ++d)
@@ -127,7 +134,7 @@ namespace Signorini
             return;
           const double share = shares[&face - surface.slave_faces.data()];
           add_part(nodes, face, values, n_active == n, share, result);
-          if (n_active == n)
+          if (n_active == n && !is_part(face))
             for (const unsigned int node : nodes)
               result.extend(face.positions[node]);
           if (n_active == n)
@@ -138,6 +145,7 @@ namespace Signorini
           add_part(nodes, face, ones, true, share, whole);
           result.edge += whole.sums[0];
         });
+        extend_by_points(result);
         return result;
       }
 
@@ -158,6 +166,22 @@ namespace Signorini
       is_active(const types::global_dof_index node) const
       {
         return status(node) > 0.5;
+      }
+
+      /// The master covers it in part: where on it is known by the points alone.
+      static bool
+      is_part(const SlaveFace<dim> &face)
+      {
+        constexpr double whole = 0.99;
+        return face.covered < whole;
+      }
+
+      void
+      extend_by_points(Moments<dim> &moments) const
+      {
+        for (const ContactPoint<dim> &point : surface.points)
+          if (is_part(surface.slave_faces[point.face]) && value_at(surface, point, status) > 0.5)
+            moments.extend(point.slave_place);
       }
 
       /// Of the squares, at nodes of parts that are in contact as a whole: the mean over these, and
@@ -283,6 +307,8 @@ namespace Signorini
               else
                 area = cross_product_3d(tangents[0], tangents[1]).norm() / (m * m);
               moments.add(covered * area * measure(s.elasticity.model(), x), x);
+              if (!is_part(face))
+                moments.extend(x);
             }
       }
 
@@ -295,22 +321,81 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    template <int dim>
+    void
+    sum_up(Moments<dim> &moments, const MPI_Comm comm)
+    {
+      Utilities::MPI::sum(moments.sums, comm, moments.sums);
+      moments.edge = Utilities::MPI::sum(moments.edge, comm);
+      Utilities::MPI::max(moments.box, comm, moments.box);
+    }
+
+    /// The points in contact, of methods that sample at points.
+    template <int dim>
+    Moments<dim>
+    moments_of_points(const Snapshot<dim> &s, const unsigned int pair)
+    {
+      Moments<dim> result(s.pairs[pair].directions);
+      auto         row = first_row(s, pair);
+      for (const ContactPoint<dim> &point : s.surfaces[pair].points)
+        if (s.active(row++) > 0)
+          {
+            const double area = point.weight * point.stretch;
+            result.add(area, point.slave_place);
+            result.extend(point.slave_place);
+            result.edge += area;
+          }
+      sum_up(result, s.elasticity.mesh().communicator());
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   ContactPatch
   contact_patch(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &pressure)
   {
-    Moments<dim>   moments = Lattice<dim>(s, pair, pressure).moments();
-    const MPI_Comm comm    = s.elasticity.mesh().communicator();
-    Utilities::MPI::sum(moments.sums, comm, moments.sums);
-    moments.edge = Utilities::MPI::sum(moments.edge, comm);
-    Utilities::MPI::max(moments.box, comm, moments.box);
+    Moments<dim> moments = Lattice<dim>(s, pair, pressure).moments();
+    sum_up(moments, s.elasticity.mesh().communicator());
+    if (moments.sums[0] <= 0 && !samples_nodes(s.contact))
+      moments = moments_of_points(s, pair);
     return moments.patch(s.elasticity.model());
   }
 
 
 
-  template ContactPatch
-  contact_patch(const Snapshot<2> &, unsigned int, const LA::Vector &);
-  template ContactPatch
-  contact_patch(const Snapshot<3> &, unsigned int, const LA::Vector &);
+  template <int dim>
+  double
+  largest_pressure(const Snapshot<dim> &s,
+                   const unsigned int   pair,
+                   const LA::Vector    &pressure,
+                   const ContactPatch  &patch)
+  {
+    double largest = 0, force = 0;
+    for (const auto i : pressure.locally_owned_elements())
+      largest = std::max(largest, pressure(i));
+    auto which = s.contact.origin.pair.begin();
+    for (const auto i : s.pressure.locally_owned_elements())
+      if (*which++ == pair)
+        force += s.pressure(i) * s.contact.weight(i);
+    const MPI_Comm comm = s.elasticity.mesh().communicator();
+    largest             = Utilities::MPI::max(largest, comm);
+    force               = Utilities::MPI::sum(force, comm);
+    return patch.area > 0 ? std::max(largest, force / patch.area) : largest;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template ContactPatch contact_patch(const Snapshot<dim> &, unsigned int, const LA::Vector &);    \
+  template double       largest_pressure(const Snapshot<dim> &,                                    \
+                                         unsigned int,                                             \
+                                         const LA::Vector &,                                       \
+                                         const ContactPatch &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

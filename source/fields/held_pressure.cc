@@ -31,6 +31,8 @@ namespace Signorini
           s,
           number_of_pair,
           [&](const SlaveFace<dim> &face, const unsigned int held, const unsigned int near) {
+            if (face.uncovered[held])
+              return now(face.nodes[near]); // what the master leaves off has no pressure to go on
             return is_on_axis(face.positions[held]) ?
                      now(face.nodes[held]) :
                      extrapolated(face.nodes[near], face.positions[held]);
@@ -133,7 +135,7 @@ namespace Signorini
         std::vector<LA::Vector> sums = zeros(2);
         for (const SlaveFace<dim> &face : surface.slave_faces)
           for (unsigned int i = 0; i < face.nodes.size(); ++i)
-            if (face.held[i] && !is_on_axis(face.positions[i]))
+            if (face.held[i] && !face.uncovered[i] && !is_on_axis(face.positions[i]))
               for (const unsigned int near : nearest_free(face, i))
                 {
                   sums[0](face.nodes[near]) += extrapolated(face.nodes[near], face.positions[near]);

@@ -33,13 +33,13 @@ namespace Signorini
         , vertices(s.elasticity, surface.slave_faces)
         , matrices(surface.slave_faces.size())
       {
-        area = open_area = vertices.zero();
+        area = open_area = part_area = vertices.zero();
         offset.assign(dim, vertices.zero());
         for (const ContactPoint<dim> &point : surface.points)
           {
             const unsigned int    f       = point.face;
             const SlaveFace<dim> &face    = surface.slave_faces[f];
-            const bool            is_open = has_open_node(face);
+            const bool            is_open = is_at_edge(face);
             const Functions       at(point.xi);
             add_to_matrices(point, at);
             for (unsigned int c = 0; c < n; ++c)
@@ -48,6 +48,8 @@ namespace Signorini
                 area(vertices[f][c]) += w;
                 if (is_open)
                   open_area(vertices[f][c]) += w;
+                if (is_part(face))
+                  part_area(vertices[f][c]) += w;
                 for (unsigned int d = 0; d < dim; ++d)
                   offset[d](vertices[f][c]) +=
                     w * (point.slave_place[d] - Vertices::position(face, c)[d]);
@@ -55,6 +57,7 @@ namespace Signorini
           }
         area.compress(VectorOperation::add);
         open_area.compress(VectorOperation::add);
+        part_area.compress(VectorOperation::add);
         for (Field &component : offset)
           divide(component);
       }
@@ -137,6 +140,21 @@ namespace Signorini
           if (is_open(node))
             return true;
         return false;
+      }
+
+      /// The master covers it in part: values at vertices would be extrapolations from there.
+      static bool
+      is_part(const SlaveFace<dim> &face)
+      {
+        constexpr double nearly_whole = 0.9;
+        return face.covered < nearly_whole;
+      }
+
+      /// Of contact, or of the master.
+      bool
+      is_at_edge(const SlaveFace<dim> &face) const
+      {
+        return is_part(face) || has_open_node(face);
       }
 
       /// From an integral to a mean, zero where there is no area.
@@ -228,7 +246,8 @@ namespace Signorini
       }
 
       /// The means of the linear interpolant's gradients are gradients at the offsets d, those
-      /// along d at 3/2 d.
+      /// along d at 3/2 d. At faces that are covered in part the means themselves: with offsets of
+      /// more than half a face the correction would grow from step to step.
       std::vector<Field>
       corrected(std::vector<Field> means, const std::vector<Field> &gradient) const
       {
@@ -244,6 +263,8 @@ namespace Signorini
           }
         for (unsigned int k = 0; k < area.locally_owned_size(); ++k)
           {
+            if (part_area.local_element(k) > 0)
+              continue;
             double along = 0, square = 0;
             for (unsigned int d = 0; d < dim; ++d)
               {
@@ -288,7 +309,7 @@ namespace Signorini
       values_on(const unsigned int f, const Field &q, const std::vector<Field> &gradient) const
       {
         const SlaveFace<dim> &face      = surface.slave_faces[f];
-        const bool            is_smooth = !has_open_node(face);
+        const bool            is_smooth = !is_at_edge(face);
         const unsigned int    k = face.degree, rows = dim == 3 ? k + 1 : 1;
         std::vector<double>   values(face.nodes.size());
         for (unsigned int c = 0; c < n; ++c)
@@ -357,8 +378,9 @@ namespace Signorini
       const LA::Vector           raw, status; ///< with ghosts
       const unsigned int         number_of_pair;
       const Vertices             vertices;
-      Field              area, open_area; ///< int phi_v dA, and that on faces with open nodes
-      std::vector<Field> offset;          ///< d
+      /// int phi_v dA, that on faces at an edge, and that on faces that are covered in part.
+      Field                     area, open_area, part_area;
+      std::vector<Field>        offset;   ///< d
       std::vector<FaceMatrices> matrices; ///< of slave faces
     };
   } // namespace

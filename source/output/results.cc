@@ -83,16 +83,17 @@ namespace Signorini
     {
       double       active_points = 0, points = 0;
       ContactPatch patch;
+      double       pressure = 0; ///< the largest
       // Of each, the maximum.
-      double pressure = 0, penetration = 0, minus_gap = -std::numeric_limits<double>::max(),
-             tension = 0, complementarity = 0;
+      double penetration = 0, minus_gap = -std::numeric_limits<double>::max(), tension = 0,
+             complementarity = 0;
 
       void
       over_ranks(const MPI_Comm comm)
       {
         for (double *x : {&active_points, &points})
           *x = Utilities::MPI::sum(*x, comm);
-        for (double *x : {&pressure, &penetration, &minus_gap, &tension, &complementarity})
+        for (double *x : {&penetration, &minus_gap, &tension, &complementarity})
           *x = Utilities::MPI::max(*x, comm);
       }
     };
@@ -123,11 +124,9 @@ namespace Signorini
           }
       const LA::Vector nodal = recovered_pressure(s, pair);
       for (const auto i : nodal.locally_owned_elements())
-        {
-          sums.pressure = std::max(sums.pressure, nodal(i));
-          sums.tension  = std::max(sums.tension, -nodal(i));
-        }
-      sums.patch = contact_patch(s, pair, nodal);
+        sums.tension = std::max(sums.tension, -nodal(i));
+      sums.patch    = contact_patch(s, pair, nodal);
+      sums.pressure = largest_pressure(s, pair, nodal, sums.patch);
       sums.over_ranks(s.elasticity.mesh().communicator());
       return sums;
     }

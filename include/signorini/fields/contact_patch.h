@@ -24,8 +24,20 @@ namespace Signorini
   /// pressure goes to zero linearly, as it does where smooth surfaces lose contact (Hertz), so that
   /// its linear continuation from the nodes in contact tells where. Of methods that sample at
   /// points, nodes have the means about them. Collective.
+  /// A zone that is smaller than what belongs to a node is that of the points in contact.
   /// @param pressure recovered_pressure()
   template <int dim>
   ContactPatch
   contact_patch(const Snapshot<dim> &snapshot, unsigned int pair, const LA::Vector &pressure);
+
+  /// The largest of the nodal pressures of one pair, on all ranks; at least the mean pressure, its
+  /// normal force over the area of contact, which zones within a face have although no node does.
+  /// Collective.
+  /// @param pressure recovered_pressure()
+  template <int dim>
+  double
+  largest_pressure(const Snapshot<dim> &snapshot,
+                   unsigned int         pair,
+                   const LA::Vector    &pressure,
+                   const ContactPatch  &patch);
 } // namespace Signorini

@@ -211,10 +211,6 @@ namespace Signorini
     const unsigned int pair  = number_of_pair(s, name.of);
     const MPI_Comm     comm  = s.elasticity.mesh().communicator();
     const LA::Vector   nodal = recovered_pressure(s, pair);
-    double             value = 0;
-    for (const double p : nodal)
-      value = std::max(value, p);
-
     // The contact point with the largest pressure, the first of those with the same.
     double                  largest = -std::numeric_limits<double>::max();
     types::global_dof_index row     = numbers::invalid_dof_index;
@@ -243,7 +239,7 @@ namespace Signorini
           result.of_pressure(row) = 1;
         result.of_pressure.compress(VectorOperation::insert);
       }
-    result.value = Utilities::MPI::max(value, comm);
+    result.value = largest_pressure(s, pair, nodal, contact_patch(s, pair, nodal));
     return result;
   }
 

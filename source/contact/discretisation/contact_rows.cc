@@ -198,8 +198,8 @@ namespace Signorini
       ContactRows          rows;
       std::map<Key, Index> numbers; // on this rank
       for (const auto &[key, area] : areas)
-        // A node beyond the rim of the master, with next to no area, has no gap to speak of.
-        if (area[1] > 0 && area[0] > 0.01 * area[1])
+        // So small an area is nothing but rounding: it has no gap to speak of.
+        if (area[1] > 0 && area[0] > 1e-10 * area[1])
           {
             numbers[key] = rows.node.size();
             rows.node.push_back(key.second);

@@ -182,9 +182,9 @@ namespace Signorini
           set_drift(configuration.displacement(), slave, paired, obstacle, surface.points);
         compare(elasticity, slave, paired, obstacle, surface);
         surface.is_apart = Utilities::MPI::sum(surface.points.size(), comm) == 0;
-        set_shapes();
-        surface.whole       = whole_faces(elasticity, slave);
-        surface.slave_faces = slave_faces(elasticity, slave, surface.points);
+        const std::vector<PressureNodes> functions = set_shapes();
+        surface.whole                              = whole_faces(elasticity, slave);
+        surface.slave_faces = slave_faces(elasticity, slave, surface.points, functions);
         surface.has_held    = Utilities::MPI::max(any_held(surface.slave_faces) ? 1 : 0, comm) > 0;
         return std::move(surface);
       }
@@ -337,18 +337,22 @@ namespace Signorini
           keep_candidates(surface.reach, slave, paired, surface.points);
       }
 
-      void
+      std::vector<PressureNodes>
       set_shapes()
       {
-        surface.seams              = make_seams(elasticity, slave, seams);
-        const auto n_prescribed    = set_pressure_functions(elasticity,
-                                                         method,
-                                                         integration.basis,
-                                                         slave,
-                                                         paired,
-                                                         seams,
-                                                         surface.points,
-                                                         surface.seams);
+        surface.seams                              = make_seams(elasticity, slave, seams);
+        const std::vector<PressureNodes> functions = set_pressure_functions(elasticity,
+                                                                            method,
+                                                                            integration.basis,
+                                                                            slave,
+                                                                            paired,
+                                                                            seams,
+                                                                            surface.points,
+                                                                            surface.seams);
+        const unsigned int               n_prescribed =
+          std::count_if(functions.begin(), functions.end(), [](const PressureNodes &face) {
+            return face.covered > 0 && face.own.empty();
+          });
         const bool some_prescribed = Utilities::MPI::max(n_prescribed, comm) > 0,
                    some_free = Utilities::MPI::max(has_shapes(surface.points) ? 1 : 0, comm) > 0;
         if (some_prescribed && (!obstacle || !some_free))
@@ -356,6 +360,7 @@ namespace Signorini
             pair.slave_place + ": the displacement of faces of '" + pair.slave +
             "' is prescribed along the normal at all their nodes, so that they cannot carry an "
             "unknown pressure; exchange Slave and Master, or take Contact method/Method = penalty");
+        return functions;
       }
 
       const Configuration<dim>          &configuration;

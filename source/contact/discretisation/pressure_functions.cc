@@ -1,9 +1,14 @@
 #include <signorini/contact/discretisation/pressure_functions.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/elasticity/model.h>
 #include <signorini/mesh/face_nodes.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace Signorini
 {
@@ -29,6 +34,27 @@ namespace Signorini
 
   namespace
   {
+    /// Over [0, 1], of the function of a node at x: weights of the trapezoidal and Simpson's rule.
+    double
+    mean_of_function(const unsigned int degree, const double x)
+    {
+      if (degree == 1)
+        return 1. / 2;
+      return std::abs(x - 0.5) < 0.25 ? 2. / 3 : 1. / 6;
+    }
+
+    template <int dim>
+    double
+    area_of(const FacePatch<dim> &patch, const Model model)
+    {
+      const QGauss<dim - 1> rule(2);
+      double                area = 0;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        area += rule.weight(q) * patch.jacobian(rule.point(q)) *
+                measure(model, patch.position(rule.point(q)));
+      return area;
+    }
+
     template <int dim>
     std::vector<FaceNode>
     face_nodes(const Elasticity<dim>   &elasticity,
@@ -42,10 +68,13 @@ namespace Signorini
       std::vector<FaceNode> nodes;
       for (const unsigned int i : nodes_of_face(fe.base_element(0), face))
         {
-          FaceNode   node{indices[fe.component_to_system_index(0, i)], {{0, 0}}, false};
+          FaceNode   node{indices[fe.component_to_system_index(0, i)], {{0, 0}}, false, 1.};
           const auto xi = face_parameter<dim>(face, fe.base_element(0).unit_support_point(i));
           for (unsigned int d = 0; d < dim - 1; ++d)
-            node.xi[d] = xi[d];
+            {
+              node.xi[d] = xi[d];
+              node.share *= mean_of_function(fe.degree, xi[d]);
+            }
           node.prescribed = !carries_pressure(elasticity, node.index, fe.degree, patch, xi);
           nodes.push_back(node);
         }
@@ -56,7 +85,7 @@ namespace Signorini
 
 
   template <int dim>
-  unsigned int
+  std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<dim>               &elasticity,
                          const ContactMethod                 &method,
                          const Basis                          kind,
@@ -69,11 +98,11 @@ namespace Signorini
     // Otherwise a law says what the pressure is, even where nothing can move.
     const bool must_balance =
       method.predictor() == Predictor::multiplier || method.predictor() == Predictor::last_pressure;
-    Trace<dim>             trace(elasticity);
-    std::vector<SparseRow> shapes;
-    std::vector<double>    weights;
-    unsigned int           n_prescribed = 0;
-    auto                   seam         = paired_seams.begin();
+    Trace<dim>                 trace(elasticity);
+    std::vector<SparseRow>     shapes;
+    std::vector<double>        weights;
+    auto                       seam = paired_seams.begin();
+    std::vector<PressureNodes> result(slave.faces.size());
     for (unsigned int first = 0, last = 0; first < points.size(); first = last)
       {
         const auto &[cell, face] = slave.faces[points[first].face];
@@ -91,9 +120,14 @@ namespace Signorini
         if (all_prescribed && !must_balance)
           for (FaceNode &node : nodes)
             node.prescribed = false;
-        const PressureBasis basis(nodes, shapes, weights, kind);
-        const PressureBasis standard(nodes, shapes, weights, Basis::standard);
-        n_prescribed += basis.empty();
+        const double        area = area_of(slave.rest[points[first].face], elasticity.model());
+        const PressureBasis basis(nodes, shapes, weights, area, kind);
+        const PressureBasis standard(nodes, shapes, weights, area, Basis::standard);
+        PressureNodes      &of_face = result[points[first].face];
+        of_face.covered             = std::accumulate(weights.begin(), weights.end(), 0.) / area;
+        for (const FaceNode &node : nodes)
+          if (basis.has(node.index))
+            of_face.own.push_back(node.index);
         seam = std::find_if(seam, paired_seams.end(), [&](const auto &paired) {
           return paired.face >= points[first].face;
         });
@@ -113,7 +147,7 @@ namespace Signorini
             resolve(elasticity.hanging_nodes(), points[q].interpolation);
           }
       }
-    return n_prescribed;
+    return result;
   }
 
 
@@ -130,7 +164,7 @@ namespace Signorini
                    unsigned int,
                    const FacePatch<3> &,
                    const Point<2> &);
-  template unsigned int
+  template std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<2> &,
                          const ContactMethod &,
                          Basis,
@@ -139,7 +173,7 @@ namespace Signorini
                          const std::vector<PairedPoint<2>> &,
                          std::vector<ContactPoint<2>> &,
                          std::vector<Seam<2>> &);
-  template unsigned int
+  template std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<3> &,
                          const ContactMethod &,
                          Basis,

@@ -1,4 +1,3 @@
-#include <signorini/contact/discretisation/pressure_functions.h>
 #include <signorini/contact/discretisation/slave_faces.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -13,7 +12,8 @@ namespace Signorini
   std::vector<SlaveFace<dim>>
   slave_faces(const Elasticity<dim>                &elasticity,
               const BoundaryFaces<dim>             &slave,
-              const std::vector<ContactPoint<dim>> &points)
+              const std::vector<ContactPoint<dim>> &points,
+              const std::vector<PressureNodes>     &functions)
   {
     std::vector<SlaveFace<dim>> result(slave.faces.size());
     Trace<dim>                  trace(elasticity);
@@ -34,11 +34,15 @@ namespace Signorini
                 })->first);
               face.positions.push_back(
                 (elasticity.is_finite() ? slave.patches : slave.rest)[point.face].position(xi));
-              face.held.push_back(
-                !carries_pressure(elasticity, face.nodes.back(), k, slave.patches[point.face], xi));
+              const auto &own   = functions[point.face].own;
+              const bool is_own = std::find(own.begin(), own.end(), face.nodes.back()) != own.end();
+              // Of faces whose nodes are prescribed, all of them or none.
+              face.held.push_back(!is_own && !own.empty());
+              face.uncovered.push_back(
+                face.held.back() &&
+                carries_pressure(elasticity, face.nodes.back(), k, slave.patches[point.face], xi));
             }
-          if (std::find(face.held.begin(), face.held.end(), false) == face.held.end())
-            face.held.assign(face.nodes.size(), false); // all of them, or none
+          face.covered = functions[point.face].covered;
         }
     return result;
   }
@@ -76,12 +80,13 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                                                  \
-  template bool                                      any_held(const std::vector<SlaveFace<dim>> &);       \
-  template std::vector<SlaveFace<dim>>               slave_faces(const Elasticity<dim> &,                 \
-                                                                 const BoundaryFaces<dim> &,              \
-                                                                 const std::vector<ContactPoint<dim>> &); \
-  template std::vector<std::pair<SparseRow, double>> whole_faces(const Elasticity<dim> &,                 \
+#define INSTANTIATE(dim)                                                                                 \
+  template bool                                      any_held(const std::vector<SlaveFace<dim>> &);      \
+  template std::vector<SlaveFace<dim>>               slave_faces(const Elasticity<dim> &,                \
+                                                                 const BoundaryFaces<dim> &,             \
+                                                                 const std::vector<ContactPoint<dim>> &, \
+                                                                 const std::vector<PressureNodes> &);    \
+  template std::vector<std::pair<SparseRow, double>> whole_faces(const Elasticity<dim> &,                \
                                                                  const BoundaryFaces<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -16,13 +16,22 @@ namespace Signorini
                    const FacePatch<dim>           &face,
                    const dealii::Point<dim - 1>   &xi);
 
+  /// On a slave face: the nodes with functions of their own, by their first degrees of freedom, and
+  /// the share of its area that has a partner.
+  struct PressureNodes
+  {
+    std::vector<dealii::types::global_dof_index> own;
+    double                                       covered = 0;
+  };
+
   /// Sets the functions of the pressure at the points of a surface (`shape` and `interpolation`).
-  /// Nodes that cannot move along the normal carry none if the pressure is an unknown of its own;
-  /// their neighbours take over. Returns the number of faces that can carry none at all.
-  /// Those of seams (`shape`) likewise, on faces that have points.
+  /// Nodes that cannot move along the normal carry none if the pressure is an unknown of its own,
+  /// nor do those whose area the master hardly covers; their neighbours take over. Those of seams
+  /// (`shape`) likewise, on faces that have points. Returns what each face of the slave has: no
+  /// nodes where all are prescribed, or where there are no points.
   /// @param paired_points and points: the same ones, face by face; and so are seams
   template <int dim>
-  unsigned int
+  std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<dim>               &elasticity,
                          const ContactMethod                 &method,
                          Basis                                basis,

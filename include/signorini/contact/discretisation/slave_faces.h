@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/discretisation/surface.h>
+#include <signorini/contact/discretisation/pressure_functions.h>
 #include <signorini/contact/geometry/boundary_faces.h>
 
 #include <utility>
@@ -9,11 +9,13 @@
 namespace Signorini
 {
   /// The nodes of the faces that have contact points; the others are left empty.
+  /// @param functions set_pressure_functions()
   template <int dim>
   std::vector<SlaveFace<dim>>
   slave_faces(const Elasticity<dim>                &elasticity,
               const BoundaryFaces<dim>             &slave,
-              const std::vector<ContactPoint<dim>> &points);
+              const std::vector<ContactPoint<dim>> &points,
+              const std::vector<PressureNodes>     &functions);
 
   template <int dim>
   bool

@@ -107,7 +107,10 @@ namespace Signorini
     unsigned int                                 degree = 0; ///< 0: the face has no points
     std::vector<dealii::types::global_dof_index> nodes;      ///< first degrees of freedom
     std::vector<dealii::Point<dim>> positions; ///< at rest; of large deformation as they are now
-    std::vector<bool> held; ///< nodes without a pressure of their own, see carries_pressure()
+    /// Nodes without a pressure of their own on this face, see PressureBasis; and those of them of
+    /// whose area here the master covers too little.
+    std::vector<bool> held, uncovered;
+    double            covered = 0; ///< share of the area that has a partner
   };
 
   /// The contact points of one pair on this rank (of locally owned slave faces) that have a
