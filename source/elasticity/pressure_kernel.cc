@@ -41,8 +41,12 @@ namespace Signorini
     , all_values(elasticity.mesh().surface_mappings(),
                  elements,
                  gauss_rules<dim, dim - 1>(elasticity.finite_elements(), 2),
-                 update_values | update_gradients | update_quadrature_points |
-                   update_normal_vectors | update_JxW_values)
+                 update_values | update_quadrature_points | update_normal_vectors |
+                   update_JxW_values)
+    , all_gradients(elasticity.mesh().mappings(),
+                    elements,
+                    gauss_rules<dim, dim - 1>(elasticity.finite_elements(), 2),
+                    update_values | update_gradients | update_quadrature_points)
     , all_dofs(dofs_of_nodes(elasticity.finite_elements()))
   {
     if (!elasticity.is_finite())
@@ -105,10 +109,12 @@ namespace Signorini
             if (tangent)
               tangent->reinit(dofs->size(), dofs->size());
           }
-        acts = true;
-        all_values.reinit(
-          static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), f, i, 0, i);
-        values = &all_values.get_present_fe_values();
+        acts                                                      = true;
+        const typename Triangulation<dim>::cell_iterator &of_mesh = cell;
+        all_values.reinit(of_mesh, f, i, 0, i);
+        all_gradients.reinit(of_mesh, f, i, 0, i);
+        values    = &all_values.get_present_fe_values();
+        gradients = &all_gradients.get_present_fe_values();
         add_face(found->second, u, forces, tangent);
       }
     return acts;
@@ -128,7 +134,7 @@ namespace Signorini
     for (const unsigned int q : values->quadrature_point_indices())
       {
         const Point<dim>  &x = values->quadrature_point(q);
-        const Tensor<2, 3> F = gradient_at_point(model, *values, *dofs, q, u), G = invert(F);
+        const Tensor<2, 3> F = gradient_at_point(model, *gradients, *dofs, q, u), G = invert(F);
         const double       weight =
           -pressure(loads, x) * determinant(F) * values->JxW(q) * measure(model, x);
         // Among the components of the mesh: the hoop has no part in normals.
@@ -147,10 +153,10 @@ namespace Signorini
           continue;
         for (unsigned int j = 0; j < n_nodes; ++j)
           {
-            const Tensor<1, dim> slope  = pulled_back(values->shape_grad(j, q));
+            const Tensor<1, dim> slope  = pulled_back(gradients->shape_grad(j, q));
             Tensor<1, dim>       volume = slope; // tr(Grad w G) of w = N_j e_b
             if (model == Model::axisymmetric)
-              volume[0] += values->shape_value(j, q) / x[0] * G[2][2];
+              volume[0] += values->shape_value(j, q) / gradients->quadrature_point(q)[0] * G[2][2];
             for (unsigned int i = 0; i < n_nodes; ++i)
               for (unsigned int a = 0; a < dim; ++a)
                 for (unsigned int b = 0; b < dim; ++b)

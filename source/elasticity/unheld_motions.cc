@@ -2,6 +2,7 @@
 #include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/elasticity/unheld_motions.h>
 #include <signorini/linear_algebra/dense.h>
+#include <signorini/mesh/cell_size.h>
 
 #include <algorithm>
 #include <cmath>
@@ -181,7 +182,7 @@ namespace Signorini
       if (cell->is_locally_owned() && per_volume[mesh.piece(cell)] > 0)
         {
           read_indices<dim>(cell, indices);
-          const double share = per_volume[mesh.piece(cell)] * cell->measure() *
+          const double share = per_volume[mesh.piece(cell)] * volume_of(cell) *
                                measure(displacements.model(), cell->center()) * dim /
                                indices.size();
           for (const auto i : indices)

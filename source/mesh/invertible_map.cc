@@ -70,7 +70,7 @@ namespace Signorini
   bool
   InvertibleMap<dim>::is_affine() const
   {
-    constexpr double       rounding  = 1e-12;
+    constexpr double       rounding = 1e-12, of_numbers = 1e-14; // of the box, of coordinates
     constexpr unsigned int n_between = 4096;
     Point<dim>             low = pairs[0].X, high = low;
     for (const Pair &pair : pairs)
@@ -81,15 +81,18 @@ namespace Signorini
         }
     const Point<dim> shift = value(low);
     Tensor<2, dim>   linear; // columns: images of the box's edges
+    double           span = 0;
     for (unsigned int d = 0; d < dim; ++d)
       {
         const Tensor<1, dim> edge =
           value(low + (high[d] - low[d]) * Point<dim>::unit_vector(d)) - shift;
         for (unsigned int c = 0; c < dim; ++c)
           linear[c][d] = edge[c] / (high[d] - low[d]);
+        span += edge.norm();
       }
     const auto agrees = [&](const Point<dim> &X) {
-      return (value(X) - shift - linear * (X - low)).norm() <= rounding * x_size;
+      return (value(X) - shift - linear * (X - low)).norm() <=
+             rounding * span + of_numbers * x_size;
     };
     // Spread evenly, but on no line of a mesh: multiples of irrational numbers.
     const double irrational[3] = {std::sqrt(2.), std::sqrt(3.), std::sqrt(5.)};

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -206,7 +207,8 @@ namespace Signorini
         xi += factor * direction;
         residual = next;
       }
-    if (residual.norm() > 1e-10 * size)
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * x.norm();
+    if (residual.norm() > 1e-10 * size + rounding)
       {
         std::ostringstream place;
         place << x;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Signorini
@@ -190,14 +191,27 @@ namespace Signorini
 
 
 
-  // Surfaces that touch overlap by that, of which nothing follows.
+  // Surfaces that touch overlap by that, of which nothing follows: of positions relative to each
+  // other, and of the numbers that these are differences of.
   double
   ActiveSet::coordinate_rounding() const
   {
-    double farthest = 0;
+    const MPI_Comm comm   = contact.weight.get_mpi_communicator();
+    double         widest = 0, farthest = 0;
     for (const LA::Vector &x : contact.geometry.position)
-      farthest = std::max(farthest, x.linfty_norm());
-    return 1e-10 * farthest;
+      {
+        double lower = std::numeric_limits<double>::max(), upper = -lower;
+        for (const auto i : x.locally_owned_elements())
+          {
+            lower = std::min<double>(lower, x(i));
+            upper = std::max<double>(upper, x(i));
+          }
+        lower    = Utilities::MPI::min(lower, comm);
+        upper    = Utilities::MPI::max(upper, comm);
+        widest   = std::max(widest, upper - lower);
+        farthest = std::max({farthest, -lower, upper});
+      }
+    return 1e-10 * widest + 16 * std::numeric_limits<double>::epsilon() * farthest;
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -81,6 +82,34 @@ namespace Signorini
       return finding;
     }
 
+    /// Far from the origin gaps are small differences of large numbers.
+    template <int dim>
+    std::vector<Finding>
+    check_coordinates(const Snapshot<dim> &now, const std::vector<Extremes> &extremes)
+    {
+      constexpr double far    = 100; // sizes of the scene; nearer, digits are not lost by that
+      const auto &[low, high] = now.elasticity.mesh().extent().get_boundary_points();
+      const double offset = (low + (high - low) / 2).norm(), size = now.elasticity.mesh().size();
+      double       strain = 0;
+      for (const Extremes &of_body : extremes)
+        strain = std::max(strain, of_body.gradient);
+      if (offset < far * size || strain == 0)
+        return {};
+      Finding finding;
+      finding.check   = "rounding of coordinates";
+      finding.value   = 4 * std::numeric_limits<double>::epsilon() * offset / (strain * size);
+      finding.limit   = 1e-3;
+      finding.outcome = finding.value <= finding.limit ? Outcome::passed :
+                        finding.value <= 0.1           ? Outcome::warned :
+                                                         Outcome::failed;
+      finding.what =
+        "the scene lies so far from the origin that the rounding of coordinates, and so of "
+        "gaps, is that share of how far its bodies deform";
+      finding.cure = "shift the scene to the origin: Corners or Center of bodies and obstacles, or "
+                     "Transformation = x - ...; of files, and the formulas of x, y, z with them";
+      return {finding};
+    }
+
     /// Of the stress that the largest strains would be over the whole scene.
     template <int dim>
     double
@@ -117,6 +146,7 @@ namespace Signorini
     for (const auto &some : {check_locking(now),
                              check_pairs(scene, now, extremes),
                              check_loads(scene, now),
+                             check_coordinates(now, extremes),
                              check_balance(results, scale, small)})
       all.insert(all.end(), some.begin(), some.end());
     if (now.elasticity.is_finite())

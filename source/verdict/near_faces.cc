@@ -1,4 +1,5 @@
 #include <signorini/elasticity/cell_nodes.h>
+#include <signorini/mesh/cell_size.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/verdict/near_faces.h>
 
@@ -106,7 +107,7 @@ namespace Signorini
           result.box.add({x, x});
           result.radius = std::max(result.radius, x.distance(result.center));
         }
-      const double margin = cell->measure() / cell->face(face)->measure() / 2;
+      const double margin = depth_behind(cell, face) / 2;
       for (unsigned int d = 0; d < dim; ++d)
         {
           result.box.low[d] -= margin;

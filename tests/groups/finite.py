@@ -1,6 +1,6 @@
 """Large deformation: what must not depend on how it was reached, nor on how it was computed; and what the program refuses."""
 
-from case import SCENES, VARIED, Case, force_of
+from case import SCENES, VARIED, Case, force_of, method
 
 RING, CYLINDER, PUNCH = (SCENES / f"finite-{name}.prm" for name in ("o-ring", "half-cylinder", "punch"))
 HERTZ = SCENES / "hertz-2d.prm"
@@ -245,6 +245,18 @@ def yeoh_volume(test):
     test.check(abs(forces[1] / forces[0] - 1) <= 1e-6, f"{forces[0]:.10g} and {forces[1]:.10g} mixed")
 
 
+def turned(scene, sets):
+    """A rigid rotation changes nothing but directions, of curved surfaces neither, whose cells are flat between their nodes."""
+    def body(test):
+        steps = test.results(VARIED / f"{scene}.prm", sets)["load_steps"]
+        forces = [step["pairs"]["fit"]["normal_force"] for step in steps]
+        test.print(", ".join(f"{force:.12g}" for force in forces))
+        test.check(forces[0] > 0, "nothing touches")
+        for force in forces:
+            test.check(abs(force / forces[0] - 1) <= 1e-8, f"{force:.12g}, before it was turned {forces[0]:.12g}")
+    return body
+
+
 def cases():
     yield Case("finite", "slender", slender)
     yield Case("finite", "Yeoh's volume", yeoh_volume)
@@ -272,3 +284,12 @@ def cases():
     yield Case("finite", "law/Mooney-Rivlin", law("Mooney-Rivlin", f"Bodies/ring/Coefficients={0.4 * mu:.12g}, {0.1 * mu:.12g}"))
     yield Case("finite", "law/Yeoh", law("Yeoh", f"Bodies/ring/Coefficients={0.5 * mu:.12g}, {0.01 * mu:.12g}, 0"))
     yield Case("finite", "law/Ogden", law("Ogden", f"Bodies/ring/Coefficients={0.8 * mu:.12g}, 2, {-0.2 * mu:.12g}, -2"))
+    exchanged = ["Contact pairs/fit/Slave=o.inner", "Contact pairs/fit/Master=i.outer"]
+    for name, scene, sets in (
+            ("whole", "turned-fit", method("penalty")),
+            ("whole, sides exchanged", "turned-fit", [*exchanged, *method("Lagrange multiplier")]),
+            ("whole, degree 2", "turned-fit", ["Mesh/Degree=2", *method("Nitsche")]),
+            ("inner ring", "turned-fit", ["Definitions/share=0", *method("Nitsche")]),
+            ("inner ring, sides exchanged", "turned-fit", ["Definitions/share=0", *exchanged, *method("Lagrange multiplier")]),
+            ("ball", "turned-fit-3d", method("Lagrange multiplier"))):
+        yield Case("finite", f"turned/{name}", turned(scene, sets), ranks=2 if name == "ball" else 1)

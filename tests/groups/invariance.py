@@ -3,7 +3,7 @@
 import math
 import re
 
-from case import SCENES, Case, Failed, method, short
+from case import SCENES, VARIED, Case, Failed, method, short
 
 # Of the forces, relative to the largest: solutions with Newton's tolerance of 1e-10, which conditioning multiplies.
 TOLERANCE = 1e-8
@@ -139,6 +139,21 @@ def operators(scene, sets):
     return body
 
 
+def shifted(scene, pairs, distances, sets):
+    """Coordinates have 16 digits: far from the origin that many less are left of what bodies do."""
+    def body(test):
+        def forces(distance):
+            pairs_now = test.results(VARIED / f"{scene}.prm", [*sets, f"Definitions/s={distance!r}"])["load_steps"][-1]["pairs"]
+            return [pairs_now[pair]["normal_force"] for pair in pairs]
+        here = forces(0.0)
+        for distance in distances:
+            for pair, force, wanted in zip(pairs, forces(distance), here):
+                deviation, limit = abs(force / wanted - 1), 1e-8 + 1e-13 * abs(distance)
+                test.print(f"{pair} at {distance:8.1e}: {force:.12g}, {deviation:8.1e} off")
+                test.check(deviation <= limit, f"{pair} at {distance:g}: {force:.12g} instead of {wanted:.12g}")
+    return body
+
+
 def cases():
     def table(check, scenes, ranks=1, label="quick", methods=METHODS, sets=()):
         for scene in scenes:
@@ -156,6 +171,12 @@ def cases():
                body=units(SCENES / "hertz-3d.prm", method(METHODS[1]), counts_differ=1))
     yield from table(springs, ("layer", "hertz-2d-force"))
     yield from table(swap, ("patch-2d", "patch-3d"))
+    for name, scene, sets in (("blocks", "far-blocks", method("Lagrange multiplier")),
+                              ("blocks, degree 2", "far-blocks", ["Mesh/Degree=2", "Mesh/Refinements=0", *method("Nitsche")]),
+                              ("disc", "far-disc", method("penalty")),
+                              ("disc, large deformation", "far-disc", ["Deformation=finite", *method("Lagrange multiplier")])):
+        yield Case("invariance/shifted", name, shifted(scene, ["c"] if scene == "far-blocks" else ["contact", "rest"],
+                                                       (1e5, -1e6, 8e6), sets))
     yield from table(ranks, ("patch-3d-distorted", "hertz-2d", "layer", "patch-inclined"), 4, "full", METHODS[:1])
     yield from table(ranks, ("shrink-fit", "hertz-axisymmetric", "tilted-punch", "patch-3d-distorted"), 4, "full", METHODS[1:])
     yield from table(ranks, ("patch-3d-distorted",), 4, "full", METHODS[1:], ["Bodies/upper/Degree=2"])

@@ -66,15 +66,19 @@ namespace Signorini
     double
     pressure(const Loads &loads, const dealii::Point<dim> &x);
 
-    const Elasticity<dim>                       &elasticity;
-    const dealii::hp::FECollection<dim>          elements; ///< scalar: the values refer to them
-    dealii::hp::FEFaceValues<dim>                all_values;
+    const Elasticity<dim>              &elasticity;
+    const dealii::hp::FECollection<dim> elements; ///< scalar: the values refer to them
+    /// Of the true surface: areas and normals at rest.
+    dealii::hp::FEFaceValues<dim> all_values;
+    /// Of the cells: the deformation gradient, which is a rotation where the nodes have turned.
+    dealii::hp::FEFaceValues<dim>                all_gradients;
     const std::vector<std::vector<unsigned int>> all_dofs; ///< see dofs_of_nodes()
     std::map<dealii::types::boundary_id, Loads>  by_boundary;
     std::string                                  what_is_wrong;
 
     // Of the present face:
-    const dealii::FEFaceValues<dim> *values = nullptr;
-    const std::vector<unsigned int> *dofs   = nullptr;
+    const dealii::FEFaceValues<dim> *values    = nullptr;
+    const dealii::FEFaceValues<dim> *gradients = nullptr;
+    const std::vector<unsigned int> *dofs      = nullptr;
   };
 } // namespace Signorini

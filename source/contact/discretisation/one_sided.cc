@@ -105,30 +105,22 @@ namespace Signorini
           "x^2/20 for Normal = 0, 1, or take Contact method/Contact geometry = reference");
     }
 
-    /// So that the gap is true where the surfaces are: less row() . u, which is how far slave and
-    /// master have moved along the normal.
+    /// So that the gap is true where the surfaces are: less row() . u.
     template <int dim>
     void
-    set_drift(const LA::Vector                    &u,
-              const BoundaryFaces<dim>            &slave,
-              const std::vector<PairedPoint<dim>> &paired,
-              const bool                           is_obstacle,
-              std::vector<ContactPoint<dim>>      &points)
+    set_drift(const LA::Vector &u, std::vector<ContactPoint<dim>> &points)
     {
-      std::vector<const SparseRow *> rigid_rows;
-      for (const PairedPoint<dim> &point : paired)
-        if (is_obstacle)
-          rigid_rows.push_back(&point.partner.rigid);
-      const std::vector<double> rigid = row_values(rigid_rows, u);
-      for (std::size_t i = 0; i < points.size(); ++i)
+      std::vector<SparseRow>         rows;
+      std::vector<const SparseRow *> pointers;
+      rows.reserve(points.size());
+      for (const ContactPoint<dim> &point : points)
         {
-          const PairedPoint<dim> &pair = paired[i];
-          const Tensor<1, dim>   &n    = pair.partner.normal;
-          const Point<dim>        x    = slave.patches[pair.face].position(pair.xi);
-          const double            master =
-            is_obstacle ? rigid[i] : (pair.partner.position - points[i].master_position) * n;
-          points[i].drift = -points[i].closing - (x - points[i].position) * n + master;
+          rows.push_back(point.row());
+          pointers.push_back(&rows.back());
         }
+      const std::vector<double> moved = row_values(pointers, u);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].drift = -points[i].closing - moved[i];
     }
 
     template <int dim>
@@ -179,7 +171,7 @@ namespace Signorini
         make_points();
         choose_points();
         if (!at_rest)
-          set_drift(configuration.displacement(), slave, paired, obstacle, surface.points);
+          set_drift(configuration.displacement(), surface.points);
         compare(elasticity, slave, paired, obstacle, surface);
         surface.is_apart = Utilities::MPI::sum(surface.points.size(), comm) == 0;
         const std::vector<PressureNodes> functions = set_shapes();

@@ -1,5 +1,6 @@
 #include <signorini/contact/geometry/boundary_faces.h>
 #include <signorini/contact/geometry/face_patches.h>
+#include <signorini/mesh/cell_size.h>
 #include <signorini/mesh/face_parameter.h>
 
 #include <algorithm>
@@ -68,7 +69,7 @@ namespace Signorini
   BoundaryFaces<dim>::depth(const unsigned int i) const
   {
     const auto &[cell, face] = faces[i];
-    return cell->measure() / cell->face(face)->measure();
+    return depth_behind(cell, face);
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -139,7 +140,9 @@ namespace Signorini
       for (const Point<dim> &b : nodes)
         size = std::max(size, a.distance(b));
     bounds = box_of(nodes, degree);
-    if (degree > 1 && largest_deviation(nodes, degree).norm() < 1e-12 * size)
+    const double rounding =
+      1e-12 * size + 16 * std::numeric_limits<double>::epsilon() * nodes[0].norm();
+    if (degree > 1 && largest_deviation(nodes, degree).norm() < rounding)
       keep_corners();
 
     // At ends and middles; polynomials of second derivatives are of degree two, beside which they

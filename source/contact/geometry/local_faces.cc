@@ -17,6 +17,15 @@ namespace Signorini
     constexpr double widest_wedge  = 0.3;  // tangential over normal distance
     constexpr double same_face     = 100;  // staying distances between centers of one that moves
 
+    /// Differences of distances and centers that mean nothing.
+    template <int dim>
+    double
+    rounding_of(const FacePatch<dim> &patch)
+    {
+      return same * patch.diameter() +
+             16 * std::numeric_limits<double>::epsilon() * patch.center().norm();
+    }
+
     template <int dim>
     bool
     center_is_smaller(const Candidate<dim> &a, const Candidate<dim> &b)
@@ -84,7 +93,7 @@ namespace Signorini
           rank_box.box = patch.box();
         rank_box.box.merge_with(patch.box());
         rank_box.empty     = false;
-        rank_box.tolerance = std::max(rank_box.tolerance, same * patch.diameter());
+        rank_box.tolerance = std::max(rank_box.tolerance, rounding_of(patch));
         normals.push_back(normals_of(patch));
       }
   }
@@ -139,7 +148,7 @@ namespace Signorini
     c.partner.face_center = patch.center();
     c.partner.stiffness   = 0;
     c.is_former = patch.center().distance(query.former_center) < same_face * query.staying;
-    c.tolerance = c.is_former ? query.staying : same * patch.diameter();
+    c.tolerance = c.is_former ? query.staying : rounding_of(patch);
     c.face      = face;
     c.xi        = projection.xi;
 

@@ -1,7 +1,6 @@
 #include <signorini/mesh/generators/curved_boundary.h>
+#include <signorini/mesh/round_manifold.h>
 #include <signorini/parameters/section.h>
-
-#include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +14,7 @@ namespace Signorini
   std::unique_ptr<Manifold<dim>>
   CurvedBoundary<dim>::manifold() const
   {
-    if constexpr (dim == 3)
-      if (axis.norm() > 0)
-        return std::make_unique<CylindricalManifold<3>>(axis, center);
-    return std::make_unique<SphericalManifold<dim>>(center);
+    return std::make_unique<RoundManifold<dim>>(center, axis);
   }
 
 

@@ -1,11 +1,11 @@
 #include <signorini/mesh/generators/circle_part.h>
 #include <signorini/mesh/generators/disc.h>
 #include <signorini/mesh/generators/octants.h>
+#include <signorini/mesh/round_manifold.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/manifold_lib.h>
 
 namespace Signorini
 {
@@ -35,7 +35,7 @@ namespace Signorini
   DiscMesh::surfaces() const
   {
     std::vector<NamedSurface<2>> result{sphere("arc", center, radius)};
-    result[0].manifold      = std::make_shared<SphericalManifold<2>>(center);
+    result[0].manifold      = std::make_shared<RoundManifold<2>>(center);
     const CirclePart sector = circle_part(part);
     if (sector.is_cut_at_y())
       result.push_back(plane<2>(sector.is_upper() ? "bottom" : "top", 1, center[1], radius));

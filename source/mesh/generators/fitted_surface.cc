@@ -1,9 +1,8 @@
 #include <signorini/linear_algebra/dense.h>
 #include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/fitted_surface.h>
+#include <signorini/mesh/round_manifold.h>
 #include <signorini/parameters/text.h>
-
-#include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,10 +31,7 @@ namespace Signorini
   FittedSurface<dim>::manifold() const
   {
     // Means of cylindrical coordinates stay on a cone.
-    if constexpr (dim == 3)
-      if (axis.norm() > 0)
-        return std::make_unique<CylindricalManifold<3>>(axis, center);
-    return std::make_unique<SphericalManifold<dim>>(center);
+    return std::make_unique<RoundManifold<dim>>(center, axis);
   }
 
 

@@ -1,9 +1,8 @@
 #include <signorini/mesh/generators/circle_part.h>
 #include <signorini/mesh/generators/ring.h>
 #include <signorini/mesh/memory.h>
+#include <signorini/mesh/round_manifold.h>
 #include <signorini/parameters/section.h>
-
-#include <deal.II/grid/manifold_lib.h>
 
 #include <array>
 #include <cmath>
@@ -174,10 +173,10 @@ namespace Signorini
     Triangulation<dim> triangulation;
     triangulation.create_triangulation(grid.vertices(point_at), grid.cells(), SubCellData());
     triangulation.set_all_manifold_ids(0);
-    if constexpr (dim == 2)
-      triangulation.set_manifold(0, SphericalManifold<2>(center));
-    else
-      triangulation.set_manifold(0, CylindricalManifold<3>(Tensor<1, 3>({0, 0, 1}), center));
+    Tensor<1, dim> axis;
+    if (dim == 3)
+      axis[dim - 1] = 1;
+    triangulation.set_manifold(0, RoundManifold<dim>(center, axis));
     return with_boundaries(triangulation, surfaces());
   }
 

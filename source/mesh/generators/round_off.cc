@@ -1,3 +1,4 @@
+#include <signorini/mesh/cell_size.h>
 #include <signorini/mesh/generators/cells.h>
 #include <signorini/mesh/generators/round_faces.h>
 #include <signorini/mesh/generators/round_off.h>
@@ -45,7 +46,7 @@ namespace Signorini
                 std::vector<unsigned int> vertices;
                 for (const unsigned int v : face->vertex_indices())
                   vertices.push_back(face->vertex_index(v));
-                faces[sorted(vertices)] = {cell->measure() / face->measure(), face};
+                faces[sorted(vertices)] = {depth_behind(cell, f), face};
               }
       }
 

@@ -1,10 +1,10 @@
 #include <signorini/mesh/generators/octants.h>
 #include <signorini/mesh/generators/shell.h>
 #include <signorini/mesh/memory.h>
+#include <signorini/mesh/round_manifold.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/manifold_lib.h>
 
 #include <array>
 #include <cmath>
@@ -140,7 +140,7 @@ namespace Signorini
     GridTools::scale(outer_radius, triangulation);
     GridTools::shift(center, triangulation);
     triangulation.set_all_manifold_ids(0);
-    triangulation.set_manifold(0, SphericalManifold<3>(center));
+    triangulation.set_manifold(0, RoundManifold<3>(center));
     return with_boundaries(triangulation, surfaces());
   }
 } // namespace Signorini

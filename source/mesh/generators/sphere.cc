@@ -1,10 +1,10 @@
 #include <signorini/mesh/generators/octants.h>
 #include <signorini/mesh/generators/sphere.h>
+#include <signorini/mesh/round_manifold.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/manifold_lib.h>
 
 namespace Signorini
 {
@@ -28,7 +28,7 @@ namespace Signorini
   SphereMesh::surfaces() const
   {
     std::vector<NamedSurface<3>> result{sphere("sphere", center, radius)};
-    result[0].manifold = std::make_shared<SphericalManifold<3>>(center);
+    result[0].manifold = std::make_shared<RoundManifold<3>>(center);
     for (const auto &cut : cuts_of_ball_part(part, center, radius))
       result.push_back(cut);
     return result;

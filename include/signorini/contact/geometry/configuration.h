@@ -4,6 +4,7 @@
 #include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/elasticity/elasticity.h>
 
+#include <array>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -45,7 +46,15 @@ namespace Signorini
       return u;
     }
 
-    /// A face of a locally owned cell, moved by the displacement of its nodes.
+    /// A face of a locally owned cell where its nodes have got to. What the surface has between
+    /// the nodes beyond the shape functions of the displacement, c at rest, turns and stretches
+    /// with them:
+    ///
+    ///   x(xi) = sum_i N_i(xi) x_i + c^a t_a + h n,
+    ///
+    /// c^a and h being the components of c by tangents and normal of the face of the shape
+    /// functions at rest, t_a and n those of it now. So a rigid motion of the nodes is one of
+    /// the face.
     FacePatch<dim>
     moved(const FacePatch<dim> &rest, const CellIterator<dim> &cell, unsigned int face) const;
 
@@ -64,8 +73,16 @@ namespace Signorini
             const dealii::Point<dim> &x) const;
 
   private:
-    /// Values of the shape functions at the nodes of a face's geometry: [node](function, value).
-    using ShapesAtNodes = std::vector<std::vector<std::pair<unsigned int, double>>>;
+    /// A shape function at a node of a face's geometry.
+    struct Shape
+    {
+      unsigned int                function; ///< of the scalar element
+      double                      value;
+      std::array<double, dim - 1> slopes; ///< by the parameters of the face
+    };
+
+    /// Those that are not zero, by node.
+    using ShapesAtNodes = std::vector<std::vector<Shape>>;
 
     const ShapesAtNodes &
     shapes_at_nodes(unsigned int element, unsigned int face, unsigned int degree) const;
@@ -73,6 +90,7 @@ namespace Signorini
     const Elasticity<dim> &my_elasticity;
     bool                   at_rest;
     LA::Vector             u, ghosted;
+    LA::Vector             rest_places; ///< of nodes, with ghosts
     std::vector<double>    rigid_motion;
 
     mutable std::map<std::tuple<unsigned int, unsigned int, unsigned int>, ShapesAtNodes> shapes;
