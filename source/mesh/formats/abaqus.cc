@@ -11,7 +11,7 @@ namespace Signorini
   using namespace dealii;
 
   // The registry: one line a keyword. Those that are not here say nothing about the mesh.
-  const std::map<std::string, void (AbaqusReader::*)()> AbaqusReader::registry = {
+  const std::map<std::string, void (AbaqusReader::*)(), IgnoringBlanks> AbaqusReader::registry = {
     {"NODE", &AbaqusReader::read_nodes},
     {"ELEMENT", &AbaqusReader::read_elements},
     {"NSET", &AbaqusReader::read_node_set},
@@ -29,6 +29,7 @@ namespace Signorini
     {"ELGEN", &AbaqusReader::generate_elements},
     {"ELCOPY", &AbaqusReader::copy_elements},
     {"NMAP", &AbaqusReader::refuse},
+    {"STEP", &AbaqusReader::complete_scope},
     {"SUBSTRUCTURE PATH", &AbaqusReader::refuse},
     {"IMPORT", &AbaqusReader::refuse}};
 
@@ -53,6 +54,7 @@ namespace Signorini
     if (whole.mesh->elements.empty())
       in.fail(parts.empty() ? "the file has no elements: *ELEMENT" :
                               "the file has parts, but no elements in instances: *INSTANCE");
+    complete_scope();
     make_groups();
     note_of_other_elements();
     whole.mesh->notes.assign(notes.begin(), notes.end());
@@ -206,9 +208,7 @@ namespace Signorini
     Members members;
     if (in.has("ELSET"))
       members = nodes_of(in.value("ELSET"));
-    scope->nodes.append_lines(in, members);
-    AbaqusSet &set = scope->nodes.get(in.value("NSET"));
-    set.members.insert(set.members.end(), members.begin(), members.end());
+    read_members(scope->nodes, in.value("NSET"), members);
   }
 
 
@@ -218,10 +218,20 @@ namespace Signorini
   {
     if (in.value("ELSET").empty())
       in.fail("*ELSET needs ELSET=name");
-    Members members;
-    scope->elements.append_lines(in, members);
-    AbaqusSet &set = scope->elements.get(in.value("ELSET"));
+    read_members(scope->elements, in.value("ELSET"), {});
+  }
+
+
+
+  /// @param members those that are known already
+  void
+  AbaqusReader::read_members(AbaqusSets &sets, const std::string &name, Members members)
+  {
+    const auto unknown = sets.append_lines(in, members);
+    AbaqusSet &set     = sets.get(name);
     set.members.insert(set.members.end(), members.begin(), members.end());
+    if (!unknown.empty())
+      scope->late_members.push_back({&sets == &scope->nodes, name, unknown});
   }
 
 
@@ -248,57 +258,122 @@ namespace Signorini
       return;
     if (in.value("NAME").empty())
       in.fail("*SURFACE needs NAME=name");
-    if (in.has("COMBINE"))
-      {
-        scope->surfaces.push_back(combined_surface(upper_case(in.value("COMBINE"))));
-        return;
-      }
-    MeshFile::Group   surface{in.value("NAME"), {}, {}, {}};
-    const std::string of = in.value("INSTANCE");
+    if (in.has("COMBINE") && upper_case(in.value("COMBINE")) != "UNION")
+      in.fail("*SURFACE, COMBINE=" + in.value("COMBINE") + " is not read here; UNION is");
+    LateSurface late{in.value("NAME"), type, in.has("COMBINE"), in.value("INSTANCE"), {}};
     for (Words words; in.next_line(words);)
-      if (type == "NODE")
-        scope->nodes.append(in, words[0], surface.nodes, of);
-      else
-        add_faces((of.empty() || words[0].empty() ? "" : of + ".") + words[0],
-                  words.size() > 1 ? upper_case(words[1]) : "",
-                  surface);
-    scope->surfaces.push_back(surface);
+      late.lines.emplace_back(words, in.place_in_messages());
+    scope->late_surfaces.push_back(late);
+  }
+
+
+
+  void
+  AbaqusReader::complete_scope()
+  {
+    complete_sets();
+    for (const LateSurface &late : scope->late_surfaces)
+      scope->surfaces.push_back(completed(late));
+    scope->late_surfaces.clear();
+  }
+
+
+
+  /// Sets may be members of each other in any order.
+  void
+  AbaqusReader::complete_sets()
+  {
+    for (bool has_found = true; has_found;)
+      {
+        has_found = false;
+        for (LateMembers &late : scope->late_members)
+          {
+            AbaqusSets &sets    = late.are_nodes ? scope->nodes : scope->elements;
+            AbaqusSet  &set     = sets.get(late.set);
+            const auto  is_open = [&](const std::string &word) {
+              return std::any_of(scope->late_members.begin(),
+                                 scope->late_members.end(),
+                                 [&](const LateMembers &other) {
+                                   return &other != &late && other.are_nodes == late.are_nodes &&
+                                          !other.words.empty() &&
+                                          upper_case(other.set) == upper_case(word);
+                                 });
+            };
+            Words   unknown;
+            Members found;
+            for (const std::string &word : late.words)
+              if (!is_open(word) && sets.append_if_known(word, found))
+                has_found = true;
+              else
+                unknown.push_back(word);
+            set.members.insert(set.members.end(), found.begin(), found.end());
+            late.words = unknown;
+          }
+      }
+    for (const LateMembers &late : scope->late_members)
+      for (const std::string &word : late.words)
+        notes.insert((late.are_nodes ? "node set " : "element set ") + late.set +
+                     ": there is no '" + word + "'; it is left out");
+    scope->late_members.clear();
   }
 
 
 
   MeshFile::Group
-  AbaqusReader::combined_surface(const std::string &how)
+  AbaqusReader::completed(const LateSurface &late)
   {
-    if (how != "UNION")
-      in.fail("*SURFACE, COMBINE=" + how + " is not read here; UNION is");
-    MeshFile::Group result{in.value("NAME"), {}, {}, {}};
-    for (Words words; in.next_line(words);)
-      for (const std::string &word : words)
-        if (!word.empty())
-          {
-            const auto found =
-              std::find_if(scope->surfaces.begin(), scope->surfaces.end(), [&](const auto &other) {
-                return upper_case(other.name) == upper_case(word);
-              });
-            if (found == scope->surfaces.end())
-              in.fail("there is no surface '" + word + "' above");
-            check_amount(in, double(result.faces.size()) + found->faces.size());
-            check_amount(in, double(result.nodes.size()) + found->nodes.size());
-            result.faces.insert(result.faces.end(), found->faces.begin(), found->faces.end());
-            result.nodes.insert(result.nodes.end(), found->nodes.begin(), found->nodes.end());
-          }
-    return result;
+    MeshFile::Group surface{late.name, {}, {}, {}};
+    for (const auto &[words, place] : late.lines)
+      if (late.is_union)
+        for (const std::string &word : words)
+          add_surface(word, place, surface);
+      else if (late.type == "NODE")
+        {
+          if (!words[0].empty() &&
+              !scope->nodes.append_if_known(words[0], surface.nodes, late.instance))
+            throw SceneError(place + "there is no node or set of nodes '" + words[0] + "'");
+        }
+      else
+        add_faces((late.instance.empty() || words[0].empty() ? "" : late.instance + ".") + words[0],
+                  words.size() > 1 ? upper_case(words[1]) : "",
+                  place,
+                  surface);
+    return surface;
   }
 
 
 
-  /// No elements: all of the scope.
   void
-  AbaqusReader::add_faces(const std::string &of, const std::string &label, MeshFile::Group &surface)
+  AbaqusReader::add_surface(const std::string &name,
+                            const std::string &place,
+                            MeshFile::Group   &to) const
+  {
+    if (name.empty())
+      return;
+    const auto found =
+      std::find_if(scope->surfaces.begin(), scope->surfaces.end(), [&](const auto &other) {
+        return upper_case(other.name) == upper_case(name);
+      });
+    if (found == scope->surfaces.end())
+      throw SceneError(place + "there is no surface '" + name + "' above");
+    check_amount(in, double(to.faces.size()) + found->faces.size());
+    check_amount(in, double(to.nodes.size()) + found->nodes.size());
+    to.faces.insert(to.faces.end(), found->faces.begin(), found->faces.end());
+    to.nodes.insert(to.nodes.end(), found->nodes.begin(), found->nodes.end());
+  }
+
+
+
+  /// No elements: all of the scope. @param place in the file, for messages
+  void
+  AbaqusReader::add_faces(const std::string &of,
+                          const std::string &label,
+                          const std::string &place,
+                          MeshFile::Group   &surface)
   {
     Members members;
-    scope->elements.append(in, of, members);
+    if (!of.empty() && !scope->elements.append_if_known(of, members))
+      throw SceneError(place + "'" + of + "' is no element or set of elements of the file");
     if (of.empty())
       for (const auto &[number, e] : scope->elements.numbers())
         members.push_back(e);
@@ -338,6 +413,7 @@ namespace Signorini
   AbaqusReader::read_element_loads()
   {
     ++n_element_loads;
+    complete_scope();
     std::vector<double>          pressures;
     std::vector<MeshFile::Group> loaded;
     for (Words words; in.next_line(words);)
@@ -353,7 +429,7 @@ namespace Signorini
             pressures.push_back(pressure);
             loaded.push_back({name_of_loaded_faces(n_element_loads, k + 1), {}, {}, {}});
           }
-        add_faces(words[0], "S" + label.substr(1), loaded[k]);
+        add_faces(words[0], "S" + label.substr(1), in.place_in_messages(), loaded[k]);
       }
     whole.surfaces.insert(whole.surfaces.end(), loaded.begin(), loaded.end());
   }

@@ -58,6 +58,7 @@ namespace Signorini
   void
   AbaqusReader::end_scope()
   {
+    complete_scope();
     scope = &whole;
     system.reset();
   }
@@ -108,8 +109,13 @@ namespace Signorini
     const RigidMotion  motion     = read_motion();
     MeshFile          &file       = *whole.mesh;
     const unsigned int first_node = file.nodes.size(), first_element = file.elements.size();
-    instance = {
-      whole.mesh, shifted(of.nodes, first_node), shifted(of.elements, first_element), {}, {}};
+    instance = {whole.mesh,
+                shifted(of.nodes, first_node),
+                shifted(of.elements, first_element),
+                {},
+                {},
+                {},
+                {}};
     for (const Point<3> &node : of.mesh->nodes)
       file.nodes.push_back(motion(node));
     MeshFile::Group all{instance_name, {}, {}, {}};
@@ -137,6 +143,7 @@ namespace Signorini
   {
     if (scope != &instance)
       in.fail("*END INSTANCE without *INSTANCE");
+    complete_scope();
     if (!whole.nodes.add_instance(instance_name, instance.nodes) ||
         !whole.elements.add_instance(instance_name, instance.elements))
       in.fail("the instance '" + instance_name + "' is there twice");

@@ -99,6 +99,30 @@ namespace Signorini
 
 
 
+  bool
+  AbaqusSets::append_if_known(const std::string         &word,
+                              std::vector<unsigned int> &members,
+                              const std::string         &instance) const
+  {
+    const std::string name = in_instance(instance, word);
+    if (const AbaqusSet *set = find(name))
+      {
+        members.insert(members.end(), set->members.begin(), set->members.end());
+        return true;
+      }
+    const auto        dot    = name.rfind('.');
+    const std::string number = dot == std::string::npos ? name : name.substr(dot + 1);
+    if (!is_number(number))
+      return false;
+    const unsigned int i = index(std::strtoul(number.c_str(), nullptr, 10),
+                                 dot == std::string::npos ? "" : name.substr(0, dot));
+    if (i != none)
+      members.push_back(i);
+    return i != none;
+  }
+
+
+
   void
   AbaqusSets::append(const KeywordFile         &in,
                      const std::string         &word,
@@ -107,22 +131,9 @@ namespace Signorini
   {
     if (word.empty())
       return;
-    const std::string name = in_instance(instance, word);
-    if (const AbaqusSet *set = find(name))
-      {
-        check_amount(in, double(members.size()) + set->members.size());
-        members.insert(members.end(), set->members.begin(), set->members.end());
-        return;
-      }
-    const auto         dot    = name.rfind('.');
-    const std::string  number = dot == std::string::npos ? name : name.substr(dot + 1);
-    const unsigned int i =
-      is_number(number) ?
-        index(number_from(in, number), dot == std::string::npos ? "" : name.substr(0, dot)) :
-        none;
-    if (i == none)
-      in.fail("'" + name + "' is no node, element or set that stands above");
-    members.push_back(i);
+    if (!append_if_known(word, members, instance))
+      in.fail("'" + in_instance(instance, word) + "' is no node, element or set that stands above");
+    check_amount(in, members.size());
   }
 
 
@@ -155,10 +166,11 @@ namespace Signorini
 
 
 
-  void
+  std::vector<std::string>
   AbaqusSets::append_lines(KeywordFile &in, std::vector<unsigned int> &members) const
   {
-    const std::string instance = in.value("INSTANCE");
+    std::vector<std::string> unknown;
+    const std::string        instance = in.value("INSTANCE");
     if (!instance.empty() && instances.count(upper_case(instance)) == 0)
       in.fail("there is no instance '" + instance + "' above");
     for (std::vector<std::string> words; in.next_line(words);)
@@ -173,7 +185,10 @@ namespace Signorini
         }
       else
         for (const std::string &word : words)
-          append(in, word, members, instance);
+          if (!word.empty() && !append_if_known(word, members, instance))
+            unknown.push_back(in_instance(instance, word));
+    check_amount(in, members.size());
+    return unknown;
   }
 
 

@@ -111,8 +111,13 @@ namespace Signorini
         if (file.elements.empty())
           fail("has no elements");
         for (unsigned int dimension = 0; dimension < 4; ++dimension)
-          for (const auto &[tag, name] : names[dimension])
-            append(file.group(name).elements, members[dimension][tag]);
+          {
+            for (const auto &[tag, name] : names[dimension])
+              append(file.group(name).elements, members[dimension][tag]);
+            for (const auto &[tag, elements] : members[dimension])
+              if (tag != 0 && names[dimension].count(tag) == 0) // 0: of no group
+                append(file.group(std::to_string(tag)).elements, elements);
+          }
         return std::move(file);
       }
 

@@ -1,5 +1,6 @@
 #include <signorini/mesh/formats/keyword_file.h>
 #include <signorini/parameters/raw.h>
+#include <signorini/parameters/section.h>
 #include <signorini/parameters/text.h>
 
 #include <algorithm>
@@ -24,11 +25,32 @@ namespace Signorini
 
 
 
-    std::string
-    without_quotes(const std::string &text)
+    /// At the commas that are not in quotes.
+    std::vector<std::string>
+    split_at_commas(const std::string &text)
     {
-      const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
-      return quoted ? text.substr(1, text.size() - 2) : text;
+      std::vector<std::string> words{""};
+      bool                     is_quoted = false;
+      for (const char c : text)
+        if (c == ',' && !is_quoted)
+          words.emplace_back();
+        else
+          {
+            words.back() += c;
+            is_quoted ^= c == '"';
+          }
+      for (std::string &word : words)
+        word = trim(word);
+      return words;
+    }
+
+
+
+    std::string
+    without_quotes(std::string text)
+    {
+      text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
+      return trim(text);
     }
 
 
@@ -44,6 +66,24 @@ namespace Signorini
       return result;
     }
   } // namespace
+
+
+
+  bool
+  IgnoringBlanks::operator()(const std::string &a, const std::string &b) const
+  {
+    auto i = a.begin(), j = b.begin();
+    while (true)
+      {
+        i = std::find_if(i, a.end(), [](const char c) { return c != ' '; });
+        j = std::find_if(j, b.end(), [](const char c) { return c != ' '; });
+        if (i == a.end() || j == b.end())
+          return j != b.end();
+        if (*i != *j)
+          return *i < *j;
+        ++i, ++j;
+      }
+  }
 
 
 
@@ -99,8 +139,10 @@ namespace Signorini
         std::replace_if(
           line.begin(), line.end(), [](const char c) { return c == '\t' || c == '\r'; }, ' ');
         line = trim(starts_with(line, byte_order_mark) ? line.substr(3) : line);
-        if (!line.empty() && !starts_with(line, "**"))
-          return true;
+        if (line.empty() || starts_with(line, "**"))
+          continue;
+        line = evaluated(line);
+        return true;
       }
     return false;
   }
@@ -115,14 +157,90 @@ namespace Signorini
     while (line.empty() || line[0] != '*')
       if (!next_text(line))
         return false;
+    if (follow_include(line))
+      return next_keyword();
     parse_keyword(line);
-    if (my_keyword != "INCLUDE")
+    if (my_keyword != "PARAMETER")
       return true;
-    if (data_file.empty())
-      fail("*INCLUDE needs INPUT=file");
-    open_beside(std::move(data_file));
-    data_file.clear();
+    read_parameters();
     return next_keyword();
+  }
+
+
+
+  bool
+  KeywordFile::follow_include(const std::string &line)
+  {
+    if (upper_case(split_at_commas(line)[0]) != "*INCLUDE")
+      return false;
+    // The keyword whose data lines it stands among goes on after it.
+    const auto keyword = my_keyword;
+    const auto others  = parameters;
+    parse_keyword(line);
+    if (value("INPUT").empty())
+      fail("*INCLUDE needs INPUT=file");
+    open_beside(value("INPUT"));
+    data_file.clear();
+    my_keyword = keyword;
+    parameters = others;
+    return true;
+  }
+
+
+
+  void
+  KeywordFile::read_parameters()
+  {
+    if (!parameters.empty())
+      fail("*PARAMETER, " + parameters.begin()->first +
+           " is not read here; write out the numbers, or each as name = formula");
+    auto all = std::make_shared<Definitions>(numbers ? *numbers : Definitions());
+    for (std::string line; next_text(line);)
+      {
+        if (line[0] == '*')
+          {
+            pending = line;
+            break;
+          }
+        line             = trim(line.substr(0, line.find('#')));
+        const auto equal = line.find('=');
+        if (line.empty())
+          continue;
+        try
+          {
+            if (equal == std::string::npos)
+              throw SceneError("is not name = formula");
+            std::string formula = trim(line.substr(equal + 1));
+            for (auto power = formula.find("**"); power != std::string::npos;
+                 power      = formula.find("**"))
+              formula.replace(power, 2, "^");
+            double value;
+            from_text(Formula(formula, all), value);
+            all->add(trim(line.substr(0, equal)), formula);
+          }
+        catch (const SceneError &error)
+          {
+            fail("*PARAMETER: '" + line + "' " + error.what());
+          }
+      }
+    numbers = all;
+  }
+
+
+
+  std::string
+  KeywordFile::evaluated(std::string line) const
+  {
+    if (numbers)
+      for (const auto &[name, formula] : numbers->all())
+        for (auto at = line.find("<" + name + ">"); at != std::string::npos;
+             at      = line.find("<" + name + ">"))
+          {
+                 double value;
+                 from_text(Formula(name, numbers), value);
+                 line.replace(at, name.size() + 2, short_text(value, 16));
+          }
+    return line;
   }
 
 
@@ -140,11 +258,13 @@ namespace Signorini
   {
     for (std::string more; line.back() == ',' && next_text(more);)
       line += more;
-    const std::vector<std::string> words = split(line.substr(1), ',');
-    my_keyword = words.empty() ? "" : upper_case(with_single_blanks(words[0]));
+    const std::vector<std::string> words = split_at_commas(line.substr(1));
+    my_keyword                           = upper_case(with_single_blanks(words[0]));
     parameters.clear();
     for (unsigned int i = 1; i < words.size(); ++i)
       {
+        if (words[i].empty())
+          continue;
         const auto equal = words[i].find('=');
         parameters[upper_case(with_single_blanks(words[i].substr(0, equal)))] =
           equal == std::string::npos ? "" : without_quotes(trim(words[i].substr(equal + 1)));
@@ -184,13 +304,16 @@ namespace Signorini
       {
         if (!pending.empty() || !next_text(line))
           return false;
+        if (line[0] == '*' && follow_include(line))
+          continue;
         if (line[0] == '*')
           {
             pending = line;
             return false;
           }
         my_goes_on = line.back() == ',';
-        words      = split(my_goes_on ? line.substr(0, line.size() - 1) : line, ',');
+        words      = split_at_commas(my_goes_on ? line.substr(0, line.size() - 1) : line);
+        std::transform(words.begin(), words.end(), words.begin(), without_quotes);
       }
     return true;
   }
@@ -200,7 +323,15 @@ namespace Signorini
   void
   KeywordFile::fail(const std::string &what) const
   {
-    throw SceneError("mesh file '" + name + "', line " + std::to_string(line_number) + ": " + what);
+    throw SceneError(place_in_messages() + what);
+  }
+
+
+
+  std::string
+  KeywordFile::place_in_messages() const
+  {
+    return "mesh file '" + name + "', line " + std::to_string(line_number) + ": ";
   }
 
 

@@ -22,12 +22,33 @@ namespace Signorini
     using Words   = std::vector<std::string>;
     using Members = std::vector<unsigned int>;
 
+    /// Members of a set that stand below it in the file, or nowhere.
+    struct LateMembers
+    {
+      bool                     are_nodes;
+      std::string              set;
+      std::vector<std::string> words;
+    };
+
+    /// A surface, whose elements and sets may stand below it.
+    struct LateSurface
+    {
+      std::string name, type;
+      bool        is_union;
+      std::string instance;
+
+      std::vector<std::pair<Words, std::string>> lines; ///< with their places, for messages
+    };
+
     /// Where names and numbers count: the file or assembly, a part, or an instance.
     struct Scope
     {
       std::shared_ptr<MeshFile>    mesh; ///< an instance has that of the file
       AbaqusSets                   nodes, elements;
       std::vector<MeshFile::Group> surfaces;
+
+      std::vector<LateMembers> late_members;
+      std::vector<LateSurface> late_surfaces;
 
       std::unordered_map<unsigned int, std::size_t> number_of; ///< nodes, by their indices
     };
@@ -61,10 +82,22 @@ namespace Signorini
     nodes_of(const std::string &element_set) const;
     void
     read_surface();
-    MeshFile::Group
-    combined_surface(const std::string &how);
     void
-    add_faces(const std::string &of, const std::string &label, MeshFile::Group &surface);
+    read_members(AbaqusSets &sets, const std::string &name, Members members);
+    /// Sets and surfaces that may ask for what stands below them: at the end of the model.
+    void
+    complete_scope();
+    void
+    complete_sets();
+    MeshFile::Group
+    completed(const LateSurface &late);
+    void
+    add_surface(const std::string &name, const std::string &place, MeshFile::Group &to) const;
+    void
+    add_faces(const std::string &of,
+              const std::string &label,
+              const std::string &place,
+              MeshFile::Group   &surface);
 
     void
     read_element_loads();
@@ -106,7 +139,7 @@ namespace Signorini
     void
     note_of_other_elements();
 
-    static const std::map<std::string, void (AbaqusReader::*)()> registry;
+    static const std::map<std::string, void (AbaqusReader::*)(), IgnoringBlanks> registry;
 
     KeywordFile                  in;
     AbaqusDeck                   deck;

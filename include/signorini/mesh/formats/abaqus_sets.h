@@ -59,6 +59,13 @@ namespace Signorini
     all_numbers() const;
 
     /// Append what a word means: a number, or the name of a set; in an instance, if one is named.
+    /// False if there is no such thing.
+    bool
+    append_if_known(const std::string         &word,
+                    std::vector<unsigned int> &members,
+                    const std::string         &instance = "") const;
+
+    /// The same; throws SceneError if there is no such thing.
     void
     append(const KeywordFile         &in,
            const std::string         &word,
@@ -66,8 +73,9 @@ namespace Signorini
            const std::string         &instance = "") const;
 
     /// Append the data lines of a keyword: words, or with GENERATE first, last, step; with
-    /// INSTANCE=NAME those of an instance.
-    void
+    /// INSTANCE=NAME those of an instance. Returns the words that mean nothing so far, with their
+    /// instance.
+    std::vector<std::string>
     append_lines(KeywordFile &in, std::vector<unsigned int> &members) const;
 
     /// Take the numbers and sets of an instance in. Returns false if there is one of that name.

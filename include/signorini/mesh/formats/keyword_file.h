@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signorini/parameters/definitions.h>
+
 #include <fstream>
 #include <map>
 #include <memory>
@@ -8,15 +10,24 @@
 
 namespace Signorini
 {
+  /// CONTACT PAIR and CONTACTPAIR are the same keyword.
+  struct IgnoringBlanks
+  {
+    bool
+    operator()(const std::string &a, const std::string &b) const;
+  };
+
   /// A file of keywords with data lines, as Abaqus and CalculiX read them:
   ///
   ///     ** comment
   ///     *KEYWORD, PARAMETER=value, PARAMETER
   ///     data, data, data
   ///
-  /// Keywords and parameters may be in any case. A keyword line that ends with a comma goes on in
-  /// the next line. *INCLUDE, INPUT=file is followed, beside the file that says so; of any other
-  /// keyword, INPUT=file has the first data lines.
+  /// Keywords and parameters may be in any case, and with or without blanks. What is in quotes may
+  /// have blanks and commas. A keyword line that ends with a comma goes on in the next line.
+  /// *INCLUDE, INPUT=file is followed, beside the file that says so, among data lines too; of any
+  /// other keyword, INPUT=file has the first data lines. *PARAMETER defines names of numbers by
+  /// formulas, `name = formula` a line, which <name> stands for in all lines that follow.
   class KeywordFile
   {
   public:
@@ -44,13 +55,6 @@ namespace Signorini
     bool
     next_line(std::vector<std::string> &words);
 
-    /// All parameters with their values, by names in upper case.
-    const std::map<std::string, std::string> &
-    all_parameters() const
-    {
-      return parameters;
-    }
-
     /// "FILE, line LINE" of the present keyword or data line.
     std::string
     place() const
@@ -64,6 +68,10 @@ namespace Signorini
     {
       return my_goes_on;
     }
+
+    /// "mesh file 'FILE', line LINE: ", for messages about it later on.
+    std::string
+    place_in_messages() const;
 
     /// Throws SceneError("mesh file 'FILE', line LINE: what").
     [[noreturn]] void
@@ -85,13 +93,22 @@ namespace Signorini
     open_beside(const std::string &file_name);
     void
     parse_keyword(std::string line);
+    /// If the line is *INCLUDE.
+    bool
+    follow_include(const std::string &line);
+    void
+    read_parameters();
+    /// With numbers for <names>.
+    std::string
+    evaluated(std::string line) const;
 
-    std::vector<Source>                sources; ///< the last one is being read
-    std::string                        name, my_keyword, pending;
-    std::string                        data_file; ///< of INPUT=, until it is opened
-    unsigned int                       line_number = 0;
-    std::map<std::string, std::string> parameters;
-    bool                               my_goes_on = false;
+    std::vector<Source>                                sources; ///< the last one is being read
+    std::string                                        name, my_keyword, pending;
+    std::string                                        data_file; ///< of INPUT=, until it is opened
+    unsigned int                                       line_number = 0;
+    std::map<std::string, std::string, IgnoringBlanks> parameters;
+    std::shared_ptr<Definitions>                       numbers; ///< of *PARAMETER; null: none
+    bool                                               my_goes_on = false;
   };
 
   std::string
