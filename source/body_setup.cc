@@ -33,8 +33,15 @@ namespace Signorini
     std::vector<ThermalExpansion<dim>> expansions;
     for (const Body<dim> &body : scene.bodies)
       {
-        materials.push_back(body.material);
+        for (const Material *material : body.materials())
+          materials.push_back(*material);
         expansions.push_back(body.expansion);
+        for (const MaterialOfCells &one : body.others)
+          {
+            expansions.push_back(body.expansion);
+            if (!one.expansion.empty())
+              expansions.back().coefficients = one.expansion;
+          }
       }
     std::vector<RigidBody<dim>> rigid_bodies;
     for (const Obstacle<dim> &obstacle : scene.obstacles)

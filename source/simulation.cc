@@ -3,6 +3,7 @@
 #include <signorini/output/directory.h>
 #include <signorini/output/preflight.h>
 #include <signorini/parameters/text.h>
+#include <signorini/scene/left_out.h>
 #include <signorini/simulation.h>
 #include <signorini/solve/linear_reference.h>
 
@@ -64,6 +65,8 @@ namespace Signorini
         << std::endl;
     if (!scene.choice.empty())
       out << "  chosen: " << scene.choice << std::endl;
+    for (const LeftOut &one : left_out_of(scene.left_out))
+      out << "  left out: " << one.kind << ": " << one.what << std::endl;
   }
 
 

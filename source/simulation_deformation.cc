@@ -56,7 +56,8 @@ namespace Signorini
       limit = std::min(limit, target);
     std::vector<std::shared_ptr<const Hyperelastic>> laws;
     for (const Body<dim> &body : scene.bodies)
-      laws.push_back(law_of(body.material).make(body.material));
+      for (const Material *material : body.materials())
+        laws.push_back(law_of(*material).make(*material));
     const DeformationChange change   = deformation_change(*elasticity, laws, state.displacement);
     const bool              is_small = change.work <= limit;
     neglected_work                   = std::max(neglected_work.value_or(0), change.work);

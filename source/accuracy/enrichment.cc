@@ -23,7 +23,7 @@ namespace Signorini
     std::vector<double> sums(mesh.n_bodies(), 0.);
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
-        sums[cell->material_id()] += indicators[cell->active_cell_index()];
+        sums[mesh.body(cell)] += indicators[cell->active_cell_index()];
     Utilities::MPI::sum(sums, mesh.communicator(), sums);
     std::vector<unsigned int> result;
     for (unsigned int body = 0; body < sums.size(); ++body)
@@ -41,7 +41,7 @@ namespace Signorini
     unsigned int n = 0;
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
-        n += std::count(bodies.begin(), bodies.end(), cell->material_id());
+        n += std::count(bodies.begin(), bodies.end(), mesh.body(cell));
     const double share = Utilities::MPI::sum(double(n), mesh.communicator()) /
                          mesh.triangulation().n_global_active_cells();
     return 1 + share * (std::pow(2., dim) - 1);

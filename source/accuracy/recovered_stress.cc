@@ -85,7 +85,7 @@ namespace Signorini
   unsigned int
   RecoveredStress<dim>::points_a_direction(const Cell &cell) const
   {
-    const unsigned int degree = elasticity.degree(cell->material_id());
+    const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
     for (unsigned int d = 0; d < dim; ++d)
       if (cell->face(2 * d)->at_boundary() && cell->face(2 * d + 1)->at_boundary())
         return std::max(2u, degree);
@@ -169,6 +169,9 @@ namespace Signorini
     std::vector<unsigned int> next = first_at_vertex;
     for_vertices(
       [&](const unsigned int v, const unsigned int cell) { cells_at_vertex[next[v]++] = cell; });
+    material_of_cell.resize(triangulation.n_active_cells());
+    for (const auto &cell : triangulation.active_cell_iterators())
+      material_of_cell[cell->active_cell_index()] = cell->material_id();
   }
 
 
@@ -182,6 +185,13 @@ namespace Signorini
       patch.insert(patch.end(),
                    cells_at_vertex.begin() + first_at_vertex[cell->vertex_index(v)],
                    cells_at_vertex.begin() + first_at_vertex[cell->vertex_index(v) + 1]);
+    // Stresses jump from one material to the other.
+    patch.erase(std::remove_if(patch.begin(),
+                               patch.end(),
+                               [&](const unsigned int c) {
+                                 return material_of_cell[c] != cell->material_id();
+                               }),
+                patch.end());
     std::sort(patch.begin(), patch.end());
     patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
   }
@@ -192,7 +202,7 @@ namespace Signorini
   const typename RecoveredStress<dim>::Deviations &
   RecoveredStress<dim>::operator()(const Cell &cell)
   {
-    const unsigned int   degree = elasticity.degree(cell->material_id());
+    const unsigned int   degree = elasticity.degree(elasticity.mesh().body(cell));
     const Monomials<dim> monomials(degree);
     const unsigned int   n = monomials.n, n_values = ghosted.size() * n_components;
     const Point<dim>     center = cell->center();

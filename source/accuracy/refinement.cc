@@ -119,7 +119,7 @@ namespace Signorini
     auto &triangulation =
       dynamic_cast<parallel::distributed::Triangulation<dim> &>(mesh.triangulation());
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (static_cast<unsigned int>(cell->level()) <= mesh.least_level(cell->material_id()))
+      if (static_cast<unsigned int>(cell->level()) <= mesh.least_level(mesh.body(cell)))
         cell->clear_coarsen_flag();
 
     std::vector<LA::Vector>          ghosted;

@@ -27,6 +27,11 @@ namespace Signorini
                 initial_gap,
                 "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z [length]");
     section.add(
+      "Closed up to",
+      closed_up_to,
+      "gaps at the start up to this, and overlaps, are taken for closed, without strain, as "
+      "by ADJUST of a deck; negative: none are [length]");
+    section.add(
       "Separates",
       separates,
       "yes, or no: what touches at the start, or is within the Search distance, keeps its "
@@ -57,6 +62,8 @@ namespace Signorini
       section.fail(
         "Interference",
         "depends on the place, but is one share for the whole pair; write it in t alone");
+    if (gap_is_given() && closed_up_to >= 0)
+      section.fail("Closed up to", "is of gaps from geometry; take Initial gap out");
     if (gap_is_given() && initial_gap.text != "closed")
       try
         {

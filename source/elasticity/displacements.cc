@@ -48,7 +48,7 @@ namespace Signorini
   {
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
-        cell->set_active_fe_index(element_of_body[cell->material_id()]);
+        cell->set_active_fe_index(element_of_body[my_mesh.body(cell)]);
     dofs.distribute_dofs(elements);
     my_lever = my_mesh.size() / 2;
     number_dofs();

@@ -22,6 +22,17 @@ namespace Signorini
     {
       return degrees.size() == 1 ? std::vector<unsigned int>(mesh.n_bodies(), degrees[0]) : degrees;
     }
+
+    template <int dim>
+    std::vector<unsigned int>
+    one_a_material(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
+    {
+      const std::vector<unsigned int> of_bodies = one_a_body(degrees, mesh);
+      std::vector<unsigned int>       result;
+      for (unsigned int id = 0; id < mesh.n_materials(); ++id)
+        result.push_back(of_bodies[mesh.body_of_material(id)]);
+      return result;
+    }
   } // namespace
 
 
@@ -40,7 +51,7 @@ namespace Signorini
     , materials(materials)
     , my_loads(loads)
     , strength(stabilisation)
-    , thermal_strain(mesh, expansions, one_a_body(degrees, mesh), model)
+    , thermal_strain(mesh, expansions, one_a_material(degrees, mesh), model)
     , my_bulk_stress(mesh, materials, model)
     , unheld(*this)
   {}

@@ -154,7 +154,7 @@ namespace Signorini
         double                    nearest = std::numeric_limits<double>::max();
         for (const auto &cell : dofs.active_cell_iterators())
           if (!cell->is_artificial() &&
-              (choice.body.empty() || mesh.body_name(cell->material_id()) == choice.body))
+              (choice.body.empty() || mesh.body_name(mesh.body(cell)) == choice.body))
             {
               const double reach = 1e-6 * cell->diameter(), far = cell->center().distance(x);
               nearest = std::min(nearest, far);
@@ -166,7 +166,7 @@ namespace Signorini
                   nearest = std::min(nearest, position(i).distance(x));
                   if (position(i).distance(x) <= reach)
                     {
-                      found[cell->material_id()] = 1;
+                      found[mesh.body(cell)] = 1;
                       if (HeldNode<dim> *node = held(i))
                         visit(*node);
                     }

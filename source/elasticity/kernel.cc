@@ -157,9 +157,9 @@ namespace Signorini
         for (const types::boundary_id id : ids)
           by_boundary[id].push_back(&load);
         const std::set<std::string> names(load.bodies.begin(), load.bodies.end());
-        for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
-          if (names.count(mesh.body_name(body)) > 0)
-            by_body[body].push_back(&load);
+        for (unsigned int id = 0; id < mesh.n_materials(); ++id)
+          if (names.count(mesh.body_name(mesh.body_of_material(id))) > 0)
+            by_material[id].push_back(&load);
         std::set<types::coarse_cell_id> cells;
         for (const std::string &name : names)
           if (name.find('.') != std::string::npos)
@@ -253,7 +253,7 @@ namespace Signorini
   LoadKernel<dim>::body_forces(const Cell &cell) const
   {
     std::vector<const Load<dim> *> result;
-    if (const auto found = by_body.find(cell->material_id()); found != by_body.end())
+    if (const auto found = by_material.find(cell->material_id()); found != by_material.end())
       result = found->second;
     if (by_cell.empty())
       return result;

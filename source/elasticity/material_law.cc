@@ -3,6 +3,7 @@
 #include <signorini/materials/mooney_rivlin.h>
 #include <signorini/materials/neo_hooke.h>
 #include <signorini/materials/ogden.h>
+#include <signorini/materials/polynomial.h>
 #include <signorini/materials/saint_venant_kirchhoff.h>
 #include <signorini/materials/yeoh.h>
 #include <signorini/parameters/section.h>
@@ -75,7 +76,7 @@ namespace Signorini
          return std::make_shared<MooneyRivlin>(m.lambda(), m.coefficients[0], m.coefficients[1]);
        }},
       {"Yeoh",
-       "W = c10 i + c20 i^2 + c30 i^3 + K/2 (J - 1)^2 with i = J^(-2/3) I1 - 3",
+       "W = c10 i + c20 i^2 + c30 i^3 + K/2 (ln J)^2 with i = J^(-2/3) I1 - 3",
        "c10, c20, c30",
        [](const Values &c) {
          check_number(c, 3);
@@ -86,6 +87,18 @@ namespace Signorini
                                        m.coefficients[0],
                                        m.coefficients[1],
                                        m.coefficients[2]);
+       }},
+      {"polynomial",
+       "W = c10 i1 + c01 i2 + c20 i1^2 + c30 i1^3 + K/2 (J - 1)^2 with i1 = J^(-2/3) I1 - 3, i2 = J^(-4/3) I2 - 3, as "
+       "in CalculiX and Abaqus",
+       "c10, c01, c20, c30",
+       [](const Values &c) {
+         check_number(c, 4);
+         return 2 * (c[0] + c[1]);
+       },
+       [](const Material &m) {
+         const Values &c = m.coefficients;
+         return std::make_shared<Polynomial>(m.bulk_modulus(), c[0], c[1], c[2], c[3]);
        }},
       {"Ogden",
        "W = sum of mu/alpha (l1^alpha + l2^alpha + l3^alpha - 3) - mu ln J, and lambda/2 (ln J)^2",
@@ -128,7 +141,7 @@ namespace Signorini
     section.add(
       "Coefficients",
       coefficients,
-      "of the law, instead of Young's modulus: Mooney-Rivlin c10, c01; Yeoh c10, c20, c30; Ogden mu1, alpha1, mu2, "
+      "of the law, instead of Young's modulus: Mooney-Rivlin c10, c01; Yeoh c10, c20, c30; polynomial c10, c01, c20, c30; Ogden mu1, alpha1, mu2, "
       "alpha2, ... [stress; alpha: -]");
     if (coefficients.empty())
       section.add_required("Young's modulus", youngs_modulus, "E [stress]", positive);

@@ -182,12 +182,12 @@ namespace Signorini
     Claim                     best;
     std::vector<unsigned int> has_it(mesh.n_bodies(), 0);
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (cell->is_locally_owned() && (body.empty() || mesh.body_name(cell->material_id()) == body))
+      if (cell->is_locally_owned() && (body.empty() || mesh.body_name(mesh.body(cell)) == body))
         {
           Point<dim>  unit;
           const Claim claim{distance_from(mesh, cell, x, unit),
                             cell->id().to_string(),
-                            cell->material_id()};
+                            mesh.body(cell)};
           if (claim.distance == 0)
             has_it[claim.body] = 1;
           if (claim.distance <= farthest && claim < best)

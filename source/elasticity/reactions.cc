@@ -162,7 +162,7 @@ namespace Signorini
             of_node[d] = indices[fe.component_to_system_index(d, node)];
           const auto at_node = resultant_of(place(nodes[i], of_node), force);
           result.load += at_node;
-          result.bodies[cell->material_id()] += at_node;
+          result.bodies[elasticity.mesh().body(cell)] += at_node;
         }
     }
 

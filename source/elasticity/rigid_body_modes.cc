@@ -94,7 +94,7 @@ namespace Signorini
           read_indices<dim>(cell, indices);
           for (const auto i : indices)
             if (owned.is_element(i))
-              result[owned.index_within_set(i)] = cell->material_id();
+              result[owned.index_within_set(i)] = displacements.mesh().body(cell);
         }
     return result;
   }

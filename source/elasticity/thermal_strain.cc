@@ -34,10 +34,10 @@ namespace Signorini
     /// Of this rank, and those around that it knows of.
     template <int dim, typename Visit>
     void
-    for_known_cells(const Mesh<dim> &mesh, const unsigned int body, const Visit &visit)
+    for_known_cells(const Mesh<dim> &mesh, const unsigned int id, const Visit &visit)
     {
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
-        if (!cell->is_artificial() && cell->material_id() == body)
+        if (!cell->is_artificial() && cell->material_id() == id)
           visit(cell);
     }
   } // namespace
@@ -114,7 +114,7 @@ namespace Signorini
 
   template <int dim>
   void
-  ThermalStrain<dim>::refuse_if_bad(const unsigned int             body,
+  ThermalStrain<dim>::refuse_if_bad(const unsigned int             id,
                                     const double                   t,
                                     const std::vector<Point<dim>> &bad) const
   {
@@ -123,7 +123,7 @@ namespace Signorini
         {
           std::ostringstream where;
           where << "at (" << of_rank[0] << "), t = " << t;
-          throw SceneError(expansions[body].place + ": the temperature is not a number " +
+          throw SceneError(expansions[id].place + ": the temperature is not a number " +
                            where.str() + "; correct the formula");
         }
   }
@@ -166,22 +166,21 @@ namespace Signorini
   void
   ThermalStrain<dim>::set_time(const double t)
   {
-    for (unsigned int body = 0; body < expansions.size(); ++body)
+    for (unsigned int id = 0; id < expansions.size(); ++id)
       {
-        const ThermalExpansion<dim> &one = expansions[body];
-        if (!one.given() || times[body] == t ||
-            (!std::isnan(times[body]) && !one.depends_on_time()))
+        const ThermalExpansion<dim> &one = expansions[id];
+        if (!one.given() || times[id] == t || (!std::isnan(times[id]) && !one.depends_on_time()))
           continue;
-        times[body] = t;
+        times[id] = t;
         std::vector<Point<dim>> bad;
-        FEValues<dim>           values  = points_in_cells(mesh, degrees[body]);
+        FEValues<dim>           values  = points_in_cells(mesh, degrees[id]);
         const double            uniform = one.depends_on_place() ? 0. : one.value({}, t, 0);
-        for_known_cells(mesh, body, [&](const auto &cell) {
+        for_known_cells(mesh, id, [&](const auto &cell) {
           double *own = &of_cells[cell->active_cell_index() * n_coefficients];
           if (one.depends_on_place())
             {
               values.reinit(cell);
-              fit(values, t, degrees[body], own);
+              fit(values, t, degrees[id], own);
             }
           else
             own[0] = uniform - one.reference;
@@ -190,7 +189,7 @@ namespace Signorini
               }))
             bad.assign(1, cell->center());
         });
-        refuse_if_bad(body, t, bad);
+        refuse_if_bad(id, t, bad);
       }
   }
 
@@ -225,10 +224,10 @@ namespace Signorini
 
   template <int dim>
   Tensor<1, 3>
-  ThermalStrain<dim>::stress_of_unit_rise(const Material &material, const unsigned int body) const
+  ThermalStrain<dim>::stress_of_unit_rise(const Material &material, const unsigned int id) const
   {
     const bool         is_sheet = model == Model::plane_stress;
-    const Tensor<1, 3> alpha    = expansions[body].alpha();
+    const Tensor<1, 3> alpha    = expansions[id].alpha();
     const double       sum      = alpha[0] + alpha[1] + (is_sheet ? 0 : alpha[2]);
     Tensor<1, 3>       result;
     for (unsigned int i = 0; i < (is_sheet ? 2 : 3); ++i)
@@ -282,19 +281,19 @@ namespace Signorini
 
   template <int dim>
   std::pair<double, double>
-  ThermalStrain<dim>::range(const unsigned int body, const double t) const
+  ThermalStrain<dim>::range(const unsigned int id, const double t) const
   {
-    if (!expansions[body].depends_on_place())
+    if (!expansions[id].depends_on_place())
       {
-        const double T = expansions[body].value({}, t, 0);
-        refuse_if_bad(body, t, std::vector<Point<dim>>(std::isfinite(T) ? 0 : 1));
+        const double T = expansions[id].value({}, t, 0);
+        refuse_if_bad(id, t, std::vector<Point<dim>>(std::isfinite(T) ? 0 : 1));
         return {T, T};
       }
     std::array<double, 2>   extremes{{std::numeric_limits<double>::max(),
                                       std::numeric_limits<double>::max()}}; // lowest, minus highest
     std::vector<Point<dim>> bad;
-    FEValues<dim>           values = points_in_cells(mesh, degrees[body]);
-    for_known_cells(mesh, body, [&](const auto &cell) {
+    FEValues<dim>           values = points_in_cells(mesh, degrees[id]);
+    for_known_cells(mesh, id, [&](const auto &cell) {
       values.reinit(cell);
       for (const unsigned int q : values.quadrature_point_indices())
         {
@@ -305,7 +304,7 @@ namespace Signorini
           extremes[1] = std::min(extremes[1], -T);
         }
     });
-    refuse_if_bad(body, t, bad);
+    refuse_if_bad(id, t, bad);
     return {Utilities::MPI::min(extremes[0], mesh.communicator()),
             -Utilities::MPI::min(extremes[1], mesh.communicator())};
   }

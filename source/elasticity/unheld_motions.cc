@@ -173,7 +173,8 @@ namespace Signorini
       {
         const BodyPiece<dim> &piece = mesh.pieces()[motion.piece];
         const double          size  = RigidBodyModes<dim>(piece.extent).size();
-        per_volume[motion.piece] = strength * materials[piece.body].youngs_modulus / (size * size);
+        per_volume[motion.piece] =
+          strength * materials[mesh.own_material(piece.body)].youngs_modulus / (size * size);
       }
 
     LA::Vector                           result = displacements.zero_vector();

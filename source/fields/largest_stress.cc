@@ -65,7 +65,7 @@ namespace Signorini
           gradients.resize(u.size());
           values[v].get_function_values(ghosted, u);
           values[v].get_function_gradients(ghosted, gradients);
-          LargestStresses<dim> &largest = result[cell->material_id()];
+          LargestStresses<dim> &largest = result[mesh.body(cell)];
           for (const unsigned int q : values.quadrature_point_indices())
             {
               const Point<dim> &x         = values.quadrature_point(q);

@@ -128,7 +128,7 @@ namespace Signorini
             BoundingBox<dim> box = cell->bounding_box();
             box.extend(0.25 * cell->diameter());
             for (unsigned int i = 0; i < probes.size(); ++i)
-              if (may_be_in(probes[i], mesh.body_name(cell->material_id()), box))
+              if (may_be_in(probes[i], mesh.body_name(mesh.body(cell)), box))
                 {
                   const Place<dim> place =
                     place_in<dim>(mesh.mapping(), cell, probes[i].point, farthest);

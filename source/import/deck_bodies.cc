@@ -36,8 +36,10 @@ namespace Signorini
   void
   SceneWriter::make_bodies()
   {
-    const MeshFile &mesh = model.deck.mesh;
-    for (const Piece &piece : pieces_of(mesh, dim))
+    const MeshFile          &mesh   = model.deck.mesh;
+    const std::vector<Piece> pieces = pieces_of(mesh, dim);
+    n_pieces                        = pieces.size();
+    for (const Piece &piece : pieces)
       {
         Body body;
         body.part = piece.name;
@@ -57,14 +59,18 @@ namespace Signorini
               body.has_node[node] = true;
           }
         body.boundaries = boundaries_of(piece);
-        give_material(body, piece);
+        if (!give_material(body, piece))
+          continue;
         give_temperature(body);
         if (dim == 2 && !all.empty() && body.thickness != all[0].thickness)
           model.leave_out("different thicknesses of " + all[0].name + " and " + body.name +
                             "; contact acts per thickness",
-                          "*SOLID SECTION");
+                          "*SOLID SECTION",
+                          "model");
         all.push_back(body);
       }
+    if (all.empty())
+      throw SceneError("'" + file + "': no elements have a *SOLID SECTION");
   }
 
 
@@ -106,38 +112,67 @@ namespace Signorini
 
 
 
-  /// The material of most elements; a body has one.
-  void
+  /// That of most elements, and others of sets of cells. False if it has none: then it is left out.
+  bool
   SceneWriter::give_material(Body &body, const Piece &piece)
   {
-    std::map<std::string, unsigned int> n;
+    // Of an element that several sections name, the last one counts.
+    std::map<unsigned int, std::string> of_elements;
     for (const auto &one : model.sections)
       for (const unsigned int e : one.elements)
         if (body.has_element[e])
           {
-            ++n[one.material];
+            of_elements[e] = one.material;
             if (one.thickness > 0 && kind != "axisymmetric")
               body.thickness = one.thickness;
           }
-    if (n.empty())
-      throw SceneError("'" + file + "': the elements of " + description(piece) +
-                       " have no *SOLID SECTION");
-    const auto most = std::max_element(n.begin(), n.end(), [](const auto &a, const auto &b) {
-      return a.second < b.second;
-    });
-    body.material   = most->first;
-    for (const auto &[material, count] : n)
-      if (material != body.material)
-        model.leave_out("material " + material + " of " + std::to_string(count) + " elements of " +
-                          body.name +
-                          " (a connected body has one material, that of the most "
-                          "elements: " +
-                          body.material + ")",
-                        "*SOLID SECTION");
-    const auto found = model.materials.find(body.material);
-    if (found == model.materials.end() || !found->second.youngs_modulus)
-      throw SceneError("'" + file + "': the material '" + body.material + "' of " + body.name +
-                       " is not linear elastic: *ELASTIC is missing");
+    if (of_elements.empty())
+      {
+        model.leave_out(description(piece) + ", which has no *SOLID SECTION", "", "body");
+        return false;
+      }
+    std::map<std::string, unsigned int> n;
+    for (const auto &element : of_elements)
+      ++n[element.second];
+    body.material = std::max_element(n.begin(), n.end(), [](const auto &a, const auto &b) {
+                      return a.second < b.second;
+                    })->first;
+    if (of_elements.size() < piece.elements.size())
+      model.leave_out("that " + std::to_string(piece.elements.size() - of_elements.size()) +
+                        " elements of " + body.name + " have no *SOLID SECTION; they are of " +
+                        body.material,
+                      "",
+                      "body");
+    if (n.size() > 1)
+      give_other_materials(body);
+    for (const auto &[name, count] : n)
+      {
+        const auto found = model.materials.find(name);
+        if (found == model.materials.end() || !found->second.youngs_modulus)
+          throw SceneError(
+            "'" + file + "': the material '" + name + "' of " + body.name +
+            " is not elastic: it has neither *ELASTIC nor one of the *HYPERELASTIC that "
+            "are there");
+      }
+    return true;
+  }
+
+
+
+  /// All sections, in their order, but those before the first one of another material.
+  void
+  SceneWriter::give_other_materials(Body &body)
+  {
+    for (const auto &section : model.sections)
+      {
+        if (std::none_of(section.elements.begin(),
+                         section.elements.end(),
+                         [&](const unsigned int e) { return body.has_element[e]; }))
+          continue;
+        if (!body.others.empty() || section.material != body.material)
+          for (const std::string &set : section.sets)
+            body.others.push_back({section.material, set});
+      }
   }
 
 
@@ -146,7 +181,10 @@ namespace Signorini
   void
   SceneWriter::give_temperature(Body &body)
   {
-    if (!model.materials.at(body.material).expansion || model.temperatures.empty())
+    bool expands = model.materials.at(body.material).expansion.has_value();
+    for (const MaterialOfCells &one : body.others)
+      expands |= model.materials.at(one.material).expansion.has_value();
+    if (!expands || model.temperatures.empty())
       return;
     // Empty where no node has one; false if they differ.
     const auto same = [&](const std::map<unsigned int, double> &of_nodes,
@@ -180,7 +218,8 @@ namespace Signorini
     if (!is_uniform)
       model.leave_out("temperatures that differ from node to node of " + body.name +
                         "; it has no thermal strain",
-                      "*TEMPERATURE");
+                      "*TEMPERATURE",
+                      "load");
     else if (curve.size() > 1)
       body.temperature = curve;
   }

@@ -5,16 +5,96 @@
 
 namespace Signorini
 {
-  void
-  DeckModel::leave_out(const std::string &what, const std::string &place)
+  namespace
   {
-    const auto found = std::find_if(left_out.begin(), left_out.end(), [&](const auto &one) {
-      return one.first == what;
+    /// What a keyword stands for, or a longer text that begins with it.
+    std::string
+    kind_of(const std::string &what)
+    {
+      static const std::map<std::string, std::vector<std::string>> keywords = {
+        {"load",
+         {"AMPLITUDE",
+          "CLOAD",
+          "DLOAD",
+          "DSLOAD",
+          "INITIAL CONDITIONS",
+          "PRE-TENSION SECTION",
+          "TEMPERATURE"}},
+        {"support",
+         {"BOUNDARY",
+          "CONNECTOR",
+          "COUPLING",
+          "CYCLIC SYMMETRY MODEL",
+          "DISTRIBUTING",
+          "EMBEDDED ELEMENT",
+          "EQUATION",
+          "KINEMATIC",
+          "MPC",
+          "RIGID BODY",
+          "SPRING",
+          "TIE",
+          "TRANSFORM"}},
+        {"motion", {"BASE MOTION"}},
+        {"pair", {"CLEARANCE", "CONTACT PAIR", "CONTACT", "CONTACT INCLUSIONS", "MODEL CHANGE"}},
+        {"body", {"BEAM SECTION", "MEMBRANE SECTION", "SHELL SECTION"}},
+        {"model",
+         {"BOUNDARY of rotations",
+          "CHANGE FRICTION",
+          "COMPLEX FREQUENCY",
+          "BUCKLE",
+          "CONTACT DAMPING",
+          "CONTACT PROPERTY ASSIGNMENT",
+          "COUPLED TEMPERATURE-DISPLACEMENT",
+          "CREEP",
+          "CYCLIC HARDENING",
+          "DAMPING",
+          "DEPVAR",
+          "DYNAMIC",
+          "ELASTIC",
+          "EXPANSION",
+          "FREQUENCY",
+          "FRICTION",
+          "GAP CONDUCTANCE",
+          "GREEN",
+          "HEAT TRANSFER",
+          "HYPERELASTIC",
+          "MASS",
+          "MODAL DYNAMIC",
+          "ORIENTATION",
+          "PLASTIC",
+          "SENSITIVITY",
+          "SOLID SECTION",
+          "STATIC",
+          "STEADY STATE DYNAMICS",
+          "STEP",
+          "SURFACE BEHAVIOR",
+          "SURFACE INTERACTION",
+          "UNCOUPLED TEMPERATURE-DISPLACEMENT",
+          "VISCO"}}};
+      std::string kind = "keyword", longest;
+      for (const auto &[one, names] : keywords)
+        for (const std::string &name : names)
+          if (what.compare(0, name.size() + 1, "*" + name) == 0 && name.size() > longest.size())
+            {
+              kind    = one;
+              longest = name;
+            }
+      return kind;
+    }
+  } // namespace
+
+
+
+  void
+  DeckModel::leave_out(const std::string &what, const std::string &place, const std::string &kind)
+  {
+    const auto found = std::find_if(left_out.begin(), left_out.end(), [&](const Omission &one) {
+      return one.what == what;
     });
     if (found == left_out.end())
-      left_out.push_back({what, {place}});
-    else if (found->second.back() != place)
-      found->second.push_back(place);
+      left_out.push_back({kind.empty() ? kind_of(what) : kind, what, {place}});
+    else if (found->places.back() != place)
+      found->places.push_back(place);
   }
 
 

@@ -8,11 +8,12 @@
 namespace Signorini
 {
   // The registry: one line a keyword. Output and what describes the mesh has no effect here.
-  const std::map<std::string, void (DeckReader::*)()> DeckReader::registry = {
+  const std::map<std::string, void (DeckReader::*)(), IgnoringBlanks> DeckReader::registry = {
     {"PART", &DeckReader::begin_part},
     {"END PART", &DeckReader::end_part},
     {"MATERIAL", &DeckReader::begin_material},
     {"ELASTIC", &DeckReader::read_elastic},
+    {"HYPERELASTIC", &DeckReader::read_hyperelastic},
     {"DENSITY", &DeckReader::read_density},
     {"EXPANSION", &DeckReader::read_expansion},
     {"INITIAL CONDITIONS", &DeckReader::read_initial_conditions},
@@ -42,6 +43,7 @@ namespace Signorini
     {"SURFACE INTERACTION", &DeckReader::begin_interaction},
     {"SURFACE BEHAVIOR", &DeckReader::read_behaviour},
     {"CONTACT PAIR", &DeckReader::read_pairs},
+    {"CLEARANCE", &DeckReader::read_clearance},
     {"HEADING", &DeckReader::ignore},
     {"PREPRINT", &DeckReader::ignore},
     {"NODE", &DeckReader::ignore},
@@ -83,7 +85,7 @@ namespace Signorini
     {"PHYSICAL CONSTANTS", &DeckReader::ignore}};
 
   /// Why some keywords are left out. All others that are not in the registry are left out too.
-  const std::map<std::string, std::string> DeckReader::not_modelled = {
+  const std::map<std::string, std::string, IgnoringBlanks> DeckReader::not_modelled = {
     {"FRICTION", "contact is without friction"},
     {"CHANGE FRICTION", "contact is without friction"},
     {"PLASTIC", "materials are linear elastic"},
@@ -97,7 +99,6 @@ namespace Signorini
     {"CYCLIC SYMMETRY MODEL", "cyclic symmetry"},
     {"PRE-TENSION SECTION", "pre-tension"},
     {"MODEL CHANGE", "all elements and contact pairs are there at all times"},
-    {"CLEARANCE", "gaps are those of the mesh"},
     {"SHELL SECTION", "solids alone have stiffness"},
     {"BEAM SECTION", "solids alone have stiffness"},
     {"MEMBRANE SECTION", "solids alone have stiffness"},
@@ -106,26 +107,30 @@ namespace Signorini
     {"DAMPING", "inertia"},
     {"CONTACT DAMPING", "inertia"}};
 
+  /// No data lines belong to these, and to those below the ones that they have read.
+  const std::set<std::string, IgnoringBlanks> DeckReader::of_known_length = {
+    "CLEARANCE", "END PART", "END STEP", "MATERIAL", "PART", "SOLID SECTION"};
+
   /// What of these may have held bodies that nothing else holds.
-  const std::set<std::string> DeckReader::restraints = {"FRICTION",
-                                                        "CHANGE FRICTION",
-                                                        "EQUATION",
-                                                        "MPC",
-                                                        "COUPLING",
-                                                        "KINEMATIC",
-                                                        "RIGID BODY",
-                                                        "TIE",
-                                                        "SPRING",
-                                                        "MASS",
-                                                        "CONTACT DAMPING",
-                                                        "DAMPING",
-                                                        "DYNAMIC",
-                                                        "MODAL DYNAMIC",
-                                                        "SHELL SECTION",
-                                                        "BEAM SECTION",
-                                                        "MEMBRANE SECTION",
-                                                        "CYCLIC SYMMETRY MODEL",
-                                                        "PRE-TENSION SECTION"};
+  const std::set<std::string, IgnoringBlanks> DeckReader::restraints = {"FRICTION",
+                                                                        "CHANGE FRICTION",
+                                                                        "EQUATION",
+                                                                        "MPC",
+                                                                        "COUPLING",
+                                                                        "KINEMATIC",
+                                                                        "RIGID BODY",
+                                                                        "TIE",
+                                                                        "SPRING",
+                                                                        "MASS",
+                                                                        "CONTACT DAMPING",
+                                                                        "DAMPING",
+                                                                        "DYNAMIC",
+                                                                        "MODAL DYNAMIC",
+                                                                        "SHELL SECTION",
+                                                                        "BEAM SECTION",
+                                                                        "MEMBRANE SECTION",
+                                                                        "CYCLIC SYMMETRY MODEL",
+                                                                        "PRE-TENSION SECTION"};
 
 
 
@@ -140,6 +145,7 @@ namespace Signorini
   DeckModel
   DeckReader::read()
   {
+    leave_out_stray_lines("before the first keyword");
     while (in.next_keyword())
       {
         const auto found = registry.find(in.keyword());
@@ -150,6 +156,8 @@ namespace Signorini
             const auto why = not_modelled.find(in.keyword());
             leave_out(why == not_modelled.end() ? "not known here" : why->second);
           }
+        if (of_known_length.count(in.keyword()) > 0)
+          leave_out_stray_lines("that do not belong to *" + in.keyword());
       }
     return std::move(model);
   }
@@ -167,6 +175,15 @@ namespace Signorini
   {
     model.leave_out("*" + in.keyword() + " (" + why + ")", in.place());
     model.lacks_restraint |= restraints.count(in.keyword()) > 0;
+  }
+
+
+
+  void
+  DeckReader::leave_out_stray_lines(const std::string &which)
+  {
+    for (Words words; in.next_line(words);)
+      model.leave_out("data lines " + which, in.place(), "keyword");
   }
 
 
@@ -246,6 +263,93 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    /// K/mu with D = 0, as CalculiX takes it.
+    constexpr double nearly_incompressible = 20;
+
+    /// The words between commas that are parameters of *HYPERELASTIC by themselves, with the number
+    /// of coefficients that come before the first D.
+    struct StrainEnergy
+    {
+      std::string  name, law;
+      unsigned int n_coefficients, n_terms; ///< D has as many terms
+    };
+  } // namespace
+
+
+
+  // CalculiX and Abaqus: W = sum of C_ij (I1* - 3)^i (I2* - 3)^j, or of 2 mu_i/alpha_i^2
+  // (l1*^alpha_i
+  // + ... - 3), and (J - 1)^2/D1, by the stretches l* without the change of volume (CalculiX 2.20,
+  // 6.8.3). So K = 2/D1 and mu = 2 (C10 + C01), or the sum of the mu_i.
+  void
+  DeckReader::read_hyperelastic()
+  {
+    const unsigned int              n = in.has("N") ? number({in.value("N")}, 0) : 1;
+    const std::vector<StrainEnergy> energies{{"NEO HOOKE", "polynomial", 1, 1},
+                                             {"REDUCED POLYNOMIAL", "polynomial", n, n},
+                                             {"YEOH", "polynomial", 3, 3},
+                                             {"MOONEY-RIVLIN", "polynomial", 2, 1},
+                                             {"POLYNOMIAL", "polynomial", 2, n},
+                                             {"OGDEN", "Ogden", 2 * n, n}};
+    const auto found         = std::find_if(energies.begin(), energies.end(), [&](const auto &one) {
+      return in.has(one.name);
+    });
+    const bool is_polynomial = !in.has("OGDEN") && found != energies.end();
+    if (found == energies.end() || n == 0 || (is_polynomial && n > 3) ||
+        (found->name == "POLYNOMIAL" && n > 1))
+      {
+        leave_out("of which NEO HOOKE, MOONEY-RIVLIN, YEOH, REDUCED POLYNOMIAL with N up to 3, "
+                  "POLYNOMIAL with N=1 and OGDEN are there");
+        return;
+      }
+    Values      values;
+    std::size_t n_all = found->n_coefficients + found->n_terms;
+    for (Words words; values.size() < n_all && in.next_line(words);)
+      for (unsigned int i = 0; i < words.size() && values.size() < n_all; ++i)
+        values.push_back(number(words, i));
+    values.resize(n_all, 0.);
+    Words more;
+    if (in.next_line(more))
+      leave_out("its dependence on temperature; the first line counts");
+    const double D1 = values[found->n_coefficients];
+    if (std::any_of(values.begin() + found->n_coefficients + 1, values.end(), [](const double D) {
+          return D != 0;
+        }))
+      leave_out("its D2, D3, ...; changes of volume are as by D1");
+    values.resize(found->n_coefficients);
+
+    DeckModel::Material &one = model.materials[material];
+    one.law                  = found->law;
+    one.coefficients         = values;
+    double mu                = 0;
+    if (one.law == "Ogden")
+      for (unsigned int i = 0; i < values.size(); i += 2)
+        {
+          if (values[i + 1] == 0)
+            in.fail("*HYPERELASTIC, OGDEN: no alpha may be zero");
+          mu += values[i];
+          one.coefficients[i] = 2 * values[i] / values[i + 1];
+        }
+    else
+      {
+        if (found->n_coefficients != 2 || found->name == "REDUCED POLYNOMIAL")
+          one.coefficients.insert(one.coefficients.begin() + 1, 0.); // C01
+        one.coefficients.resize(4, 0.);
+        mu = 2 * (one.coefficients[0] + one.coefficients[1]);
+      }
+    if (!(mu > 0))
+      in.fail("*HYPERELASTIC: the shear modulus at rest is not positive");
+    const double K     = D1 > 0 ? 2 / D1 : nearly_incompressible * mu;
+    one.poissons_ratio = (3 * K - 2 * mu) / (2 * (3 * K + mu));
+    one.youngs_modulus = 2 * mu * (1 + *one.poissons_ratio);
+    if (one.law == "Ogden")
+      leave_out("OGDEN has (ln J)^2 here for (J - 1)^2, and stretches with the change of volume");
+  }
+
+
+
   void
   DeckReader::read_density()
   {
@@ -284,7 +388,13 @@ namespace Signorini
       instances = model.deck.instances_of[part];
     const std::string of = in.value("ELSET");
     for (const std::string &instance : instances)
-      model.deck.elements.append(in, of, section.elements, instance);
+      {
+        model.deck.elements.append(in, of, section.elements, instance);
+        const AbaqusSet *set =
+          model.deck.elements.find(instance.empty() ? of : instance + "." + of);
+        if (set)
+          section.sets.push_back(set->name);
+      }
     if (in.has("ORIENTATION"))
       leave_out("its ORIENTATION");
     Words words;
@@ -327,7 +437,7 @@ namespace Signorini
     in_step     = true;
     step_counts = !in.has("PERTURBATION");
     if (in.has("NLGEOM") && upper_case(in.value("NLGEOM")) != "NO")
-      model.leave_out("*STEP, NLGEOM (strains and rotations are small)", in.place());
+      model.nlgeom = model.nlgeom.empty() ? in.place() : model.nlgeom;
     if (in.has("PERTURBATION"))
       model.leave_out("*STEP, PERTURBATION (the whole step)", in.place());
     if (step_counts)
@@ -425,18 +535,38 @@ namespace Signorini
   void
   DeckReader::read_pairs()
   {
+    std::optional<double> closed_up_to;
     if (in.has("ADJUST"))
-      leave_out("its ADJUST; gaps are those of the mesh");
+      {
+        const std::string set = in.value("ADJUST");
+        if (model.deck.nodes.find(set))
+          leave_out("its ADJUST of a set of nodes; gaps are those of the mesh");
+        else
+          closed_up_to = std::max(0., number({set}, 0));
+      }
     if (in.has("TIED"))
       leave_out_tie();
     for (Words words; in.next_line(words);)
       if (words.size() < 2 || words[1].empty())
         leave_out("of one surface with itself: " + words[0]);
       else
-        model.pairs.push_back(
-          {words[0], words[1], in.has("TIED") ? "\"TIED" : upper_case(in.value("INTERACTION"))});
+        model.pairs.push_back({words[0],
+                               words[1],
+                               in.has("TIED") ? "\"TIED" : upper_case(in.value("INTERACTION")),
+                               closed_up_to});
     if (in.has("TIED"))
       model.interactions["\"TIED"].kind = DeckModel::Interaction::Kind::tied;
+  }
+
+
+
+  void
+  DeckReader::read_clearance()
+  {
+    model.clearances.push_back(
+      {in.value("SLAVE"), in.value("MASTER"), number({in.value("VALUE")}, 0)});
+    if (!in.has("VALUE"))
+      in.fail("*CLEARANCE needs VALUE=gap");
   }
 
 

@@ -42,6 +42,19 @@ namespace Signorini
 
 
     std::string
+    indented(const std::string &lines, const std::string &by)
+    {
+      std::istringstream in(lines);
+      std::string        result;
+      for (std::string line; std::getline(in, line);)
+        if (!line.empty())
+          result += by + line + "\n";
+      return result;
+    }
+
+
+
+    std::string
     section(const std::string &title, const std::vector<SceneItem> &items)
     {
       if (items.empty())
@@ -51,23 +64,33 @@ namespace Signorini
       for (const SceneItem &item : items)
         {
           names.push_back(item.name);
-          body += "  subsection " + item.name + "\n" + keys_of(item, "    ") + "  end\n";
+          body += "  subsection " + item.name + "\n" + keys_of(item, "    ") +
+                  indented(item.within, "    ") + "  end\n";
         }
       return "\nsubsection " + title + "\n  set Names = " + join(names) + "\n" + body + "end\n";
     }
 
 
 
-    /// By the types of the plane elements.
+    /// By the types of the plane elements. Throws SceneError where they differ.
     std::string
-    model_of_types(const DeckModel &model)
+    model_of_types(const DeckModel &model, const std::string &file)
     {
+      static const std::vector<std::pair<std::string, std::string>> models = {
+        {"CAX", "axisymmetric"}, {"CPS", "plane stress"}, {"CPE", "plane strain"}};
+      std::string result, type;
       for (const auto &element : model.deck.mesh.elements)
-        for (const auto &[start, name] :
-             {std::pair<std::string, std::string>{"CAX", "axisymmetric"}, {"CPS", "plane stress"}})
+        for (const auto &[start, name] : models)
           if (element.type.compare(0, start.size(), start) == 0)
-            return name;
-      return "plane strain";
+            {
+              if (!result.empty() && result != name)
+                throw SceneError("'" + file + "': has elements of " + result + " (" + type +
+                                 ") and of " + name + " (" + element.type +
+                                 "); a scene has one Model for all bodies");
+              result = name;
+              type   = element.type;
+            }
+      return result.empty() ? "plane strain" : result;
     }
   } // namespace
 
@@ -93,8 +116,100 @@ namespace Signorini
                        "families C3D, CPE, CPS, CAX");
     dim = has_solids ? 3 : 2;
     if (dim == 2)
-      kind = model_of_types(model);
+      kind = model_of_types(model, file);
+    check_plane();
+    leave_out_other_elements();
     make_bodies();
+    is_finite = becomes_finite();
+  }
+
+
+
+  /// Supports and loads of plane elements are along x and y.
+  void
+  SceneWriter::check_plane() const
+  {
+    const MeshFile &mesh = model.deck.mesh;
+    if (dim == 2)
+      for (const auto &element : mesh.elements)
+        if (dimension_of(element.shape) == 2)
+          for (const unsigned int node : element.nodes)
+            if (std::abs(mesh.nodes[node][2] - mesh.nodes[element.nodes[0]][2]) >
+                1e-10 * mesh.nodes[node].norm())
+              throw SceneError("'" + file + "': element " + std::to_string(element.number) + " (" +
+                               element.type + ") does not lie in the plane of x and y");
+  }
+
+
+
+  /// Those of sections that are no solids here.
+  void
+  SceneWriter::leave_out_other_elements()
+  {
+    std::set<unsigned int> others;
+    for (const auto &section : model.sections)
+      for (const unsigned int e : section.elements)
+        if (dimension_of(model.deck.mesh.elements[e].shape) < dim)
+          others.insert(e);
+    std::map<std::string, unsigned int> n;
+    for (const unsigned int e : others)
+      ++n[model.deck.mesh.elements[e].type];
+    for (const auto &[type, count] : n)
+      model.leave_out(std::to_string(count) + " elements of type " + type +
+                        " (beside solids they have no stiffness)",
+                      "*SOLID SECTION",
+                      "body");
+  }
+
+
+
+  /// If the deck asks for it, and the program has it.
+  bool
+  SceneWriter::becomes_finite()
+  {
+    bool is_wanted = !model.nlgeom.empty(), is_warm = false;
+    for (const Body &body : all)
+      {
+        is_wanted |= !model.materials.at(body.material).law.empty();
+        for (const MaterialOfCells &one : body.others)
+          is_wanted |= !model.materials.at(one.material).law.empty();
+        is_warm |= !body.temperature.empty();
+      }
+    const bool        has_pressure = kind == "plane stress" && !model.pressures.empty();
+    const std::string why          = is_warm      ? "thermal expansion" :
+                                     has_pressure ? "pressures on edges of plane stress" :
+                                                    "";
+    if (is_wanted && !why.empty())
+      model.leave_out("*STEP, NLGEOM (strains and rotations are small, as " + why + " needs it)",
+                      model.nlgeom);
+    return is_wanted && why.empty();
+  }
+
+
+
+  /// Linear ones of large deformation as CalculiX has them, by the strain of Green, or in decks of
+  /// parts, which are of Abaqus, by logarithmic strain.
+  std::vector<std::pair<std::string, std::string>>
+  SceneWriter::material_keys(const DeckModel::Material &material) const
+  {
+    std::vector<std::pair<std::string, std::string>> keys;
+    if (!material.law.empty())
+      {
+        std::vector<std::string> numbers;
+        for (const double c : material.coefficients)
+          numbers.push_back(text(c));
+        keys.emplace_back("Law", material.law);
+        keys.emplace_back("Coefficients", join(numbers));
+      }
+    else
+      {
+        if (is_finite)
+          keys.emplace_back("Law",
+                            model.deck.instances_of.empty() ? "Saint Venant-Kirchhoff" : "Hencky");
+        keys.emplace_back("Young's modulus", text(*material.youngs_modulus));
+      }
+    keys.emplace_back("Poisson's ratio", text(*material.poissons_ratio));
+    return keys;
   }
 
 
@@ -107,10 +222,10 @@ namespace Signorini
       {
         const auto &material = model.materials.at(body.material);
         SceneItem   item{body.name, {{"Mesh", "file"}, {"File", file}}};
-        if (all.size() > 1)
+        if (n_pieces > 1)
           item.keys.emplace_back("Part", body.part);
-        item.keys.emplace_back("Young's modulus", text(*material.youngs_modulus));
-        item.keys.emplace_back("Poisson's ratio", text(*material.poissons_ratio));
+        for (const auto &key : material_keys(material))
+          item.keys.push_back(key);
         if (body.is_quadratic)
           item.keys.emplace_back("Degree", "2");
         for (const auto &[key, sets] : {std::pair{"Node sets", body.node_sets},
@@ -120,11 +235,24 @@ namespace Signorini
             item.keys.emplace_back(key, join(sets, "; "));
         if (!body.temperature.empty())
           {
-            item.keys.emplace_back("Thermal expansion", text(*material.expansion));
+            item.keys.emplace_back("Thermal expansion", text(material.expansion.value_or(0)));
             item.keys.emplace_back("Temperature",
                                    formula(model.history(body.temperature, true).points));
             item.keys.emplace_back("Reference temperature", text(body.initial_temperature));
           }
+        std::vector<SceneItem> others;
+        SetNames               names;
+        for (const MaterialOfCells &one : body.others)
+          {
+            const auto &other = model.materials.at(one.material);
+            others.push_back({names.unlike(as_name(other.name)), {{"Cells", one.cells}}});
+            for (const auto &key : material_keys(other))
+              others.back().keys.push_back(key);
+            if (!body.temperature.empty())
+              others.back().keys.emplace_back("Thermal expansion",
+                                              text(other.expansion.value_or(0)));
+          }
+        item.within = section("Materials", others);
         items.push_back(item);
       }
     return section("Bodies", items);
@@ -209,6 +337,20 @@ namespace Signorini
 
 
 
+  /// Nodes that nothing is on may be held by nothing, but not moved or loaded.
+  std::string
+  SceneWriter::kind_at_no_solid(const MemberGroup &group, const std::string &what)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (group.histories[d] != MemberGroup::free)
+        for (const auto &[t, y] : history(group.histories[d]).points)
+          if (y != 0)
+            return what == "*CLOAD" ? "load" : "motion";
+    return "model";
+  }
+
+
+
   /// "BODY.SET, ..." of all bodies with nodes of the group; empty if there are none.
   std::string
   SceneWriter::nodes_of(const MemberGroup &group,
@@ -247,7 +389,8 @@ namespace Signorini
     if (!homeless.empty())
       model.leave_out(what + " at " + std::to_string(homeless.size()) + " nodes of " + target +
                         " that are on no solid",
-                      "");
+                      "",
+                      kind_at_no_solid(group, what));
     return join(result);
   }
 
@@ -359,7 +502,9 @@ namespace Signorini
         if (upper_case(boundary) == upper_case(surface) && of_faces.count(boundary) > 0)
           result.push_back(body.name + "." + boundary);
     if (result.empty())
-      model.leave_out(what + " on '" + surface + "', which has no whole face of a solid", "");
+      model.leave_out(what + " on '" + surface + "', which has no whole face of a solid",
+                      "",
+                      what == "a pressure" ? "load" : "pair");
     return join(result);
   }
 
@@ -480,7 +625,7 @@ namespace Signorini
       if (const auto found = n_cells.find(face); found != n_cells.end() && found->second > 1)
         ++n;
     if (n > 0)
-      model.leave_out("pressures on " + std::to_string(n) + " faces inside of bodies", "");
+      model.leave_out("pressures on " + std::to_string(n) + " faces inside of bodies", "", "load");
   }
 
 
@@ -598,7 +743,9 @@ namespace Signorini
           {
             if (density == 0)
               {
-                model.leave_out("gravity on " + load.name + ", whose material has no *DENSITY", "");
+                model.leave_out("gravity on " + load.name + ", whose material has no *DENSITY",
+                                "",
+                                "load");
                 continue;
               }
             const std::string where = cells_of(elements, load.name);
@@ -637,6 +784,17 @@ namespace Signorini
                                {{"Slave", slave}, {"Master", master}}});
               if (stays)
                 items.back().keys.emplace_back("Separates", "no");
+              const auto clearance =
+                std::find_if(model.clearances.begin(),
+                             model.clearances.end(),
+                             [&](const auto &one) {
+                               return upper_case(one.slave) == upper_case(pair.slave) &&
+                                      upper_case(one.master) == upper_case(pair.master);
+                             });
+              if (clearance != model.clearances.end())
+                items.back().keys.emplace_back("Initial gap", text(clearance->value));
+              else if (pair.closed_up_to)
+                items.back().keys.emplace_back("Closed up to", text(*pair.closed_up_to));
             }
       }
     return section("Contact pairs", items);
@@ -675,7 +833,8 @@ namespace Signorini
           has_hard |= one.kind == Kind::hard;
           if (one.kind == Kind::linear && stiffness > 0 && one.stiffness != stiffness)
             model.leave_out("different slopes of *SURFACE BEHAVIOR (the largest counts for all)",
-                            "");
+                            "",
+                            "model");
           if (one.kind == Kind::linear)
             stiffness = std::max(stiffness, one.stiffness);
         }
@@ -683,7 +842,9 @@ namespace Signorini
       return "";
     if (has_hard)
       {
-        model.leave_out("the slope of linear contact beside a hard one (all contact is hard)", "");
+        model.leave_out("the slope of linear contact beside a hard one (all contact is hard)",
+                        "",
+                        "model");
         return "";
       }
     return "\nsubsection Contact method\n  set Method = penalty\n  subsection penalty\n    set "
@@ -696,25 +857,30 @@ namespace Signorini
   std::string
   SceneWriter::free_motions() const
   {
-    return model.lacks_restraint ?
-             "\nsubsection Newton\n  # What was left out may have held bodies. Look at the forces "
-             "that this takes.\n  set Undetermined motions = hold\nend\n" :
-             "";
+    return std::string("\nsubsection Newton\n  # ") +
+           (model.lacks_restraint ?
+              "What was left out may have held bodies. Look at the forces that this takes." :
+              "Motions that nothing stops are held, as CalculiX does; the run tells which.") +
+           "\n  set Undetermined motions = hold\nend\n";
   }
 
 
 
+  // Without what the scene file has a meaning for.
   std::vector<std::string>
   SceneWriter::left_out() const
   {
     std::vector<std::string> lines;
-    for (const auto &[what, places] : model.left_out)
+    for (const auto &[kind, what, places] : model.left_out)
       {
-        std::string line = "left out: " + what;
+        std::string line = kind + ": " + what;
         if (!places[0].empty())
           line += ": " + places[0];
         if (places.size() > 1)
           line += " and " + std::to_string(places.size() - 1) + " more";
+        std::replace(line.begin(), line.end(), ';', ',');
+        std::replace_if(
+          line.begin(), line.end(), [](const char c) { return c == '#' || c == '\\'; }, ' ');
         lines.push_back(line);
       }
     return lines;
@@ -768,13 +934,15 @@ namespace Signorini
     limit_bends();
     leave_out_ways_of_late_supports();
     const std::string body = bodies() + what_acts + pairs() + method() + steps() + free_motions();
-    scene << "# Made of " << file << "\n";
-    for (const std::string &line : left_out())
-      scene << "# " << line << "\n";
-    scene << "set Dimension = " << dim << "\n";
+    scene << "# Made of " << file << "\nset Dimension = " << dim << "\n";
     if (dim == 2)
       scene << "set Model     = " << kind << "\n";
-    scene << "set Title     = " << std::filesystem::path(file).stem().string() << "\n" << body;
+    if (is_finite)
+      scene << "set Deformation = finite\n";
+    scene << "set Title     = " << std::filesystem::path(file).stem().string() << "\n";
+    if (const auto lines = left_out(); !lines.empty())
+      scene << "set Left out  = \\\n  " << join(lines, "; \\\n  ") << "\n";
+    scene << body;
   }
 
 
@@ -785,6 +953,6 @@ namespace Signorini
     SceneWriter writer(read_deck_model(file), file);
     writer.write(out);
     for (const std::string &line : writer.left_out())
-      messages << "warning: " << file << ": " << line << "\n";
+      messages << "warning: " << file << ": left out: " << line << "\n";
   }
 } // namespace Signorini

@@ -48,7 +48,7 @@ namespace Signorini
           cell->get_dof_values(next, values);
           const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
           if (!kernel.tangents(cell, law, values, points))
-            return elasticity.mesh().body_name(cell->material_id());
+            return elasticity.mesh().body_name(elasticity.mesh().body(cell));
           CellTangents &tangents = space.cells[cell->active_fe_index()].tangents;
           tangents.insert(tangents.end(), points.begin(), points.end());
         }

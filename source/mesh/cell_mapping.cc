@@ -7,9 +7,10 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  CellMapping<dim>::CellMapping(const unsigned int degree, std::vector<unsigned int> degree_of_body)
+  CellMapping<dim>::CellMapping(const unsigned int        degree,
+                                std::vector<unsigned int> degree_of_material)
     : MappingQ<dim>(degree)
-    , degree_of_body(std::move(degree_of_body))
+    , degree_of_material(std::move(degree_of_material))
     , unit_nodes(FE_Q<dim>(degree).get_unit_support_points())
   {}
 
@@ -29,7 +30,7 @@ namespace Signorini
   CellMapping<dim>::compute_mapping_support_points(
     const typename Triangulation<dim>::cell_iterator &cell) const
   {
-    if (degree_of_body.at(cell->material_id()) == this->get_degree())
+    if (degree_of_material.at(cell->material_id()) == this->get_degree())
       return MappingQ<dim>::compute_mapping_support_points(cell);
     std::vector<Point<dim>> points(unit_nodes.size());
     for (unsigned int i = 0; i < points.size(); ++i)

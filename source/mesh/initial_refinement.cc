@@ -92,7 +92,7 @@ namespace Signorini
                  *std::max_element(times.begin(), times.end()),
                  children,
                  [&](const auto &cell, const unsigned int left) {
-                   return times[cell->material_id()] >= left;
+                   return times[body(cell)] >= left;
                  });
 
     BoundaryIds surfaces;
@@ -112,7 +112,7 @@ namespace Signorini
       refine_where(triangulation, zone.times, 1, [&](const auto &cell, auto) {
         return touches<dim>(zone, cell) &&
                (zone.bodies.empty() ||
-                std::count(zone.bodies.begin(), zone.bodies.end(), names[cell->material_id()]));
+                std::count(zone.bodies.begin(), zone.bodies.end(), names[body(cell)]));
       });
   }
 

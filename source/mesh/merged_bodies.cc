@@ -59,6 +59,25 @@ namespace Signorini
 
 
 
+  /// Those of the next body.
+  template <int dim>
+  void
+  Mesh<dim>::number_materials(std::vector<CellData<dim>> &cells, const BodyMesh<dim> &body)
+  {
+    own_materials.push_back(n_materials());
+    bodies_of_materials.push_back(names.size());
+    for (CellData<dim> &cell : cells)
+      cell.material_id = own_materials.back();
+    for (const std::string &set : body.cells_of_materials)
+      {
+        for (const unsigned int c : body.generator->cell_set(set))
+          cells[c].material_id = n_materials();
+        bodies_of_materials.push_back(names.size());
+      }
+  }
+
+
+
   template <int dim>
   CoarseMesh<dim>
   Mesh<dim>::merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies,
@@ -94,8 +113,7 @@ namespace Signorini
         n_ids += one.n_boundary_ids();
         first_cells.push_back(all.cells.size());
         generators.push_back(body.generator);
-        for (CellData<dim> &cell : one.cells)
-          cell.material_id = names.size();
+        number_materials(one.cells, body);
 
         append(all.vertices, one.vertices);
         append(all.cells, one.cells);
@@ -130,8 +148,9 @@ namespace Signorini
         const Point<dim> &first = coarse.vertices[coarse.cells[c].vertices[0]];
         if (piece_of_coarse_cell[c] == my_pieces.size())
           {
-            my_pieces.push_back(
-              {coarse.cells[c].material_id, "", BoundingBox<dim>({first, first})});
+            my_pieces.push_back({bodies_of_materials[coarse.cells[c].material_id],
+                                 "",
+                                 BoundingBox<dim>({first, first})});
             ++of_body[my_pieces.back().body];
           }
         for (const unsigned int v : coarse.cells[c].vertices)

@@ -99,8 +99,11 @@ namespace Signorini
   void
   Mesh<dim>::map_cells()
   {
-    degree      = *std::max_element(degree_of_body.begin(), degree_of_body.end());
-    my_mappings = hp::MappingCollection<dim>(CellMapping<dim>(degree, degree_of_body));
+    degree = *std::max_element(degree_of_body.begin(), degree_of_body.end());
+    std::vector<unsigned int> by_material;
+    for (const unsigned int body : bodies_of_materials)
+      by_material.push_back(degree_of_body[body]);
+    my_mappings = hp::MappingCollection<dim>(CellMapping<dim>(degree, by_material));
   }
 
 
@@ -318,7 +321,7 @@ namespace Signorini
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
           {
-            of_bodies[cell->material_id()].add(cell->vertex(v));
+            of_bodies[body(cell)].add(cell->vertex(v));
             of_all.add(cell->vertex(v));
           }
     for (const Extent<dim> &one : of_bodies)

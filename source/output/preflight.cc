@@ -122,7 +122,8 @@ namespace Signorini
     {
       const ThermalExpansion<dim> &expansion = scene.bodies[body].expansion;
       const double                 end       = scene.load_steps.ends().back();
-      const auto [lowest, highest]           = elasticity.thermal().range(body, end);
+      const auto [lowest, highest] =
+        elasticity.thermal().range(elasticity.mesh().own_material(body), end);
       return {{"expansion", expansion.coefficients},
               {"reference", expansion.reference},
               {"from", lowest},
@@ -137,7 +138,7 @@ namespace Signorini
       std::vector<unsigned long> cells(mesh.n_bodies());
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned())
-          ++cells[cell->material_id()];
+          ++cells[mesh.body(cell)];
       Utilities::MPI::sum(cells, mesh.communicator(), cells);
       const Boundaries<dim> boundaries(elasticity);
       Json                  result = Json::object();

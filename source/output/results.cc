@@ -265,8 +265,8 @@ namespace Signorini
     {
       const Mesh<dim> &mesh     = s.elasticity.mesh();
       double           stiffest = 0;
-      for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
-        stiffest = std::max(stiffest, s.elasticity.material(body).youngs_modulus);
+      for (const Material &material : s.elasticity.all_materials())
+        stiffest = std::max(stiffest, material.youngs_modulus);
       const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
       return 10 * tolerance * stiffest * s.displacement.linfty_norm() *
              (is_plane ? 1. : mesh.size());

@@ -140,12 +140,13 @@ namespace Signorini
 
     template <int dim>
     Vector<float>
-    body_of_cells(const Triangulation<dim> &triangulation)
+    body_of_cells(const Mesh<dim> &mesh)
     {
+      const auto   &triangulation = mesh.triangulation();
       Vector<float> bodies(triangulation.n_active_cells());
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
-          bodies[cell->active_cell_index()] = cell->material_id();
+          bodies[cell->active_cell_index()] = mesh.body(cell);
       return bodies;
     }
   } // namespace
@@ -160,7 +161,7 @@ namespace Signorini
     const auto                    &triangulation = elasticity.mesh().triangulation();
     const LA::Vector               displacement  = elasticity.with_ghosts(snapshot.displacement);
     const StressPostprocessor<dim> stresses(elasticity);
-    const Vector<float>            bodies = body_of_cells<dim>(triangulation);
+    const Vector<float>            bodies = body_of_cells(elasticity.mesh());
     Vector<float>                  subdomain(triangulation.n_active_cells());
     subdomain = triangulation.locally_owned_subdomain();
 

@@ -128,7 +128,8 @@ namespace Signorini
     const double                  size    = bounds.first.distance(bounds.second);
     double                        softest = std::numeric_limits<double>::max(), motion = 0;
     for (const Body<dim> &body : scene.bodies)
-      softest = std::min(softest, body.material.youngs_modulus);
+      for (const Material *material : body.materials())
+        softest = std::min(softest, material->youngs_modulus);
     for (const double t : scene.load_steps.ends())
       motion = std::max(motion,
                         prescribed_motion(scene, points, extent, t) +

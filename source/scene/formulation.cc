@@ -11,21 +11,47 @@ namespace Signorini
     /// What keeps a body from being mixed, and the cure; empty: nothing.
     template <int dim>
     std::string
-    obstacle_to_mixed(const Scene<dim> &scene, const Body<dim> &body, const bool has_degree)
+    obstacle_to_mixed(const Scene<dim> &scene,
+                      const Body<dim>  &body,
+                      const Material   &material,
+                      const bool        has_degree)
     {
       if (model_of(scene.model) == Model::plane_stress)
         return "a sheet, with Model = plane stress, is free to become thinner: it is for "
                "displacement";
       if (body.degree == 1 || (body.degree == 0 && has_degree && scene.degree == 1))
         return "degree 1 has no stable bulk stress; set Degree = 2";
-      if (!(body.material.poissons_ratio > 0))
+      if (!(material.poissons_ratio > 0))
         return "needs a Poisson's ratio above 0";
-      if (scene.deformation != Deformation::small && body.material.law == "Saint Venant-Kirchhoff")
+      if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
         return "Law = Saint Venant-Kirchhoff has no volumetric part; take neo-Hooke";
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())
         return "errors of the bulk stress are not estimated; take Accuracy/Quantity and Target "
                "error out";
       return {};
+    }
+
+    /// One of the materials of a body. @param place in the scene
+    template <int dim>
+    void
+    choose_formulation(Scene<dim>        &scene,
+                       Body<dim>         &body,
+                       Material          &material,
+                       const std::string &place,
+                       const bool         has_degree)
+    {
+      const std::string obstacle = obstacle_to_mixed(scene, body, material, has_degree);
+      if (material.formulation == Formulation::mixed && !obstacle.empty())
+        throw SceneError(place + "/Formulation = mixed: " + obstacle);
+      material.is_mixed = material.formulation == Formulation::mixed ||
+                          (material.formulation == Formulation::automatic &&
+                           material.poissons_ratio >= nearly_incompressible && obstacle.empty());
+      if (!material.is_mixed && material.poissons_ratio == 0.5)
+        throw SceneError(place + "/Poisson's ratio = 0.5 is for Formulation = mixed" +
+                         (obstacle.empty() ? "" : ", but " + obstacle) +
+                         "; or take a Poisson's ratio below 0.5");
+      if (material.is_mixed && body.degree == 0 && (!has_degree || scene.degree == 0))
+        body.degree = 2;
     }
   } // namespace
 
@@ -37,20 +63,11 @@ namespace Signorini
   {
     for (Body<dim> &body : scene.bodies)
       {
-        Material         &material = body.material;
-        const std::string obstacle = obstacle_to_mixed(scene, body, has_degree),
-                          place    = "Bodies/" + body.name;
-        if (material.formulation == Formulation::mixed && !obstacle.empty())
-          throw SceneError(place + "/Formulation = mixed: " + obstacle);
-        material.is_mixed = material.formulation == Formulation::mixed ||
-                            (material.formulation == Formulation::automatic &&
-                             material.poissons_ratio >= nearly_incompressible && obstacle.empty());
-        if (!material.is_mixed && material.poissons_ratio == 0.5)
-          throw SceneError(place + "/Poisson's ratio = 0.5 is for Formulation = mixed" +
-                           (obstacle.empty() ? "" : ", but " + obstacle) +
-                           "; or take a Poisson's ratio below 0.5");
-        if (material.is_mixed && body.degree == 0 && (!has_degree || scene.degree == 0))
-          body.degree = 2;
+        const std::string place = "Bodies/" + body.name;
+        choose_formulation(scene, body, body.material, place, has_degree);
+        for (MaterialOfCells &one : body.others)
+          choose_formulation(
+            scene, body, one.material, place + "/Materials/" + one.name, has_degree);
       }
   }
 

@@ -3,6 +3,7 @@
 #include <signorini/parameters/text.h>
 #include <signorini/scene/descriptions.h>
 #include <signorini/scene/formulation.h>
+#include <signorini/scene/left_out.h>
 #include <signorini/scene/scene.h>
 
 #include <algorithm>
@@ -10,6 +11,23 @@
 namespace Signorini
 {
   using namespace dealii;
+
+  void
+  MaterialOfCells::declare(Section &section)
+  {
+    section.add_required("Cells", cells, "name in the mesh file of the set of cells");
+    material.declare(section);
+    section.add("Thermal expansion",
+                expansion,
+                "alpha, one number, or three along x, y, z; empty: that of the body, whose "
+                "temperature it is [1/temperature]");
+    place = section.place_of("Cells");
+    if (section.reading() && expansion.size() != 0 && expansion.size() != 1 &&
+        expansion.size() != 3)
+      section.fail("Thermal expansion", "needs one number, or three along x, y, z");
+  }
+
+
 
   template <int dim>
   void
@@ -22,6 +40,45 @@ namespace Signorini
                 Range{0, 2});
     material.declare(section);
     expansion.declare(section, !mesh.generator->temperature().empty());
+    section.add_named("Materials",
+                      others,
+                      "Of sets of cells of a Mesh = file, instead of that of the body.");
+    mesh.cells_of_materials.clear();
+    for (const MaterialOfCells &one : others)
+      {
+        const std::vector<std::string> sets = mesh.generator->cell_sets();
+        if (section.reading() && std::find(sets.begin(), sets.end(), one.cells) == sets.end())
+          throw SceneError(one.place + ": there is no such set of cells; there are: " + join(sets));
+        if (!one.expansion.empty() && !expansion.given())
+          section.fail("Thermal expansion",
+                       "is needed where one of the Materials has one: 0, if the rest of the body "
+                       "does not expand");
+        mesh.cells_of_materials.push_back(one.cells);
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<Material *>
+  Body<dim>::materials()
+  {
+    std::vector<Material *> result{&material};
+    for (MaterialOfCells &one : others)
+      result.push_back(&one.material);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<const Material *>
+  Body<dim>::materials() const
+  {
+    std::vector<const Material *> result{&material};
+    for (const MaterialOfCells &one : others)
+      result.push_back(&one.material);
+    return result;
   }
 
 
@@ -54,6 +111,14 @@ namespace Signorini
       "that is smaller",
       Range{0, 1, false});
     section.add("Title", title, "");
+    section.add(
+      "Left out",
+      left_out,
+      "what an import could not say, separated by ;   each KIND: what, where. It is printed; that a load, "
+      "support, motion, pair or body is left out is a warning of the verdict, and a failure if nothing acts "
+      "without it");
+    if (section.reading())
+      left_out_of(left_out);
 
     section.add_definitions("Definitions",
                             definitions,
@@ -148,7 +213,8 @@ namespace Signorini
   {
     deformation = Deformation::finite;
     for (Body<dim> &body : bodies)
-      body.material.energy = law_of(body.material).make(body.material);
+      for (Material *material : body.materials())
+        material->energy = law_of(*material).make(*material);
   }
 
 

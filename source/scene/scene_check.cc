@@ -58,14 +58,15 @@ namespace Signorini
     void
     check_contrast(const std::vector<Body<dim>> &bodies)
     {
-      constexpr double largest   = 1e8;
-      const auto       is_softer = [](const Body<dim> &a, const Body<dim> &b) {
-        return a.material.youngs_modulus < b.material.youngs_modulus;
-      };
-      const auto [soft, stiff] = std::minmax_element(bodies.begin(), bodies.end(), is_softer);
-      if (stiff->material.youngs_modulus > largest * soft->material.youngs_modulus)
-        throw SceneError("Bodies/" + stiff->name +
-                         "/Young's modulus: more than 1e8 times that of '" + soft->name +
+      constexpr double                            largest = 1e8;
+      std::vector<std::pair<double, std::string>> moduli;
+      for (const Body<dim> &body : bodies)
+        for (const Material *material : body.materials())
+          moduli.emplace_back(material->youngs_modulus, body.name);
+      const auto [soft, stiff] = std::minmax_element(moduli.begin(), moduli.end());
+      if (stiff->first > largest * soft->first)
+        throw SceneError("Bodies/" + stiff->second +
+                         "/Young's modulus: more than 1e8 times that of '" + soft->second +
                          "', beyond what rounding allows; take an obstacle for a rigid body");
     }
 
@@ -124,8 +125,9 @@ namespace Signorini
     check_self(const ContactPair<dim> &pair)
     {
       const std::string place = pair.master_place + ": a surface that touches itself ";
-      if (pair.gap_is_given())
-        throw SceneError(place + "has the gaps of its geometry; take Initial gap out");
+      if (pair.gap_is_given() || pair.closed_up_to >= 0)
+        throw SceneError(place +
+                         "has the gaps of its geometry; take Initial gap out, and Closed up to");
       if (!pair.separates)
         throw SceneError(place + "may separate from itself; take Separates out");
     }

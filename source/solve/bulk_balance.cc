@@ -5,6 +5,8 @@
 #include <signorini/solve/bulk_balance.h>
 #include <signorini/solve/folded_cells.h>
 
+#include <set>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -79,7 +81,7 @@ namespace Signorini
     std::string folded;
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && elasticity.bulk_stress().is_on(*cell) && visit(cell))
-        folded = elasticity.mesh().body_name(cell->material_id());
+        folded = elasticity.mesh().body_name(elasticity.mesh().body(cell));
     check_folds(folded, elasticity.mesh().communicator());
   }
 
@@ -168,14 +170,17 @@ namespace Signorini
   {
     constexpr double       rounding = 1e-10;
     const BulkStress<dim> &bulk     = elasticity.bulk_stress();
-    for (unsigned int body = 0; body < elasticity.mesh().n_bodies(); ++body)
+    const Mesh<dim>       &mesh     = elasticity.mesh();
+    std::set<unsigned int> incompressible;
+    for (unsigned int id = 0; id < mesh.n_materials(); ++id)
+      if (elasticity.material(id).is_mixed && elasticity.material(id).bulk_compliance() == 0)
+        incompressible.insert(mesh.body_of_material(id));
+    for (const unsigned int body : incompressible)
       {
-        if (!elasticity.material(body).is_mixed || elasticity.material(body).bulk_compliance() > 0)
-          continue;
         LA::Vector constant = bulk.zero_vector(), rough = constant;
         for_cells([&](const Cell &cell) {
           const auto &indices = bulk.indices(*cell);
-          if (cell->material_id() == body)
+          if (mesh.body(cell) == body)
             {
               // The first function of a cell is constant.
               constant(indices[0]) = 1 / bulk.functions(*cell, cell->center())[0];
@@ -190,7 +195,7 @@ namespace Signorini
         my_coupling.B.Tvmult(of_rough, rough);
         if (of_constant.linfty_norm() <= rounding * of_rough.linfty_norm())
           throw SceneError(
-            "Bodies/" + elasticity.mesh().body_name(body) +
+            "Bodies/" + mesh.body_name(body) +
             "/Poisson's ratio = 0.5: supports hold the whole surface, so that nothing "
             "determines the pressure inside; leave a part free, or take 0.4999");
       }

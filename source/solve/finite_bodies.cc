@@ -86,7 +86,7 @@ namespace Signorini
       cell->get_dof_values(at, values);
       if (!kernel.assemble(cell, law, values, of_cell, extends ? &tangent : nullptr))
         {
-          folded = elasticity.mesh().body_name(cell->material_id());
+          folded = elasticity.mesh().body_name(elasticity.mesh().body(cell));
           return;
         }
       const bool pushes = pressures.assemble(cell, values, push, extends ? &of_push : nullptr);

@@ -45,7 +45,7 @@ namespace Signorini
               const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
               if (!kernel.assemble(cell, law, values, of_cell, &tangent))
                 {
-                  folded = elasticity.mesh().body_name(cell->material_id());
+                  folded = elasticity.mesh().body_name(elasticity.mesh().body(cell));
                   break;
                 }
               if (pressures.assemble(cell, values, push, &of_push))

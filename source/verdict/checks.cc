@@ -116,9 +116,10 @@ namespace Signorini
     elastic_force(const Snapshot<dim> &s, const std::vector<Extremes> &extremes)
     {
       double stress = 0;
-      for (unsigned int body = 0; body < extremes.size(); ++body)
-        stress =
-          std::max(stress, s.elasticity.material(body).youngs_modulus * extremes[body].gradient);
+      for (unsigned int id = 0; id < s.elasticity.all_materials().size(); ++id)
+        stress = std::max(stress,
+                          s.elasticity.material(id).youngs_modulus *
+                            extremes[s.elasticity.mesh().body_of_material(id)].gradient);
       const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
       return stress * std::pow(s.elasticity.mesh().size(), is_plane ? 1 : 2);
     }
@@ -147,6 +148,7 @@ namespace Signorini
                              check_pairs(scene, now, extremes),
                              check_loads(scene, now),
                              check_coordinates(now, extremes),
+                             check_left_out(scene, now, extremes, largest_force),
                              check_balance(results, scale, small)})
       all.insert(all.end(), some.begin(), some.end());
     if (now.elasticity.is_finite())

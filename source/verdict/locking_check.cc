@@ -90,7 +90,7 @@ namespace Signorini
           volume.resize(values.n_quadrature_points);
           values[displacement].get_function_values(ghosted, u);
           values[displacement].get_function_gradients(ghosted, gradient);
-          Energies &of_body = energies[cell->material_id()];
+          Energies &of_body = energies[elasticity.mesh().body(cell)];
           for (unsigned int q = 0; q < volume.size(); ++q)
             {
               const Point<dim> &x      = values.quadrature_point(q);

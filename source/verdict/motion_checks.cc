@@ -37,7 +37,7 @@ namespace Signorini
           double square = gradient[0].norm_square();
           if (elasticity.model() == Model::axisymmetric)
             square += std::pow(u[0][0] / values.quadrature_point(0)[0], 2);
-          Extremes &of_body = largest[cell->material_id()];
+          Extremes &of_body = largest[elasticity.mesh().body(cell)];
           of_body.motion    = std::max(of_body.motion, u[0].norm());
           of_body.gradient  = std::max(of_body.gradient, std::sqrt(square));
           // Of the rotation tensor, which is antisymmetric, each component counts twice.

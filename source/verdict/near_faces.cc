@@ -133,19 +133,19 @@ namespace Signorini
     /// Those of all ranks. Collective.
     template <int dim>
     std::vector<Group<dim>>
-    groups_of(const std::vector<Face<dim>>            &faces,
-              const std::function<bool(unsigned int)> &belongs,
-              const MPI_Comm                           comm)
+    groups_of(const Mesh<dim>                         &mesh,
+              const std::vector<Face<dim>>            &faces,
+              const std::function<bool(unsigned int)> &belongs)
     {
       std::map<std::pair<unsigned int, unsigned int>, Box<dim>> boxes;
       for (unsigned int i = 0; i < faces.size(); ++i)
         if (belongs(i))
-          boxes.insert({{faces[i].cell->material_id(), faces[i].kind}, faces[i].box})
+          boxes.insert({{mesh.body(faces[i].cell), faces[i].kind}, faces[i].box})
             .first->second.add(faces[i].box);
       std::vector<Group<dim>> own, all;
       for (const auto &[name, box] : boxes)
         own.push_back({name.first, name.second, box});
-      for (const auto &some : Utilities::MPI::all_gather(comm, own))
+      for (const auto &some : Utilities::MPI::all_gather(mesh.communicator(), own))
         all.insert(all.end(), some.begin(), some.end());
       return all;
     }
@@ -175,13 +175,12 @@ namespace Signorini
                             const Configuration<dim>   &configuration,
                             const WatchedSurfaces<dim> &watched)
   {
-    const MPI_Comm               comm   = configuration.elasticity().mesh().communicator();
-    const std::vector<Face<dim>> faces  = all_faces(configuration, watched);
-    const auto                   groups = groups_of<dim>(
-      faces, [](unsigned int) { return true; }, comm);
+    const Mesh<dim>             &mesh  = configuration.elasticity().mesh();
+    const std::vector<Face<dim>> faces = all_faces(configuration, watched);
+    const auto        groups = groups_of<dim>(mesh, faces, [](unsigned int) { return true; });
     std::vector<bool> asks(faces.size()), is_in_body(faces.size());
     const auto        meets = [&](const Face<dim> &face, const Group<dim> &group) {
-      return group.body != face.cell->material_id() && face.box.meets(group.box);
+      return group.body != mesh.body(face.cell) && face.box.meets(group.box);
     };
     for (unsigned int i = 0; i < faces.size(); ++i)
       {
@@ -190,8 +189,8 @@ namespace Signorini
         });
         asks[i]       = is_in_body[i] || may_be_in(faces[i], scene, configuration, watched);
       }
-    const auto asking = groups_of<dim>(
-      faces, [&](const unsigned int i) { return is_in_body[i]; }, comm);
+    const auto asking =
+      groups_of<dim>(mesh, faces, [&](const unsigned int i) { return is_in_body[i]; });
     for (unsigned int i = 0; i < faces.size(); ++i)
       if (asks[i] || std::any_of(asking.begin(), asking.end(), [&](const Group<dim> &group) {
             return meets(faces[i], group);

@@ -140,7 +140,7 @@ namespace Signorini
         {
           std::vector<bool> is_its(all.faces.size());
           for (unsigned int i = 0; i < is_its.size(); ++i)
-            is_its[i] = all.faces[i].first->material_id() == body;
+            is_its[i] = mesh.body(all.faces[i].first) == body;
           result.emplace_back(all.among(is_its), watched, near, mesh.communicator());
         }
       return result;

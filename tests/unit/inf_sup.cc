@@ -44,8 +44,8 @@ namespace
                     repeat<dim>(std::to_string(cells), std::to_string(cells)));
   }
 
-  /// x^T K^-1 x for the columns x of forces. These act on the surface alone, so that products are of
-  /// their few entries.
+  /// x^T K^-1 x for the columns x of forces. These act on the surface alone, so that products are
+  /// of their few entries.
   Eigen::MatrixXd
   flexibility(const LA::SparseMatrix &K, const std::vector<LA::Vector> &forces)
   {

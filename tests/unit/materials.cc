@@ -4,6 +4,7 @@
 #include <signorini/materials/mooney_rivlin.h>
 #include <signorini/materials/neo_hooke.h>
 #include <signorini/materials/ogden.h>
+#include <signorini/materials/polynomial.h>
 #include <signorini/materials/saint_venant_kirchhoff.h>
 #include <signorini/materials/yeoh.h>
 
@@ -34,6 +35,7 @@ namespace
       {"neo-Hooke", 3, 2, std::make_shared<NeoHooke>(3, 2)},
       {"Mooney-Rivlin", 3, 2, std::make_shared<MooneyRivlin>(3, 0.7, 0.3)},
       {"Yeoh", 3, 2, std::make_shared<Yeoh>(3 + 4. / 3, 1, -0.1, 0.05)},
+      {"polynomial", 3, 2, std::make_shared<Polynomial>(3 + 4. / 3, 0.7, 0.3, -0.1, 0.05)},
       {"Ogden",
        3,
        2,

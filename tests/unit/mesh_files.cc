@@ -133,7 +133,6 @@ TEST_CASE("Abaqus: what cannot be read is named with its line")
   says(attempt(squares + "*ELEMENT\n1, 1, 2, 5, 4\n"), "TYPE=");
   says(attempt(squares + cells + "*ELEMENT, TYPE=CPS4\n11, 1, 2, 5, 4\n"),
        "element 11 is there twice");
-  says(attempt(squares + cells + "*NSET, NSET=a\n1, b\n"), "'b' is no node, element or set");
   says(attempt(squares + cells + "*NMAP\n1, 3, 1\n"), "*NMAP is not read here");
   says(attempt(squares + "*NODE, SYSTEM=X\n7, 1., 90.\n"), "SYSTEM=X: R, C and S");
   says(attempt(squares + "*NODE\n7, one, 2.\n"), "'one' should be a number");
@@ -456,4 +455,28 @@ TEST_CASE("second order: a ball of Gmsh with 20 nodes a cell")
       for (const unsigned int v : face->vertex_indices())
         worst = std::max(worst, std::abs(face->vertex(v).distance(Point<3>(0, 0, 1)) - 1));
   CHECK(worst < 5e-3);
+}
+
+
+
+TEST_CASE("Gmsh: groups without names are called by their numbers; meshes in the plane of x and z")
+{
+  // A rectangle of 2 (along x) by 3 (along z) in y = 5, with a boundary of two sides.
+  const TemporaryFile file("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 5 0\n2 2 5 0\n"
+                           "3 2 5 3\n4 0 5 3\n$EndNodes\n$Elements\n4\n1 3 2 7 1 1 2 3 4\n"
+                           "2 1 2 11 1 1 2\n3 1 2 11 1 2 3\n4 1 2 0 2 3 4\n$EndElements\n");
+  const MeshFile      mesh = read_mesh_file(file.path);
+  CHECK(part_names(mesh, 2) == std::vector<std::string>{"7"});
+  CHECK(part_names(mesh, 1) == std::vector<std::string>{"11"});
+  const auto all = generator<2>("file", {{"File", file.path}, {"Part", "7"}});
+  CHECK(all->boundaries() == std::vector<std::string>{"11", "unnamed"});
+  CHECK(all->cell_set("7") == std::vector<unsigned int>{0});
+  double x = 0, y = 0;
+  for (const Point<2> &vertex : all->generate().vertices)
+    {
+      x = std::max(x, vertex[0]);
+      y = std::max(y, vertex[1]);
+    }
+  CHECK(x == 2);
+  CHECK(y == 3);
 }

@@ -75,7 +75,7 @@ namespace Signorini
     std::vector<dealii::Point<dim>> places;
     std::vector<double>             samples; ///< field by field, component by component
 
-    std::vector<unsigned int> first_at_vertex, cells_at_vertex;
+    std::vector<unsigned int> first_at_vertex, cells_at_vertex, material_of_cell;
     std::vector<unsigned int> patch; ///< numbers of cells
 
     dealii::hp::QCollection<dim> rules;

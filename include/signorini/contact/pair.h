@@ -23,10 +23,11 @@ namespace Signorini
   template <int dim>
   struct ContactPair
   {
-    std::string     name, slave, master;
-    std::string     slave_place, master_place;     ///< in the scene file
-    Formula         initial_gap = "from geometry"; ///< or "closed", or a formula of the coordinates
-    bool            separates   = true;  ///< no: the law is g = 0, whatever the pressure's sign
+    std::string name, slave, master;
+    std::string slave_place, master_place;     ///< in the scene file
+    Formula     initial_gap = "from geometry"; ///< or "closed", or a formula of the coordinates
+    double closed_up_to = -1; ///< gaps at rest up to this are zero, and so are overlaps; < 0: none
+    bool   separates    = true;          ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
     std::vector<dealii::Point<dim>> directions; ///< along which its extents are told

@@ -37,7 +37,7 @@ namespace Signorini
     static constexpr unsigned int functions_a_cell = dim + 1;
     using Functions                                = std::array<double, functions_a_cell>;
 
-    /// Keeps a reference to the mesh. @param materials one a body
+    /// Keeps a reference to the mesh. @param materials by their ids
     BulkStress(const Mesh<dim> &mesh, const std::vector<Material> &materials, Model model);
 
     /// The mesh has changed: the stress is zero. Collective.

@@ -93,12 +93,12 @@ namespace Signorini
            const dealii::Point<dim>        &x) const;
 
     const Material &
-    material(const unsigned int body) const
+    material(const unsigned int id) const
     {
-      return materials[body];
+      return materials[id];
     }
 
-    /// One a body.
+    /// By their ids; one a body, if none has several (Mesh::body_of_material).
     const std::vector<Material> &
     all_materials() const
     {

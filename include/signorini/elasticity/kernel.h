@@ -105,7 +105,7 @@ namespace Signorini
 
     std::string what_is_wrong;
 
-    std::map<unsigned int, std::vector<const Load<dim> *>>                  by_body;
+    std::map<unsigned int, std::vector<const Load<dim> *>>                  by_material;
     std::map<dealii::types::coarse_cell_id, std::vector<const Load<dim> *>> by_cell; ///< of sets
     std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>>    by_boundary;
     std::map<const Load<dim> *, double> areas; ///< of the boundaries of total forces

@@ -28,8 +28,8 @@ namespace Signorini
   public:
     using Cell = dealii::CellAccessor<dim>;
 
-    /// Keeps a reference to the mesh. @param expansions one a body, or none
-    /// @param degrees of the displacement, one a body
+    /// Keeps a reference to the mesh. @param expansions by material ids, or none
+    /// @param degrees of the displacement, by material ids too
     ThermalStrain(const Mesh<dim>                          &mesh,
                   const std::vector<ThermalExpansion<dim>> &expansions,
                   const std::vector<unsigned int>          &degrees,
@@ -58,12 +58,12 @@ namespace Signorini
 
     /// The stress that takes a rise by 1 to suppress, with the sign of C : alpha, along the axes.
     dealii::Tensor<1, 3>
-    stress_of_unit_rise(const Material &material, unsigned int body) const;
+    stress_of_unit_rise(const Material &material, unsigned int id) const;
 
     bool
-    expands(const unsigned int body) const
+    expands(const unsigned int id) const
     {
-      return any() && expansions[body].given();
+      return any() && expansions[id].given();
     }
 
     // For what refers to rises on other ranks:
@@ -80,10 +80,10 @@ namespace Signorini
     dealii::IndexSet
     owned() const;
 
-    /// Lowest and highest T of a body at time t, at points in its cells. Throws SceneError, on all
-    /// ranks, if it is not a number somewhere. Collective.
+    /// Lowest and highest T in the cells of a material at time t, at points in its cells. Throws
+    /// SceneError, on all ranks, if it is not a number somewhere. Collective.
     std::pair<double, double>
-    range(unsigned int body, double t) const;
+    range(unsigned int id, double t) const;
 
   private:
     using Monomials = std::array<double, dim + 1>;
@@ -95,7 +95,7 @@ namespace Signorini
     double
     temperature(const dealii::FEValues<dim> &values, unsigned int q, double t) const;
     void
-    refuse_if_bad(unsigned int body, double t, const std::vector<dealii::Point<dim>> &bad) const;
+    refuse_if_bad(unsigned int id, double t, const std::vector<dealii::Point<dim>> &bad) const;
 
     const Mesh<dim>                         &mesh;
     const std::vector<ThermalExpansion<dim>> expansions;

@@ -39,7 +39,7 @@ namespace Signorini
     /// A diagonal: on the nodes of pieces with such motions, strength times E L/L^3 times their
     /// share of the volume, and on free components of rigid bodies strength times theirs. Zero at
     /// constrained degrees of freedom; empty if there are no motions.
-    /// @param materials one a body
+    /// @param materials by their ids
     /// @param of_rigid_bodies what stands for the stiffness of rigid bodies
     LA::Vector
     springs(const std::vector<Material> &materials, double of_rigid_bodies, double strength) const;

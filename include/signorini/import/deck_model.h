@@ -21,12 +21,15 @@ namespace Signorini
     {
       std::string           name;
       std::optional<double> youngs_modulus, poissons_ratio, density, expansion;
+      std::string           law;               ///< of large deformation; empty: it is linear
+      std::vector<double>   coefficients = {}; ///< of the law, as Material has them
     };
 
     struct SolidSection
     {
       std::string               material;
       std::vector<unsigned int> elements;
+      std::vector<std::string>  sets;          ///< with these elements, as the mesh file calls them
       double                    thickness = 0; ///< of plane elements; 0: not given
     };
 
@@ -132,7 +135,23 @@ namespace Signorini
 
     struct Pair
     {
-      std::string slave, master, interaction;
+      std::string           slave, master, interaction;
+      std::optional<double> closed_up_to = {}; ///< by ADJUST
+    };
+
+    /// A gap at the start that is not that of the mesh.
+    struct Clearance
+    {
+      std::string slave, master;
+      double      value;
+    };
+
+    /// Something that the scene will not have.
+    struct Omission
+    {
+      std::string              kind; ///< see LeftOut
+      std::string              what;
+      std::vector<std::string> places; ///< in the file
     };
 
     AbaqusDeck                       deck;
@@ -152,15 +171,18 @@ namespace Signorini
     std::map<unsigned int, Temperatures> temperatures;   ///< by step
     std::map<std::string, Interaction>   interactions;   ///< by names in upper case
     std::vector<Pair>                    pairs;
+    std::vector<Clearance>               clearances;
+    std::string                          nlgeom; ///< where it is first asked for; empty: nowhere
 
     /// Something was left out that may have held a body.
     bool lacks_restraint = false;
 
-    /// What was left out, each with its places in the file.
-    std::vector<std::pair<std::string, std::vector<std::string>>> left_out;
+    std::vector<Omission> left_out;
 
+    /// @param what may begin with *KEYWORD, which says the kind
+    /// @param kind empty: that of the keyword
     void
-    leave_out(const std::string &what, const std::string &place);
+    leave_out(const std::string &what, const std::string &place, const std::string &kind = "");
 
     /// The value over the time of all steps, as CalculiX follows it: without amplitude, a step goes
     /// from the last value to the new one along a line; what an amplitude has come to stays in

@@ -18,6 +18,7 @@ namespace Signorini
 
   private:
     using Words   = std::vector<std::string>;
+    using Values  = std::vector<double>;
     using Members = std::vector<unsigned int>;
     using Curve   = DeckModel::Curve;
 
@@ -28,6 +29,8 @@ namespace Signorini
     void
     leave_out_tie();
     void
+    leave_out_stray_lines(const std::string &which);
+    void
     begin_part();
     void
     end_part();
@@ -37,6 +40,8 @@ namespace Signorini
     begin_material();
     void
     read_elastic();
+    void
+    read_hyperelastic();
     void
     read_density();
     void
@@ -93,6 +98,8 @@ namespace Signorini
     read_behaviour();
     void
     read_pairs();
+    void
+    read_clearance();
 
     double
     number(const Words &words, unsigned int i) const;
@@ -127,9 +134,9 @@ namespace Signorini
     void
     remove_old(Curve &curve) const;
 
-    static const std::map<std::string, void (DeckReader::*)()> registry;
-    static const std::map<std::string, std::string>            not_modelled;
-    static const std::set<std::string>                         restraints;
+    static const std::map<std::string, void (DeckReader::*)(), IgnoringBlanks> registry;
+    static const std::map<std::string, std::string, IgnoringBlanks>            not_modelled;
+    static const std::set<std::string, IgnoringBlanks> of_known_length, restraints;
 
     KeywordFile            in;
     DeckModel              model;

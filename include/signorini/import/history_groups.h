@@ -75,6 +75,7 @@ namespace Signorini
   {
     std::string                                      name;
     std::vector<std::pair<std::string, std::string>> keys;
+    std::string                                      within = {}; ///< subsections, line by line
   };
 
   /// "1, 4-7"

@@ -24,15 +24,21 @@ namespace Signorini
     left_out() const;
 
   private:
+    struct MaterialOfCells
+    {
+      std::string material, cells;
+    };
+
     struct Body
     {
-      std::string           name, part, material;
-      std::vector<bool>     has_node, has_element;
-      std::set<std::string> boundaries; ///< names of surfaces and sets with faces of it
-      double                thickness           = 1;
-      bool                  is_quadratic        = false;
-      double                initial_temperature = 0;
-      DeckModel::Curve      temperature; ///< empty without thermal strain
+      std::string                  name, part, material;
+      std::vector<MaterialOfCells> others; ///< of sets of its cells, later ones before earlier ones
+      std::vector<bool>            has_node, has_element;
+      std::set<std::string>        boundaries; ///< names of surfaces and sets with faces of it
+      double                       thickness           = 1;
+      bool                         is_quadratic        = false;
+      double                       initial_temperature = 0;
+      DeckModel::Curve             temperature; ///< empty without thermal strain
 
       /// Sets that the scene makes beside those of the deck, as the keys of the body have them.
       std::vector<std::string> node_sets, face_sets, cell_sets;
@@ -44,8 +50,16 @@ namespace Signorini
 
     void
     make_bodies();
-    void
+    bool
     give_material(Body &body, const Piece &piece);
+    void
+    give_other_materials(Body &body);
+    void
+    check_plane() const;
+    void
+    leave_out_other_elements();
+    bool
+    becomes_finite();
     void
     give_temperature(Body &body);
     std::set<std::string>
@@ -53,6 +67,8 @@ namespace Signorini
 
     std::string
     bodies() const;
+    std::vector<std::pair<std::string, std::string>>
+    material_keys(const DeckModel::Material &material) const;
     std::string
     supports();
     std::string
@@ -74,6 +90,8 @@ namespace Signorini
     std::string
     free_motions() const;
 
+    std::string
+    kind_at_no_solid(const MemberGroup &group, const std::string &what);
     std::string
     nodes_of(const MemberGroup &group, const std::string &target, const std::string &what);
     std::string
@@ -109,6 +127,8 @@ namespace Signorini
     const std::string file;
     unsigned int      dim = 3;
     std::string       kind; ///< of 2D: plane strain, ...
+    unsigned int      n_pieces  = 0;
+    bool              is_finite = false;
     std::vector<Body> all;
 
     Histories                                   histories;     ///< of the model

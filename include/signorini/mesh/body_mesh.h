@@ -14,6 +14,8 @@ namespace Signorini
     VectorExpression<dim>               transformation; ///< empty: none
     unsigned int                        refinements = 0;
     unsigned int                        degree      = 2; ///< of curved cells, see Mesh::mapping()
+    /// Sets of cells that have materials of their own; of a cell in several the last one counts.
+    std::vector<std::string> cells_of_materials;
 
     void
     declare(Section &section);

@@ -67,8 +67,8 @@ namespace Signorini
   };
 
   /// The bodies' meshes, apart from each other, in one distributed triangulation. Material ids
-  /// count the bodies. Boundary ids count from 1; a boundary has one or more of them, and may share
-  /// some with others.
+  /// count their materials, body by body. Boundary ids count from 1; a boundary has one or more of
+  /// them, and may share some with others.
   template <int dim>
   class Mesh
   {
@@ -175,6 +175,34 @@ namespace Signorini
       return names[body];
     }
 
+    /// Material ids, of which a body has one and one more for each of BodyMesh::cells_of_materials.
+    unsigned int
+    n_materials() const
+    {
+      return bodies_of_materials.size();
+    }
+
+    unsigned int
+    body_of_material(const unsigned int id) const
+    {
+      return bodies_of_materials[id];
+    }
+
+    /// Of the cells of a body that are in no set with a material of its own.
+    unsigned int
+    own_material(const unsigned int body) const
+    {
+      return own_materials[body];
+    }
+
+    /// The body that a cell, on any level, belongs to.
+    template <typename Cell>
+    unsigned int
+    body(const Cell &cell) const
+    {
+      return bodies_of_materials[cell->material_id()];
+    }
+
     /// That of "body.boundary"; none if there is no such boundary.
     std::optional<unsigned int>
     body_of(const std::string &boundary) const;
@@ -237,6 +265,8 @@ namespace Signorini
     CoarseMesh<dim>
     merge(const std::vector<std::pair<std::string, BodyMesh<dim>>> &bodies, bool merges_cells);
     void
+    number_materials(std::vector<dealii::CellData<dim>> &cells, const BodyMesh<dim> &body);
+    void
     create(dealii::Triangulation<dim> &triangulation, const CoarseMesh<dim> &coarse) const;
     void
     refine_initially(
@@ -262,6 +292,8 @@ namespace Signorini
       const std::vector<std::pair<std::string, std::string>> &contact_surfaces) const;
 
     std::vector<std::string>                               names, boundary_names;
+    std::vector<unsigned int>                              bodies_of_materials; ///< by their ids
+    std::vector<unsigned int>                              own_materials;       ///< of bodies
     std::vector<BoundaryIds>                               ids_of_names;
     std::vector<FacetHeight>                               facets;           ///< of boundaries
     std::vector<unsigned int>                              body_of_boundary; ///< of names

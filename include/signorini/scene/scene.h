@@ -20,18 +20,37 @@
 
 namespace Signorini
 {
+  /// What a set of cells of a body is made of, instead of the body's own material.
+  struct MaterialOfCells
+  {
+    std::string         name, cells; ///< the set, as the mesh file calls it
+    std::string         place;       ///< of the set in the scene file
+    Material            material;
+    std::vector<double> expansion; ///< as ThermalExpansion::coefficients; empty: as the body's
+
+    void
+    declare(Section &section);
+  };
+
   /// An elastic body: a mesh, a material, and a temperature if that matters.
   template <int dim>
   struct Body
   {
-    std::string           name;
-    unsigned int          degree = 0; ///< of the displacement; 0: that of all bodies
-    BodyMesh<dim>         mesh;
-    Material              material;
-    ThermalExpansion<dim> expansion;
+    std::string                  name;
+    unsigned int                 degree = 0; ///< of the displacement; 0: that of all bodies
+    BodyMesh<dim>                mesh;
+    Material                     material;
+    ThermalExpansion<dim>        expansion;
+    std::vector<MaterialOfCells> others; ///< beside `material`
 
     void
     declare(Section &section);
+
+    /// `material` and the others, in the order of their ids.
+    std::vector<Material *>
+    materials();
+    std::vector<const Material *>
+    materials() const;
   };
 
   template <typename Items>
@@ -60,8 +79,9 @@ namespace Signorini
     Deformation deformation       = Deformation::small;
     double      deformation_share = 0.01; ///< of the work that automatic does not become finite for
     std::string title;
-    std::string name;  ///< of the scene file, without folder and .prm
-    RawSection  given; ///< what was read
+    std::string left_out; ///< by an import, see left_out_of()
+    std::string name;     ///< of the scene file, without folder and .prm
+    RawSection  given;    ///< what was read
 
     Definitions                   definitions;
     std::vector<Body<dim>>        bodies;

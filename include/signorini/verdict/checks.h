@@ -70,6 +70,15 @@ namespace Signorini
   std::vector<Finding>
   check_loads(const Scene<dim> &scene, const Snapshot<dim> &now);
 
+  /// What acts on bodies or bears them and an import has left out: warned of, and no answer where
+  /// nothing acts without it. Nothing if there is none.
+  template <int dim>
+  std::vector<Finding>
+  check_left_out(const Scene<dim>            &scene,
+                 const Snapshot<dim>         &now,
+                 const std::vector<Extremes> &extremes,
+                 double                       largest_force);
+
   /// Forces and moments in balance.
   /// @param scale a force beside which they are to be small
   /// @param small share of it that is

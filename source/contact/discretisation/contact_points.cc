@@ -23,17 +23,21 @@ namespace Signorini
     public:
       InitialGap(const ContactPair<dim> &pair)
         : is_given(pair.gap_is_given())
+        , closed_up_to(pair.closed_up_to)
         , formula(is_given && pair.initial_gap.text != "closed" ? pair.initial_gap : Formula("0"))
       {}
 
       double
       operator()(const Point<dim> &x, const double from_geometry) const
       {
-        return is_given ? formula.value(x) : from_geometry;
+        if (is_given)
+          return formula.value(x);
+        return closed_up_to >= 0 && from_geometry <= closed_up_to ? 0. : from_geometry;
       }
 
     private:
       const bool            is_given;
+      const double          closed_up_to;
       const Expression<dim> formula;
     };
 

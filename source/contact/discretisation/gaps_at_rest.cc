@@ -48,7 +48,8 @@ namespace Signorini
   bool
   needs_gaps_at_rest(const ContactPair<dim> &pair)
   {
-    return pair.gap_is_given() || !pair.separates || pair.interference.formula() != "1";
+    return pair.gap_is_given() || pair.closed_up_to >= 0 || !pair.separates ||
+           pair.interference.formula() != "1";
   }
 
 

@@ -275,10 +275,10 @@ namespace Signorini
                                  const Tensor<1, dim> &m) const
   {
     const ThermalStrain<dim> &thermal = elasticity.thermal();
-    const unsigned int        body    = cell->material_id();
-    if (!thermal.expands(body))
+    const unsigned int        id      = cell->material_id();
+    if (!thermal.expands(id))
       return {};
-    const Tensor<1, 3> of_unit_rise = thermal.stress_of_unit_rise(elasticity.material(body), body);
+    const Tensor<1, 3> of_unit_rise = thermal.stress_of_unit_rise(elasticity.material(id), id);
     double             normal       = 0;
     for (unsigned int d = 0; d < dim; ++d)
       normal += n[d] * of_unit_rise[d] * m[d];

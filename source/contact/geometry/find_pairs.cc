@@ -66,7 +66,7 @@ namespace Signorini
                                patch.normal(middle),
                                patch.diameter(),
                                number_of.at(cell->face(f)->boundary_id()),
-                               cell->material_id()});
+                               mesh.body(cell)});
               }
       for (const auto &some : Utilities::MPI::all_gather(mesh.communicator(), own))
         all.insert(all.end(), some.begin(), some.end());

@@ -182,7 +182,7 @@ namespace Signorini
     if (reach == 0)
       return false;
     const BoundaryFaces<dim>  faces(now, [&](const CellIterator<dim> &cell, unsigned int) {
-      return cell->material_id() == now.elasticity().mesh().body_of(surface);
+      return now.elasticity().mesh().body(cell) == now.elasticity().mesh().body_of(surface);
     });
     const auto                tell  = [](unsigned int, const Point<dim - 1> &, Partner<dim> &) {};
     const std::vector<double> found = depths(points, {faces.patches, tell, {}, {}}, reach, comm);

@@ -10,6 +10,7 @@
 #include <signorini/mesh/pieces.h>
 #include <signorini/parameters/section.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 
@@ -140,6 +141,44 @@ namespace Signorini
           if (cell_of[e] != none)
             result[group.name].push_back(cell_of[e]);
       return result;
+    }
+
+
+
+    /// Plane cells that lie across y or x, and not across z, are turned into the plane of x and y.
+    void
+    lay_flat(MeshFile &file, const std::string &body, const std::string &path)
+    {
+      BoundingBox<3> box;
+      bool           has_cells = false;
+      for (const auto &element : file.elements)
+        if (dimension_of(element.shape) == 2)
+          for (const unsigned int node : element.nodes)
+            {
+              const BoundingBox<3> point({file.nodes[node], file.nodes[node]});
+              if (has_cells)
+                box.merge_with(point);
+              else
+                box = point;
+              has_cells = true;
+            }
+      constexpr double rounding = 1e-10;
+      const double     size     = has_cells ? box.get_boundary_points().second.norm() +
+                                        box.get_boundary_points().first.norm() :
+                                              0.;
+      const auto       is_flat  = [&](const unsigned int d) {
+        return box.side_length(d) <= rounding * size;
+      };
+      if (!has_cells || is_flat(2) || (!is_flat(0) && !is_flat(1)))
+        return;
+      const bool across_y = is_flat(1);
+      for (Point<3> &node : file.nodes)
+        node =
+          across_y ? Point<3>(node[0], node[2], -node[1]) : Point<3>(node[1], node[2], node[0]);
+      tell(body,
+           path,
+           {"the cells lie in the plane of " + std::string(across_y ? "x and z" : "y and z") +
+            " of the file, which are x and y of the scene"});
     }
 
 
@@ -306,6 +345,8 @@ namespace Signorini
     try
       {
         MeshFile all = read_mesh_file(path);
+        if (dim == 2)
+          lay_flat(all, section.path(), path);
         add_pieces(all, dim);
 
         key                                  = "Part";

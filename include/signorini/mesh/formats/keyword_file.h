@@ -55,6 +55,13 @@ namespace Signorini
     bool
     next_line(std::vector<std::string> &words);
 
+    /// All parameters with their values, by names in upper case.
+    const std::map<std::string, std::string, IgnoringBlanks> &
+    all_parameters() const
+    {
+      return parameters;
+    }
+
     /// "FILE, line LINE" of the present keyword or data line.
     std::string
     place() const

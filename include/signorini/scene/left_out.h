@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// Something that a deck has and its scene has not.
+  struct LeftOut
+  {
+    /// "load", "support", "motion", "pair" and "body" are of what acts on bodies, or bears them,
+    /// and "keyword" may be; "model" is of how they behave.
+    std::string kind;
+    std::string what; ///< with its places in the deck
+
+    /// Without it the solution may be another one altogether.
+    bool
+    acts() const
+    {
+      return kind != "model";
+    }
+  };
+
+  /// The list "KIND: what; KIND: what". Throws SceneError for another kind.
+  std::vector<LeftOut>
+  left_out_of(const std::string &list);
+} // namespace Signorini

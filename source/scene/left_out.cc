@@ -1,0 +1,26 @@
+#include <signorini/parameters/raw.h>
+#include <signorini/scene/left_out.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  std::vector<LeftOut>
+  left_out_of(const std::string &list)
+  {
+    static const std::vector<std::string> kinds{
+      "load", "support", "motion", "pair", "body", "keyword", "model"};
+    std::vector<LeftOut> result;
+    for (const std::string &one : split(list, ';'))
+      {
+        const auto        colon = one.find(':');
+        const std::string kind  = one.substr(0, colon);
+        if (colon == std::string::npos ||
+            std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+          throw SceneError("Left out = ... " + one + ": each part begins with one of " +
+                           join(kinds) + ", and a colon");
+        result.push_back({kind, trim(one.substr(colon + 1))});
+      }
+    return result;
+  }
+} // namespace Signorini
