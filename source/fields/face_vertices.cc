@@ -45,17 +45,19 @@ namespace Signorini
     number.compress(VectorOperation::insert);
     const LA::Vector numbers = elasticity.with_ghosts(number);
 
-    IndexSet owned(Utilities::MPI::sum(own.size(), comm)), others(owned.size());
+    IndexSet owned(Utilities::MPI::sum(own.size(), comm)), readable(owned.size());
     owned.add_range(first, next);
+    std::vector<types::global_dof_index> others; // of other ranks
     my_vertices.resize(faces.size());
     for (unsigned int f = 0; f < my_vertices.size(); ++f)
       for (unsigned int c = 0; c < (faces[f].degree > 0 ? n : 0); ++c)
         {
           my_vertices[f][c] = std::lround(numbers(faces[f].nodes[node(c, faces[f].degree)]));
           if (!owned.is_element(my_vertices[f][c]))
-            others.add_index(my_vertices[f][c]);
+            others.push_back(my_vertices[f][c]);
         }
-    layout = std::make_shared<Utilities::MPI::Partitioner>(owned, others, comm);
+    readable.add_indices(others.begin(), others.end());
+    layout = std::make_shared<Utilities::MPI::Partitioner>(owned, readable, comm);
   }
 
 

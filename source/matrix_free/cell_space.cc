@@ -129,7 +129,11 @@ namespace Signorini
   void
   assemble(const CellSpace &space, LA::SparseMatrix &K)
   {
-    IndexSet   relevant = space.owned;
+    std::vector<types::global_dof_index> others; // of other ranks
+    const auto                           note = [&](const types::global_dof_index dof) {
+      if (!space.owned.is_element(dof))
+        others.push_back(dof);
+    };
     const auto for_each = [&](const auto &act) {
       for (const KernelCells &cells : space.cells)
         for (unsigned int cell = 0; cell < cells.size(); ++cell)
@@ -138,12 +142,14 @@ namespace Signorini
     for_each([&](const KernelCells &cells, const unsigned int cell) {
       for (const auto dof : dofs_of(cells, cell))
         {
-          relevant.add_index(dof);
+          note(dof);
           if (const auto *line = space.constraints.get_constraint_entries(dof))
             for (const auto &entry : *line)
-              relevant.add_index(entry.first);
+              note(entry.first);
         }
     });
+    IndexSet relevant = space.owned;
+    relevant.add_indices(others.begin(), others.end());
     LA::SparsityPattern pattern(space.owned, space.owned, relevant, space.comm);
     for_each([&](const KernelCells &cells, const unsigned int cell) {
       space.constraints.add_entries_local_to_global(dofs_of(cells, cell), pattern, false);
