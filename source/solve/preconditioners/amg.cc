@@ -77,7 +77,8 @@ namespace Signorini
       }
     if (springs)
       springs->remove();
-    update();
+    else
+      update();
   }
 
 
@@ -85,8 +86,9 @@ namespace Signorini
   void
   AMG::set_springs(const LA::Vector &values)
   {
-    if (springs)
-      springs->set(values);
+    if (!springs)
+      return;
+    springs->set(values);
     update();
   }
 

@@ -15,7 +15,7 @@ namespace Signorini
   class AMG
   {
   public:
-    /// @param contact null: no springs
+    /// @param contact null: no springs; else set_springs() comes before the first vmult()
     AMG(const Hierarchy &hierarchy, const GapOperator *contact);
 
     /// The springs D have changed, see AMGSprings::set. No level is made anew.
