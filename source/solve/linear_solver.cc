@@ -180,9 +180,25 @@ namespace Signorini
   bool
   LinearSolver::renew()
   {
+    if (settings.preconditioner == "direct")
+      return false; // factors are always of the stiffness as it is now
     if (!hierarchies.renew())
       return lacks_turning_zone() && !let_zones_turn(true);
     hierarchies.let_zones_turn(hierarchies.zones_turn() || lacks_turning_zone());
+    make_preconditioner();
+    preconditioner->update();
+    return true;
+  }
+
+
+
+  bool
+  LinearSolver::factorise(const NegativeCurvature curvature)
+  {
+    if (curvature == NegativeCurvature::is_told || !can_factorise())
+      return false; // factors would tell nothing
+    has_given_up_iterating  = true;
+    settings.preconditioner = "direct";
     make_preconditioner();
     preconditioner->update();
     return true;
@@ -196,6 +212,33 @@ namespace Signorini
                       const double            reduction,
                       const double            absolute_tolerance,
                       const NegativeCurvature curvature)
+  {
+    // Ends: there is one hierarchy of this stiffness, one zone that knows of forces that turn, and
+    // there are no other factors than those.
+    for (;;)
+      try
+        {
+          return solve_once(x, rhs, reduction, absolute_tolerance, curvature);
+        }
+      catch (const IndefiniteSystem &)
+        {
+          throw;
+        }
+      catch (const SolverFailure &)
+        {
+          if (!renew() && !factorise(curvature))
+            throw;
+        }
+  }
+
+
+
+  unsigned int
+  LinearSolver::solve_once(LA::BlockVector        &x,
+                           const LA::BlockVector  &rhs,
+                           const double            reduction,
+                           const double            absolute_tolerance,
+                           const NegativeCurvature curvature)
   {
     TimerOutput::Scope scope(timer, "krylov");
     const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
@@ -230,30 +273,7 @@ namespace Signorini
         // degrees, and SolverMinRes divides by the cosine.
         x = preconditioned;
       }
-    bool renews = false;
-    try
-      {
-        return iterate(krylov, tolerance, x, rhs, curvature);
-      }
-    catch (const IndefiniteSystem &)
-      {
-        throw;
-      }
-    catch (const SolverFailure &)
-      {
-        renews = renew();
-        if (!renews && (curvature == NegativeCurvature::is_told || !can_factorise()))
-          throw; // factors would tell nothing
-      }
-    scope.stop();
-    if (!renews)
-      {
-        has_given_up_iterating  = true;
-        settings.preconditioner = "direct";
-        make_preconditioner();
-        preconditioner->update();
-      }
-    return solve(x, rhs, reduction, absolute_tolerance, curvature);
+    return iterate(krylov, tolerance, x, rhs, curvature);
   }
 
 

@@ -55,7 +55,7 @@ namespace Signorini
     let_zones_turn(bool wanted);
 
     /// Take a hierarchy of the stiffness as it is now, and zones that know of forces that turn.
-    /// @return false: it was that
+    /// @return false: it was that, or the system is factorised
     bool
     renew();
 
@@ -93,6 +93,13 @@ namespace Signorini
     /// After which there are other ways than more of them.
     unsigned int
     most_iterations(NegativeCurvature curvature) const;
+    /// See solve(), with the preconditioner at hand.
+    unsigned int
+    solve_once(LA::BlockVector       &x,
+               const LA::BlockVector &rhs,
+               double                 reduction,
+               double                 absolute_tolerance,
+               NegativeCurvature      curvature);
     /// Returns the number of iterations; throws SolverFailure.
     unsigned int
     iterate(Krylov                 krylov,
@@ -112,6 +119,10 @@ namespace Signorini
     make_preconditioner();
     bool
     can_factorise() const;
+    /// From here on, where that may help.
+    /// @return false: it would not
+    bool
+    factorise(NegativeCurvature curvature);
     /// Take the iterations of a solution that has begun with a residual, and ended with another.
     void
     judge(unsigned int iterations, double first, double last);
