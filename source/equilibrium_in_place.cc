@@ -1,6 +1,7 @@
 #include <signorini/contact/methods/method.h>
 #include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/equilibrium_in_place.h>
+#include <signorini/interruption/interruption.h>
 #include <signorini/matrix_free/make_stiffness.h>
 #include <signorini/parameters/text.h>
 #include <signorini/solve/finite_bodies.h>
@@ -32,6 +33,7 @@ namespace Signorini
   void
   EquilibriumInPlace<dim>::find_contact(const bool is_near, const bool keeps_points)
   {
+    look_for_interruption();
     forget_solver();
     clock.start();
     contact.build(placed.size() > 0 ? Configuration<dim>(elasticity, placed) :

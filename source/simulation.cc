@@ -352,6 +352,7 @@ namespace Signorini
               {
                 longest = scene.load_steps.next_length(next - t, report().steps.size(), longest);
                 t       = next;
+                shortest_tried = 0;
                 visit(++number);
               }
             else
@@ -362,6 +363,7 @@ namespace Signorini
                 out << "  not solved (" << report().reason
                     << (report().curves_down ? "; the tangent was not positive definite" : "")
                     << "): half the load step" << std::endl;
+                shortest_tried = longest;
               }
           }
       }
@@ -446,6 +448,13 @@ namespace Signorini
         " the tangent was not positive definite: where bodies snap through or buckle, no load near "
         "by is in balance" +
         (is_driven_by_forces(scene) ? "; prescribe displacements instead of forces" : "");
+    else if (!end.converged && !is_interrupted && shortest_tried > 0)
+      end.reason += "; load steps down to " + short_text(shortest_tried) +
+                    " were tried from t = " + short_text(state.time) +
+                    " on: where contact slips off a corner or an edge, or a hook snaps, no state "
+                    "near by is in balance, and no load step is small enough; take Load steps/End "
+                    "time = " +
+                    short_text(state.time) + " for what comes before";
     recorder->add_sizes(*elasticity, *contact);
     std::ostringstream text;
     if (!end.converged)

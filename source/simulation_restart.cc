@@ -226,6 +226,8 @@ namespace Signorini
     else
       out << "  WARNING: the checkpoint cannot be written; is the disk full? The former one stays, "
           << "and the run goes on" << std::endl;
+    if (interruption)
+      interruption->set_reserve(2 * checkpoints->seconds() + 1);
     written_at  = clock.wall_time();
     steps_since = 0;
   }
@@ -249,8 +251,7 @@ namespace Signorini
     const StepVisitor print = print_steps(out);
     return [this, print](const NewtonStep &step) {
       print(step);
-      if (interruption)
-        interruption->check(checkpoints ? 2 * checkpoints->seconds() + 1 : 1);
+      look_for_interruption();
     };
   }
 

@@ -3,9 +3,9 @@
 #include <signorini/accuracy/error_control.h>
 #include <signorini/accuracy/refinement.h>
 #include <signorini/checkpoint/checkpoints.h>
-#include <signorini/checkpoint/interruption.h>
 #include <signorini/equilibrium.h>
 #include <signorini/exit_code.h>
+#include <signorini/interruption/interruption.h>
 #include <signorini/output/recorder.h>
 #include <signorini/scene/scene.h>
 #include <signorini/solve/newton.h>
@@ -207,7 +207,8 @@ namespace Signorini
     std::uint32_t                       origin = 0; ///< checksum_of_origin()
     std::optional<Checkpoints::Content> former;     ///< until it is restored
     std::optional<Reached>              reached;
-    double                              written_at  = 0; ///< seconds: the last checkpoint
-    unsigned int                        steps_since = 0;
+    double                              written_at     = 0; ///< seconds: the last checkpoint
+    unsigned int                        steps_since    = 0;
+    double                              shortest_tried = 0; ///< load step since the last solved one
   };
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/interruption/interruption.h>
 #include <signorini/linear_algebra/row_view.h>
 #include <signorini/linear_algebra/values.h>
 #include <signorini/solve/contact_system.h>
@@ -241,6 +242,9 @@ namespace Signorini
   void
   ContactSystem::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
+    constexpr unsigned int often = 8; // hundreds of products take hardly a second, or minutes
+    if (++n_products % often == 0)
+      look_for_interruption();
     contact_terms(dst, src);
     LA::Vector &force = workspace;
     force.reinit(src.block(0), true);

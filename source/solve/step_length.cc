@@ -1,3 +1,4 @@
+#include <signorini/interruption/interruption.h>
 #include <signorini/solve/step_length.h>
 
 #include <algorithm>
@@ -45,6 +46,7 @@ namespace Signorini
     double
     Resistance::operator()(const double a) const
     {
+      look_for_interruption();
       LA::Vector at = start.u;
       at.add(a, du);
       LA::Vector force = start.bodies.residual(at);

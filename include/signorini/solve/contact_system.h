@@ -217,6 +217,7 @@ namespace Signorini
     Blocks                    D, X, Y;
     LA::Vector                D_diagonal, A, I;
     mutable LA::Vector        workspace;
+    mutable unsigned int      n_products = 0;
 
     Sums                              sums; ///< those in `surface`
     dealii::SparsityPattern           pattern;

@@ -1,4 +1,4 @@
-#include <signorini/checkpoint/interruption.h>
+#include <signorini/interruption/interruption.h>
 #include <signorini/parameters/text.h>
 
 #include <algorithm>
@@ -21,6 +21,8 @@ namespace Signorini
     // Handlers may touch nothing else.
     volatile std::sig_atomic_t received    = 0;
     volatile std::time_t       received_at = 0;
+
+    Interruption *living = nullptr;
 
     extern "C" void
     note_signal(const int number)
@@ -46,6 +48,7 @@ namespace Signorini
     , comm(comm)
   {
     received = 0;
+    living   = this;
     for (const Watched &one : signals)
       {
         struct sigaction action = {}, before = {};
@@ -60,6 +63,7 @@ namespace Signorini
 
   Interruption::~Interruption()
   {
+    living = nullptr;
     for (unsigned int i = 0; i < former.size(); ++i)
       sigaction(signals[i].number, &former[i], nullptr);
   }
@@ -67,7 +71,7 @@ namespace Signorini
 
 
   void
-  Interruption::check(const double reserve)
+  Interruption::check()
   {
     const double now = clock.wall_time();
     longest_pause    = std::max(longest_pause, now - last_call);
@@ -81,5 +85,14 @@ namespace Signorini
     if (is_late)
       throw Interrupted("interrupted: the next step may not end within Output/Time limit = " +
                         short_text(limit / 60, 4) + " minutes");
+  }
+
+
+
+  void
+  look_for_interruption()
+  {
+    if (living)
+      living->check();
   }
 } // namespace Signorini

@@ -33,15 +33,27 @@ namespace Signorini
 
     /// To be called often. Throws Interrupted on all ranks if one of them has got a signal, or if
     /// time would be over before the next call. Collective.
-    /// @param reserve seconds that are needed after the end, for a checkpoint
     void
-    check(double reserve);
+    check();
+
+    /// Seconds that are needed after the end, for a checkpoint; 1 if nothing is said.
+    void
+    set_reserve(const double seconds)
+    {
+      reserve = seconds;
+    }
 
   private:
     const dealii::Timer          &clock;
     const double                  limit;
     const MPI_Comm                comm;
-    double                        last_call = 0, longest_pause = 0;
+    double                        last_call = 0, longest_pause = 0, reserve = 1;
     std::vector<struct sigaction> former;
   };
+
+  /// Interruption::check() of the one that lives, if there is one. Whatever may take long calls
+  /// this, on all ranks alike: each search, each step of Newton's method and of a line search, and
+  /// products of Krylov methods. Collective.
+  void
+  look_for_interruption();
 } // namespace Signorini
