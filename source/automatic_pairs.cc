@@ -39,6 +39,26 @@ namespace Signorini
                   << std::endl;
           }
     }
+
+    /// Nothing of it moves along its normal, at any time: a boundary that is held, or an obstacle.
+    template <int dim>
+    bool
+    is_held(const Scene<dim> &scene, const std::string &surface)
+    {
+      for (const Obstacle<dim> &obstacle : scene.obstacles)
+        if (obstacle.name == surface)
+          return !obstacle.body.can_move();
+      return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const auto &support) {
+        if (std::count(support.boundaries.begin(), support.boundaries.end(), surface) == 0)
+          return false;
+        if (support.type != SupportType::displacement)
+          return support.direction.norm() == 0 && support.normal_displacement.is_zero();
+        for (unsigned int d = 0; d < dim; ++d)
+          if (!support.displacement.prescribed(d) || !support.displacement.is_zero(d))
+            return false;
+        return true;
+      });
+    }
   } // namespace
 
 
@@ -54,11 +74,18 @@ namespace Signorini
     const double            distance = pattern.search_distance > 0 ?
                                          pattern.search_distance :
                                          std::max(mesh.size() / 10, largest_closing(scene, mesh));
-    const auto              pairs    = find_pairs(mesh, scene.obstacles, moduli, pattern, distance);
+    auto                    pairs    = find_pairs(mesh, scene.obstacles, moduli, pattern, distance);
     if (pairs.empty())
       out << "  WARNING: no surfaces see each other within " << distance
           << "; name the Contact pairs, or set Contact pairs/auto/Search distance" << std::endl;
     warn_of_overlaps(mesh, pairs, distance, out);
+    // What cannot move against what cannot move carries no pressure that anything would tell.
+    pairs.erase(std::remove_if(pairs.begin(),
+                               pairs.end(),
+                               [&](const ContactPair<dim> &pair) {
+                                 return is_held(scene, pair.slave) && is_held(scene, pair.master);
+                               }),
+                pairs.end());
     return pairs;
   }
 

@@ -8,7 +8,8 @@
 
 namespace Signorini
 {
-  /// The pairs that Names = auto stands for: all surfaces that see each other. Collective.
+  /// The pairs that Names = auto stands for: all surfaces that see each other, not
+  /// through the wall of a body, and of which one can move. Collective.
   /// @param out warned where surfaces may overlap that are none
   template <int dim>
   std::vector<ContactPair<dim>>

@@ -49,6 +49,37 @@ namespace Signorini
 
   namespace
   {
+    /// Pressures push, so that the size of their sum is no more than the sum of their sizes.
+    std::vector<Finding>
+    check_normal_forces(const nlohmann::ordered_json &results)
+    {
+      constexpr double     exact = 1.01, none = 1.05, rounding = 1e-9;
+      const double         largest = results["largest_force"];
+      std::vector<Finding> findings;
+      for (const auto &[name, pair] : results["pairs"].items())
+        {
+          if (!pair["separates"].get<bool>())
+            continue;
+          double square = 0;
+          for (const double component : pair["force"])
+            square += component * component;
+          const double normal = pair["normal_force"], force = std::sqrt(square);
+          Finding      finding;
+          finding.check = "force / normal force";
+          finding.where = "pair " + name;
+          finding.value = force <= rounding * largest ? 0. : normal > 0 ? force / normal : 2 * none;
+          finding.limit = exact;
+          finding.outcome = finding.value <= exact ? Outcome::passed :
+                            finding.value <= none  ? Outcome::warned :
+                                                     Outcome::failed;
+          finding.what =
+            "the force is larger than the sum of pressures times areas, which no pressures can do: faces are too coarse for this contact, or hardly covered";
+          finding.cure = "refine the slave, or exchange Slave and Master";
+          findings.push_back(finding);
+        }
+      return findings;
+    }
+
     /// At small deformation bodies do not buckle.
     Finding
     check_stability(const nlohmann::ordered_json &results)
@@ -110,6 +141,36 @@ namespace Signorini
       return {finding};
     }
 
+
+
+    /// No force beyond rounding, and no strain beside what the bodies move: a scene whose loads
+    /// were left out, or lost. An answer that the scene expects is meant.
+    template <int dim>
+    Finding
+    check_something_acts(const Scene<dim>             &scene,
+                         const Snapshot<dim>          &now,
+                         const nlohmann::ordered_json &results,
+                         const std::vector<Extremes>  &extremes)
+    {
+      constexpr double rounding = 1e-6;
+      double           strain   = 0;
+      for (const Extremes &body : extremes)
+        strain = std::max(strain, body.gradient);
+      const bool acts =
+        results["largest_force"].get<double>() > 0 ||
+        strain * now.elasticity.mesh().size() > rounding * now.displacement.linfty_norm();
+      Finding finding;
+      finding.check   = "something acts";
+      finding.value   = acts;
+      finding.limit   = 1;
+      finding.over    = Finding::Over::best;
+      finding.outcome = acts || !scene.expected.empty() ? Outcome::passed : Outcome::failed;
+      finding.what    = "no force acts, and no body is deformed: what drives the scene is missing";
+      finding.cure =
+        "look at Loads, Supports and what was left out; if this is meant, say so in Expected results";
+      return finding;
+    }
+
     /// Of the stress that the largest strains would be over the whole scene.
     template <int dim>
     double
@@ -144,8 +205,10 @@ namespace Signorini
     const auto           extremes = extremes_of_bodies(now);
     const double         scale = std::max(largest_force, rounding * elastic_force(now, extremes));
     std::vector<Finding> all   = check_motions(now, extremes);
+    all.push_back(check_something_acts(scene, now, results, extremes));
     for (const auto &some : {check_locking(now),
                              check_pairs(scene, now, extremes),
+                             check_normal_forces(results),
                              check_loads(scene, now),
                              check_coordinates(now, extremes),
                              check_left_out(scene, now, extremes, largest_force),

@@ -23,6 +23,7 @@ namespace Signorini
       double smallest_rest_gap = std::numeric_limits<double>::max();
       double smallest_facing   = 1; ///< where there is pressure
       double penetration       = 0; ///< there, the mean
+      double deepest           = 0; ///< overlap at any point of integration
       // Of active points:
       double largest_rest_gap = -std::numeric_limits<double>::max(),
              least_rest_gap   = -largest_rest_gap;
@@ -46,7 +47,7 @@ namespace Signorini
               continue;
             zone.least_rest_gap   = std::min(zone.least_rest_gap, s.contact.rest_gap(i));
             zone.largest_rest_gap = std::max(zone.largest_rest_gap, s.contact.rest_gap(i));
-            zone.pressure         = std::max(zone.pressure, s.pressure(i));
+            zone.pressure         = std::max(zone.pressure, std::abs(s.pressure(i)));
             zone.epsilon          = std::max(zone.epsilon, s.contact.coefficients.epsilon(i));
           }
       const PointValues values = point_values(s, pair);
@@ -60,12 +61,12 @@ namespace Signorini
         {
           Face &face = faces[s.surfaces[pair].points[q].face];
           face.area += s.surfaces[pair].points[q].weight;
+          zone.deepest = std::max(zone.deepest, -values.gap[q]);
           face.touched |= values.pressure[q] > 0;
-          if (!(values.pressure[q] > 0))
-            continue;
           const ContactPoint<dim> &point = s.surfaces[pair].points[q];
-          zone.smallest_facing           = std::min(zone.smallest_facing, point.facing);
           zone.modulus                   = std::max(zone.modulus, point.stiffness * point.depth);
+          if (values.pressure[q] > 0)
+            zone.smallest_facing = std::min(zone.smallest_facing, point.facing);
         }
       for (const auto &[number, face] : faces)
         if (face.touched)
@@ -84,7 +85,8 @@ namespace Signorini
         zone.penetration /= zone.active;
       for (double *least : {&zone.smallest_rest_gap, &zone.smallest_facing, &zone.least_rest_gap})
         *least = Utilities::MPI::min(*least, comm);
-      for (double *most : {&zone.largest_rest_gap, &zone.pressure, &zone.modulus, &zone.epsilon})
+      for (double *most :
+           {&zone.largest_rest_gap, &zone.deepest, &zone.pressure, &zone.modulus, &zone.epsilon})
         *most = Utilities::MPI::max(*most, comm);
       return zone;
     }
@@ -121,6 +123,26 @@ namespace Signorini
                    "Slave and Master");
       finding.over    = Finding::Over::best;
       finding.outcome = zone.active > 0 ? Outcome::passed : Outcome::warned;
+      return finding;
+    }
+
+    /// What touches within a face may be open in the mean of the face, which is all that
+    /// multipliers see of it.
+    Finding
+    is_pressed(const std::string &name, const Zone &zone, const double face, const double facets)
+    {
+      const double depth   = std::max(0., zone.deepest - facets);
+      Finding      finding = finding_of(
+        "overlap without pressure / face",
+        name,
+        zone.active > 0 ? 0. : depth / face,
+        3e-3,
+        "the surfaces overlap by up to " + short_text(depth, 2) +
+          " within faces that carry no pressure: the slave is too coarse to see its master",
+        "refine the slave, or exchange Slave and Master");
+      finding.over = Finding::Over::last;
+      if (finding.outcome == Outcome::warned)
+        finding.outcome = Outcome::failed;
       return finding;
     }
 
@@ -185,12 +207,16 @@ namespace Signorini
     /// amplitude a on a regular mesh z = l a, and they have -r l a in the mean, with l = 2, r = 1
     /// along a line and l = 4/3, r = 1/3 on a surface; so a^2 = -z z_neighbours/(l^2 r). What is
     /// smooth has the same sign there, irregular meshes make any, and at edges, where the pressure
-    /// is singular, it alternates at a few nodes only.
+    /// is singular, it alternates at a few nodes only. Pressures that displacements would leave by
+    /// their rounding alone do not count, and tensions of pairs that never separate do.
     template <int dim>
     Finding
     even(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
     {
-      constexpr double   scale = dim == 2 ? 4. : 16. / 27, little = 0.02, few = 5;
+      constexpr double scale = dim == 2 ? 4. : 16. / 27, little = 0.02, few = 5, rounding = 1e-9;
+      const bool       counts_at_all =
+        zone.pressure >
+        rounding * zone.modulus * s.displacement.linfty_norm() / s.elasticity.mesh().size();
       const GapOperator &contact = s.contact;
       LA::Vector         active = s.active, inner = contact.zero(), innermost = contact.zero();
       auto               which = contact.origin.pair.begin();
@@ -212,7 +238,7 @@ namespace Signorini
       Utilities::MPI::sum(counts, s.elasticity.mesh().communicator(), counts);
       return finding_of("alternating pressure",
                         s.pairs[pair].name,
-                        counts[1] >= few ? counts[0] / counts[1] : 0.,
+                        counts_at_all && counts[1] >= few ? counts[0] / counts[1] : 0.,
                         1. / 3,
                         "at that share of its nodes the pressure alternates by more than 2 % "
                         "of the largest one",
@@ -278,7 +304,9 @@ namespace Signorini
       finding.value       = degree * across;
       const bool is_whole = zone.active >= whole * zone.candidates;
       finding.outcome     = finding.value < few && !is_whole ? Outcome::warned : Outcome::passed;
-      finding.what        = "too few: the largest pressure may be off by tens of percent";
+      finding.what        = finding.value < 2 ?
+                              "contact lies within a face: forces and pressures may be off by a multiple" :
+                              "too few: the largest pressure may be off by tens of percent";
       finding.cure =
         "refine there (Mesh/Contact refinements, Zones) to 5 faces or more, nodes with degree 2";
       return finding;
@@ -304,6 +332,13 @@ namespace Signorini
         const Zone                 zone     = zone_of(now, i);
         if (!pair.found)
           findings.push_back(acts(pair.name, zone));
+        if (pair.separates && pair.interference.value({}, now.time) == 1)
+          findings.push_back(is_pressed(
+            pair.name,
+            zone,
+            surface.face_size,
+            std::max(now.elasticity.mesh().facet_height(pair.slave).height,
+                     obstacle ? 0. : now.elasticity.mesh().facet_height(pair.master).height)));
         if (zone.active == 0)
           continue;
         if (now.contact.at_rest())

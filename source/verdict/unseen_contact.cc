@@ -1,4 +1,5 @@
 #include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/contact/geometry/deep_overlap.h>
 #include <signorini/contact/geometry/reach.h>
 #include <signorini/contact/geometry/search.h>
 #include <signorini/contact/geometry/self_contact.h>
@@ -33,18 +34,34 @@ namespace Signorini
       symmetry  ///< of its own body, a plane of which the other side is the image of this one
     };
 
-    /// The deepest place.
+    constexpr double small = 0.02; ///< share of a cell that passes
+
+    /// The deepest place, of those that make the answer none if there are any.
     struct Overlap
     {
       double       share = 0, depth = 0; ///< of the cells behind; and as a length
-      unsigned int surface = 0;          ///< its kind, see WatchedSurfaces
-      Through      through = Through::other;
-      unsigned int what    = 0; ///< the kind of the other surface; or which body, obstacle, plane
-      bool         is_idle = false; ///< there is a pair, which has not seen it
+      unsigned int surface  = 0;         ///< its kind, see WatchedSurfaces
+      Through      through  = Through::other;
+      unsigned int what     = 0; ///< the kind of the other surface; or which body, obstacle, plane
+      bool         is_idle  = false; ///< there is a pair, which has not seen it
+      bool         at_start = false; ///< before anything moved
+
+      /// The answer is none.
+      bool
+      fails() const
+      {
+        return share > small && (through == Through::itself || is_idle || at_start);
+      }
 
       void
       take(const Overlap &other)
       {
+        if (other.fails() != fails())
+          {
+            if (other.fails())
+              *this = other;
+            return;
+          }
         // Of those that are as deep but for rounding, the first.
         const bool is_alike = std::abs(other.share - share) <= 1e-6 * share;
         if (is_alike ? std::tie(other.surface, other.what) < std::tie(surface, what) :
@@ -201,13 +218,16 @@ namespace Signorini
       return largest;
     }
 
-    /// What was outside of another body at rest, and is now farther inside than half a cell.
+    /// What was outside of another body at rest, and is now farther inside than half a cell; or
+    /// what is inside, and was so at the start, unless it is of a pair with that body, whose
+    /// overlap may have to stay for a while.
     template <int dim>
     Overlap
-    deep_in(const Outside<dim> &a,
-            const Outside<dim> &b,
-            const unsigned int  body,
-            const MPI_Comm      comm)
+    deep_in(const Outside<dim>         &a,
+            const Outside<dim>         &b,
+            const unsigned int          body,
+            const WatchedSurfaces<dim> &watched,
+            const MPI_Comm              comm)
     {
       const std::vector<unsigned int> asked = in_box_of(a, b);
       std::vector<Point<dim>>         places, at_rest;
@@ -218,16 +238,75 @@ namespace Signorini
         }
       if (Utilities::MPI::sum(asked.size(), comm) == 0)
         return {};
-      const auto ends   = b.box->get_boundary_points();
-      const auto now    = depths(places, b.masters(false), ends.first.distance(ends.second), comm),
-                 before = depths(at_rest, b.masters_at_rest(), b.deepest, comm);
+      const auto   ends    = b.box->get_boundary_points();
+      const double far     = ends.first.distance(ends.second);
+      const auto   now     = depths(places, b.masters(false), far, comm),
+                 before    = depths(at_rest, b.masters_at_rest(), far, comm);
+      const auto is_inside = [](const double depth, const double least) {
+        return depth >= least && std::isfinite(depth);
+      };
       Overlap largest;
       for (unsigned int k = 0; k < asked.size(); ++k)
-        if (const unsigned int i = asked[k]; now[k] >= a.depth(i) && std::isfinite(now[k]) &&
-                                             !(before[k] > 0 && std::isfinite(before[k])))
-          largest.take(
-            {now[k] / (2 * a.depth(i)), now[k], a.kinds[a.face_of[i]], Through::body, body});
+        {
+          const unsigned int i = asked[k], kind = a.kinds[a.face_of[i]];
+          const double       cell     = 2 * a.depth(i);
+          const bool         at_start = is_inside(before[k], much_of_cell * cell);
+          if (at_start ?
+                is_inside(now[k], much_of_cell * cell) && !watched.has_pair(kind, body) :
+                is_inside(now[k], cell / 2) && !(before[k] > 0 && std::isfinite(before[k])))
+            largest.take({now[k] / cell, now[k], kind, Through::body, body, false, at_start});
+        }
       return largest;
+    }
+
+    /// The faces of a body that lie in a box at rest: about so many of them on each rank.
+    template <int dim>
+    BoundaryFaces<dim>
+    some_faces(const Configuration<dim> &configuration,
+               const unsigned int        body,
+               const BoundingBox<dim>   &box,
+               const unsigned int        how_many)
+    {
+      const auto is_in_box = [&](const CellIterator<dim> &cell, const unsigned int face) {
+        return configuration.elasticity().mesh().body(cell) == body &&
+               box.point_inside(cell->face(face)->center());
+      };
+      unsigned int n = 0, next = 0;
+      for (const auto &cell : configuration.elasticity().dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            n += cell->face(f)->at_boundary() && is_in_box(cell, f);
+      const unsigned int stride = std::max(1u, n / how_many);
+      return {configuration, [&](const CellIterator<dim> &cell, const unsigned int face) {
+                return is_in_box(cell, face) && next++ % stride == 0;
+              }};
+    }
+
+    /// Of small strain, where two bodies were inside of each other from the start by more than
+    /// their surfaces see: some faces are asked, since others beside them are as deep.
+    template <int dim>
+    Overlap
+    deep_at_start(const Configuration<dim>   &configuration,
+                  const unsigned int          a,
+                  const unsigned int          b,
+                  const WatchedSurfaces<dim> &watched)
+    {
+      constexpr unsigned int enough = 200;
+      const Mesh<dim>       &mesh   = configuration.elasticity().mesh();
+      const MPI_Comm         comm   = mesh.communicator();
+      if (common_depth(mesh.extent(a), mesh.extent(b)) == 0)
+        return {};
+      const Outside<dim> asking(some_faces(configuration, a, mesh.extent(b), enough),
+                                watched,
+                                {},
+                                comm);
+      if (!asking.box)
+        return {};
+      const BoundaryFaces<dim> of_b(configuration,
+                                    [&](const CellIterator<dim> &cell, const unsigned int) {
+                                      return mesh.body(cell) == b;
+                                    });
+      return deep_in(asking, Outside<dim>(of_b, watched, {}, comm), b, watched, comm);
     }
 
     /// What was outside at rest has gone through the surface, however deep it is; what was inside
@@ -335,7 +414,6 @@ namespace Signorini
   Finding
   check_unseen_contact(const Scene<dim> &scene, const Snapshot<dim> &now)
   {
-    constexpr double              small     = 0.02;
     const Mesh<dim>              &mesh      = now.elasticity.mesh();
     const bool                    is_finite = now.elasticity.is_finite();
     const Configuration<dim>      configuration(now.elasticity, now.displacement);
@@ -354,12 +432,14 @@ namespace Signorini
         for (unsigned int other = 0; other < bodies.size(); ++other)
           {
             const Outside<dim> &b = bodies[other];
+            if (!is_finite && body != other)
+              largest.take(deep_at_start(configuration, body, other, watched));
             if ((!is_finite && &a == &b) || !a.box || !b.box ||
                 a.box->get_neighbor_type(*b.box) == NeighborType::not_neighbors)
               continue;
             largest.take(overlap_of(a, b, watched, mesh.communicator()));
             if (is_finite && &a != &b) // else not all of the other one is there
-              largest.take(deep_in(a, b, other, mesh.communicator()));
+              largest.take(deep_in(a, b, other, watched, mesh.communicator()));
           }
         for (unsigned int i = 0; i < scene.obstacles.size(); ++i)
           largest.take(overlap_of(configuration, a, scene.obstacles[i], i, watched));
@@ -372,9 +452,8 @@ namespace Signorini
     finding.check           = "unseen contact";
     finding.value           = largest.share;
     finding.limit           = small;
-    finding.outcome         = largest.share <= small ? Outcome::passed :
-                              largest.through == Through::itself || (largest.is_idle && is_finite) ?
-                                                       Outcome::failed :
+    finding.outcome         = largest.fails()        ? Outcome::failed :
+                              largest.share <= small ? Outcome::passed :
                                                        Outcome::warned;
     const std::string name  = "'" + watched.name(largest.surface) + "' goes through ",
                       depth = " by up to " + short_text(largest.depth, 2);
@@ -385,10 +464,14 @@ namespace Signorini
     switch (largest.through)
       {
         case Through::body:
-          finding.what = "'" + watched.name(largest.surface) + "' is inside of '" +
-                         mesh.body_name(largest.what) + "', by up to " +
-                         short_text(largest.depth, 2);
-          finding.cure = "load in smaller steps, and add a pair to Contact pairs, if there is none";
+          finding.what =
+            "'" + watched.name(largest.surface) + "' is inside of '" +
+            mesh.body_name(largest.what) + "', by up to " + short_text(largest.depth, 2) +
+            (largest.at_start ? ", from the start, where no pair looks for contact" : "");
+          finding.cure =
+            largest.at_start ?
+              "add a pair of their surfaces to Contact pairs, or move the bodies apart" :
+              "load in smaller steps, and add a pair to Contact pairs, if there is none";
           break;
         case Through::other:
           finding.what = name + "'" + watched.name(largest.what) + "'" + depth +

@@ -16,6 +16,11 @@ namespace Signorini
     for (unsigned int i = 0; i < now.pairs.size(); ++i)
       {
         const ContactPair<dim> &pair = now.pairs[i];
+        if (!scene.obstacle_of(pair))
+          for (const auto &[one, other] :
+               {std::make_pair(pair.slave, pair.master), std::make_pair(pair.master, pair.slave)})
+            for (const unsigned int boundary : mesh.boundary_ids(one))
+              with_bodies.insert({boundary, *mesh.body_of(other)});
         for (const unsigned int slave : mesh.boundary_ids(pair.slave))
           if (scene.obstacle_of(pair))
             (idle[i] ? idle_at_obstacles : at_obstacles).insert({slave, pair.master});
@@ -68,6 +73,15 @@ namespace Signorini
   WatchedSurfaces<dim>::sees(const unsigned int a, const std::string &obstacle) const
   {
     return at_obstacles.count({a % mesh.end_of_boundary_ids(), obstacle}) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  WatchedSurfaces<dim>::has_pair(const unsigned int a, const unsigned int body) const
+  {
+    return with_bodies.count({a % mesh.end_of_boundary_ids(), body}) > 0;
   }
 
 

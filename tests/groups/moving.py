@@ -198,6 +198,20 @@ def passed_through(test):
     test.check(not found, found)
 
 
+def pulled(test):
+    """A uniform tension is exact, and no pressure that alternates; nor is none at all."""
+    scene = VARIED / "pulled.prm"
+    for degree in (1, 2):
+        results = test.results(scene, [f"Mesh/Degree={degree}"])
+        force = force_of(results, "c")
+        exact = -2 * 500 * (1.1 - 1 / 1.1)  # neo-Hooke of nu = 0, stretched by 1.1, on a width of 2
+        test.check(abs(force / exact - 1) <= 1e-8, f"degree {degree}: {force:.10g} instead of {exact:.10g}")
+        test.check(results["verdict"]["outcome"] == "passed", f"degree {degree}: {results['verdict']}")
+    still = test.results(scene, ["Obstacles/o/Displacement=0.3*t; 0", "Supports/sx/Displacement=0.3*t; free"])
+    alarms = [check["check"] for check in still["verdict"]["checks"] if check["outcome"] == "warned"]
+    test.check(not alarms, f"a block that is carried along: {alarms}")
+
+
 def cases():
     yield Case("moving", "first touch", first_touch)
     yield Case("moving", "fold", fold)
@@ -208,3 +222,4 @@ def cases():
     yield Case("moving", "to the middle", to_the_middle)
     yield Case("moving", "obstacle inside", obstacle_inside)
     yield Case("moving", "passed through", passed_through, ranks=2)
+    yield Case("moving", "pulled", pulled)

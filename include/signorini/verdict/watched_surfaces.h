@@ -32,6 +32,10 @@ namespace Signorini
     bool
     sees(unsigned int a, const std::string &obstacle) const;
 
+    /// With any surface of that body, idle or not.
+    bool
+    has_pair(unsigned int a, unsigned int body) const;
+
     bool
     is_idle(unsigned int a, unsigned int b) const;
 
@@ -48,6 +52,7 @@ namespace Signorini
 
     const Mesh<dim>                                  &mesh;
     std::set<std::pair<unsigned int, unsigned int>>   pairs, idle_pairs, selves;
+    std::set<std::pair<unsigned int, unsigned int>>   with_bodies; ///< boundary, body
     std::set<std::pair<unsigned int, std::string>>    at_obstacles, idle_at_obstacles;
     std::set<std::pair<dealii::CellId, unsigned int>> slaves;
   };

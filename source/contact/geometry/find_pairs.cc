@@ -43,16 +43,23 @@ namespace Signorini
     };
 
     template <int dim>
-    std::vector<Face<dim>>
-    all_faces(const Mesh<dim> &mesh)
+    struct Surfaces
+    {
+      std::vector<Face<dim>>                   own, all; ///< faces of this rank, of all ranks
+      std::vector<std::vector<FacePatch<dim>>> patches;  ///< of this rank, by body
+    };
+
+    template <int dim>
+    Surfaces<dim>
+    surfaces_of(const Mesh<dim> &mesh)
     {
       // Of a face with several names, the first counts.
       std::map<types::boundary_id, unsigned int> number_of;
       for (unsigned int i = 0; i < mesh.boundaries().size(); ++i)
         for (const types::boundary_id id : mesh.boundary_ids(mesh.boundaries()[i]))
           number_of.insert({id, i});
-      std::vector<Face<dim>> own, all;
-      FacePatches<dim>       patch_of(mesh);
+      Surfaces<dim>    result{{}, {}, std::vector<std::vector<FacePatch<dim>>>(mesh.n_bodies())};
+      FacePatches<dim> patch_of(mesh);
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
           for (const unsigned int f : cell->face_indices())
@@ -62,15 +69,16 @@ namespace Signorini
                 Point<dim - 1>       middle;
                 for (unsigned int d = 0; d < dim - 1; ++d)
                   middle[d] = 0.5;
-                own.push_back({patch.position(middle),
-                               patch.normal(middle),
-                               patch.diameter(),
-                               number_of.at(cell->face(f)->boundary_id()),
-                               mesh.body(cell)});
+                result.own.push_back({patch.position(middle),
+                                      patch.normal(middle),
+                                      patch.diameter(),
+                                      number_of.at(cell->face(f)->boundary_id()),
+                                      mesh.body(cell)});
+                result.patches[mesh.body(cell)].push_back(patch);
               }
-      for (const auto &some : Utilities::MPI::all_gather(mesh.communicator(), own))
-        all.insert(all.end(), some.begin(), some.end());
-      return all;
+      for (const auto &some : Utilities::MPI::all_gather(mesh.communicator(), result.own))
+        result.all.insert(result.all.end(), some.begin(), some.end());
+      return result;
     }
 
     /// Two faces of different bodies that look at each other along their normals.
@@ -86,24 +94,86 @@ namespace Signorini
              lateral <= (a.size + b.size) / 2;
     }
 
+    /// Neither face lies behind the other.
+    template <int dim>
+    bool
+    is_in_front(const Face<dim> &a, const Face<dim> &b)
+    {
+      const double         touching = 1e-6 * std::min(a.size, b.size);
+      const Tensor<1, dim> across   = b.center - a.center;
+      return across * a.normal >= -touching && -across * b.normal >= -touching;
+    }
+
     using BoundaryPair = std::pair<unsigned int, unsigned int>;
 
+    /// A face of this rank and boundaries of another body, parts of which lie behind it.
+    using Behind = std::map<unsigned int, std::set<unsigned int>>;
+
+    /// Of faces that another body lies behind: what is behind may be on the far side of the face's
+    /// own body, or of the other one. It meets the face if that lies inside of the other body, an
+    /// overlap, or if the closest place of that body looks at the face. Collective.
+    template <int dim>
+    void
+    add_overlapping(const std::vector<Face<dim>>      &own,
+                    const Behind                      &behind,
+                    const std::vector<FacePatch<dim>> &body,
+                    const double                       distance,
+                    const MPI_Comm                     comm,
+                    std::set<BoundaryPair>            &result)
+    {
+      std::vector<Point<dim>> points;
+      for (const auto &entry : behind)
+        points.push_back(own[entry.first].center);
+      const MasterFaces<dim> faces{body, [](auto, const auto &, auto &) {}};
+      const auto             closest =
+        find_partners(points, std::vector<Tensor<1, dim>>(points.size()), faces, distance, comm);
+      auto place = closest.begin();
+      for (const auto &[number, boundaries] : behind)
+        if (const auto &partner = *place++)
+          {
+            const Face<dim> &face      = own[number];
+            const bool       is_inside = (face.center - partner->position) * partner->normal < 0;
+            if (is_inside || faces_each_other<dim>(face.normal, partner->normal))
+              for (const unsigned int boundary : boundaries)
+                result.insert(std::minmax(face.boundary, boundary));
+          }
+    }
+
+    /// Pairs of boundaries of different bodies, the same on all ranks. Collective.
     template <int dim>
     std::set<BoundaryPair>
-    meeting_boundaries(const std::vector<Face<dim>> &faces, const double distance)
+    meeting_boundaries(const Surfaces<dim> &surfaces, const double distance, const MPI_Comm comm)
     {
       std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
-      for (unsigned int i = 0; i < faces.size(); ++i)
-        boxes.emplace_back(faces[i].box(0), i);
+      for (unsigned int i = 0; i < surfaces.all.size(); ++i)
+        boxes.emplace_back(surfaces.all[i].box(0), i);
       const auto             tree = pack_rtree(boxes);
-      std::set<BoundaryPair> result;
-      for (const Face<dim> &face : faces)
-        for (const auto &[box, i] :
-             tree | boost::geometry::index::adaptors::queried(
-                      boost::geometry::index::intersects(face.box(distance))))
-          if (may_meet(face, faces[i], distance))
-            result.insert(std::minmax(face.boundary, faces[i].boundary));
-      return result;
+      std::set<BoundaryPair> own;
+      std::vector<Behind>    behind(surfaces.patches.size());
+      double                 farthest = distance;
+      for (unsigned int k = 0; k < surfaces.own.size(); ++k)
+        {
+          const Face<dim> &face = surfaces.own[k];
+          farthest              = std::max(farthest, distance + face.size);
+          for (const auto &[box, i] :
+               tree | boost::geometry::index::adaptors::queried(
+                        boost::geometry::index::intersects(face.box(distance))))
+            if (const Face<dim> &other = surfaces.all[i]; may_meet(face, other, distance))
+              {
+                if (is_in_front(face, other))
+                  own.insert(std::minmax(face.boundary, other.boundary));
+                else
+                  behind[other.body][k].insert(other.boundary);
+              }
+        }
+      farthest = Utilities::MPI::max(farthest, comm);
+      for (unsigned int body = 0; body < behind.size(); ++body)
+        add_overlapping(surfaces.own, behind[body], surfaces.patches[body], farthest, comm, own);
+      std::set<BoundaryPair> all;
+      for (const auto &some :
+           Utilities::MPI::all_gather(comm, std::vector<BoundaryPair>(own.begin(), own.end())))
+        all.insert(some.begin(), some.end());
+      return all;
     }
 
     /// Boundaries that may meet an obstacle.
@@ -182,9 +252,9 @@ namespace Signorini
              const ContactPair<dim>           &pattern,
              const double                      distance)
   {
-    const std::vector<Face<dim>>  faces = all_faces(mesh);
-    const auto                   &names = mesh.boundaries();
-    const std::vector<Fineness>   fine  = fineness(faces, names.size());
+    const Surfaces<dim>           surfaces = surfaces_of(mesh);
+    const auto                   &names    = mesh.boundaries();
+    const std::vector<Fineness>   fine     = fineness(surfaces.all, names.size());
     std::vector<ContactPair<dim>> result;
     const auto                    add = [&](const std::string &slave, const std::string &master) {
       ContactPair<dim> pair = pattern;
@@ -194,13 +264,13 @@ namespace Signorini
       pair.found            = true;
       result.push_back(pair);
     };
-    for (const auto &[a, b] : meeting_boundaries(faces, distance))
+    for (const auto &[a, b] : meeting_boundaries(surfaces, distance, mesh.communicator()))
       if (first_is_slave(fine[a], fine[b], moduli))
         add(names[a], names[b]);
       else
         add(names[b], names[a]);
     for (const Obstacle<dim> &obstacle : obstacles)
-      for (const unsigned int boundary : boundaries_at(faces, *obstacle.shape, distance))
+      for (const unsigned int boundary : boundaries_at(surfaces.all, *obstacle.shape, distance))
         add(names[boundary], obstacle.name);
     check_names(result, mesh);
     return result;
