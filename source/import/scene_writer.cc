@@ -16,12 +16,21 @@ namespace Signorini
   namespace
   {
     std::string
-    text(const double x)
+    text(const double x, const unsigned int digits = 12)
     {
       std::ostringstream out;
-      out.precision(15);
+      out.precision(digits);
       out << x;
       return out.str();
+    }
+
+
+
+    /// Times may be as close as the two sides of a jump.
+    std::string
+    text_of_time(const double t)
+    {
+      return text(t, 15);
     }
 
 
@@ -272,7 +281,7 @@ namespace Signorini
     std::vector<std::string> words{"t"};
     for (const auto &[t, y] : points)
       {
-        words.push_back(text(t));
+        words.push_back(text_of_time(t));
         words.push_back(text(factor * y));
       }
     return "table(" + join(words) + ")";
@@ -473,9 +482,9 @@ namespace Signorini
             if (span.first > 0)
               late_supports.emplace_back(at.name, span.first);
             if (span.first > 0)
-              item.keys.emplace_back("From", text(span.first));
+              item.keys.emplace_back("From", text_of_time(span.first));
             if (!model.steps.empty() && span.second < model.steps.back().end)
-              item.keys.emplace_back("Until", text(span.second));
+              item.keys.emplace_back("Until", text_of_time(span.second));
             add_at_nodes(items, names, is_a_node(at), item);
           }
       }
@@ -620,10 +629,13 @@ namespace Signorini
               std::sort(face.begin(), face.end());
               ++n_cells[face];
             }
-    unsigned int n = 0;
-    for (const auto &[face, curve] : model.pressures)
-      if (const auto found = n_cells.find(face); found != n_cells.end() && found->second > 1)
-        ++n;
+    const std::size_t before = model.pressures.size();
+    for (auto one = model.pressures.begin(); one != model.pressures.end();)
+      {
+        const auto found = n_cells.find(one->first);
+        one = found != n_cells.end() && found->second > 1 ? model.pressures.erase(one) : ++one;
+      }
+    const std::size_t n = before - model.pressures.size();
     if (n > 0)
       model.leave_out("pressures on " + std::to_string(n) + " faces inside of bodies", "", "load");
   }
@@ -640,12 +652,15 @@ namespace Signorini
       {
         const std::set<DeckModel::Face>                      faces = model.faces_of(surface);
         std::map<unsigned int, std::vector<DeckModel::Face>> groups;
+        std::size_t                                          n_faces = 0;
+        for (const DeckModel::Face &face : faces)
+          n_faces += model.pressures.count(face);
         for (const DeckModel::Face &face : faces)
           if (model.pressures.count(face) > 0 && done.insert(face).second)
             groups[histories.number(model.pressures.at(face))].push_back(face);
         for (const auto &[number, members] : groups)
           {
-            const bool        is_whole = members.size() == faces.size();
+            const bool        is_whole = members.size() == n_faces;
             const std::string where =
               is_whole ? surfaces(surface, "a pressure") :
                          faces_of(members, set_names.unlike(as_name(surface) + " part"));
@@ -812,7 +827,7 @@ namespace Signorini
       times.insert(step.end);
     std::vector<std::string> ends;
     for (const double t : times)
-      ends.push_back(text(t));
+      ends.push_back(text_of_time(t));
     return "\nsubsection Load steps\n  set Times = " + join(ends) + "\nend\n";
   }
 
@@ -917,8 +932,8 @@ namespace Signorini
         if (static_cast<std::size_t>(n) <= most)
           continue;
         model.leave_out("the " + std::to_string(n) +
-                          " bends of amplitudes in the step that ends at " + text(step.end) +
-                          "; its end alone is solved",
+                          " bends of amplitudes in the step that ends at " +
+                          text_of_time(step.end) + "; its end alone is solved",
                         "*AMPLITUDE");
         bends.erase(begin, end);
       }

@@ -381,8 +381,8 @@ TEST_CASE("import: steps, amplitudes, gravity, pressures on elements, symmetry")
     ".inp");
   const auto [text, messages] = imported(file.path);
   const Scene<2> scene        = checked<2>(text);
-  CHECK(scene.load_steps.ends() == std::vector<double>{2, 4, 5});
-  REQUIRE(scene.loads.size() == 6);
+  CHECK(scene.load_steps.ends() == std::vector<double>{2, 3, 4, 5});
+  REQUIRE(scene.loads.size() == 5);
   CHECK(scene.loads[0].force.text().find("table(t, 0, 0, 2, -1.66") != std::string::npos);
   const Load<2> &pressure = scene.loads[3];
   CHECK(pressure.boundaries == std::vector<std::string>{"piece1.DLOAD 1"});
@@ -390,7 +390,7 @@ TEST_CASE("import: steps, amplitudes, gravity, pressures on elements, symmetry")
        std::vector<std::pair<double, double>>{{1, 0}, {3, 5}, {4, 0}, {4.5, 3.5}, {5, 7}})
     CHECK(std::abs(pressure.pressure.value({}, t) - p) < 1e-6);
   CHECK(std::abs(scene.loads[4].body_force.value({}, 3)[1] + 6) < 1e-6);
-  CHECK(scene.loads[4].bodies == std::vector<std::string>{"piece1"});
+  CHECK(scene.loads[4].bodies == std::vector<std::string>{"piece1", "piece2"});
   CHECK(std::abs(scene.loads[0].force.value({}, 5)[1] - 1) < 1e-6);
   CHECK(std::abs(scene.loads[1].force.value({}, 5)[1]) < 1e-6);
   for (const std::string word : {"*MODEL CHANGE", "PERTURBATION", "*FREQUENCY"})
@@ -475,7 +475,7 @@ TEST_CASE("import: what a later step says of a place replaces, whatever names it
   check(step("*CLOAD, AMPLITUDE=total\n9, 3, -1\n") + step("") + step("*CLOAD\n9, 3, -1\n"),
         {{1, -1}, {1.5, -2}, {2, -3}, {3, -1}});
   check(step("*CLOAD\n9, 3, -2\n", ", AMPLITUDE=STEP"), {{0.5, -2}, {1, -2}});
-  check(step("*DLOAD\nall, P2, 1\n") + step("*DLOAD\nup, P2, 5\n"), {{2, -5}});
+  check(step("*DLOAD\n2, P2, 1\n") + step("*DLOAD\nup, P2, 5\n"), {{2, -5}});
   check(step("*DLOAD\n2, P2, 1\nup, P2, 1\n"), {{1, -2}});
   check(step("*DSLOAD\nPRESS, P, 1\n") + step("*DLOAD\n2, P2, 5\n"), {{1, -1}, {2, -5}});
   // Gravity replaces that of the same name and direction, and no other.
@@ -486,6 +486,16 @@ TEST_CASE("import: what a later step says of a place replaces, whatever names it
   check(step("*DLOAD\nup, GRAV, 3" + down) + step("*DLOAD, OP=NEW\nall, BZ, 2\n"),
         {{1, -1.5}, {2, 4}});
   check(step("*DLOAD\nall, BZ, 1\n") + step("*DLOAD\nup, BZ, 3\n"), {{1, 2}, {2, 4}});
+}
+
+
+
+TEST_CASE("import: pressures on faces between elements are left out, and the others act")
+{
+  std::string    text;
+  const Scene<3> scene = column(step("*DLOAD\nall, P2, 3\n"), text);
+  says(text, "left out: pressures on 1 faces inside of bodies");
+  CHECK(std::abs(force_at(scene, 1) + 3) < 1e-12);
 }
 
 
@@ -536,9 +546,13 @@ TEST_CASE("import: supports of later steps replace, begin and end")
   }
   // The support of the model is removed too.
   const Scene<3> scene = column(step("*BOUNDARY, OP=NEW\n1, 1, 3\n2, 2, 3\n4, 3, 3\n"), text);
-  CHECK(text.find(".base") == std::string::npos);
+  unsigned int   n     = 0;
   for (const auto &support : scene.supports)
-    CHECK(support.until == 0);
+    for (unsigned int d = 0; d < 3; ++d)
+      if (support.acts(1) && support.displacement.prescribed(d))
+        for (const std::string &set : support.nodes.sets)
+          n += scene.bodies[0].mesh.generator->node_set(set.substr(set.find('.') + 1)).size();
+  CHECK(n == 3 + 2 + 1);
 }
 
 
