@@ -915,7 +915,8 @@ namespace Signorini
           model.leave_out("the way of " + name +
                             " to the value of a support that begins in a later step, from where "
                             "it is; it goes there from zero",
-                          "*BOUNDARY");
+                          "*BOUNDARY",
+                          "support");
   }
 
 
@@ -934,7 +935,8 @@ namespace Signorini
         model.leave_out("the " + std::to_string(n) +
                           " bends of amplitudes in the step that ends at " +
                           text_of_time(step.end) + "; its end alone is solved",
-                        "*AMPLITUDE");
+                        "*AMPLITUDE",
+                        "load");
         bends.erase(begin, end);
       }
   }
