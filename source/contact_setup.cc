@@ -119,8 +119,8 @@ namespace Signorini
     const ContactPair<dim> &pair = scene.pairs[i];
     const double            now  = room * approached[i],
                  so_far          = pair.search_distance > 0 ? pair.search_distance : reach[i];
-    // Points whose gap a formula tells may be anywhere.
-    if (!pair.separates || pair.gap_is_given() || now == 0 || now >= so_far)
+    // Points whose gap a formula tells may be anywhere, and somewhere else in time.
+    if (!pair.separates || pair.gap_is_given() || gap_varies(pair) || now == 0 || now >= so_far)
       return {};
     return {now, 2 * my_surfaces[i].overlap, true};
   }
@@ -144,9 +144,10 @@ namespace Signorini
           }
         if (built_near && !my_surfaces.empty())
           nearby[i] = std::max(nearby[i], my_surfaces[i].face_size / 2);
-        const double limit = my_surfaces.empty() ?
-                               search_limit(elasticity, scene.pairs[i], reach[i]) :
-                               my_surfaces[i].overlap + approaches[i];
+        const bool   is_other = gap_varies(scene.pairs[i]) && elasticity.time() != built_for;
+        const double limit    = my_surfaces.empty() || is_other ?
+                                  search_limit(elasticity, scene.pairs[i], reach[i]) :
+                                  my_surfaces[i].overlap + approaches[i];
         result.push_back({built_near ? nearby[i] : reach[i], limit, false});
       }
     return result;
@@ -176,12 +177,15 @@ namespace Signorini
   {
     const ContactMethod &method = scene.contact.chosen();
     built_near                  = is_near;
+    for (const Obstacle<dim> &obstacle : scene.obstacles)
+      obstacle.shape->set_time(elasticity.time());
     nearby.resize(scene.pairs.size(), 0.);
     known.resize(scene.pairs.size());
     {
       TimerOutput::Scope               scope(timer, "search");
       const std::vector<SearchRange>   of_pairs = ranges(configuration);
       std::vector<ContactSurface<dim>> former   = std::move(my_surfaces);
+      built_for                                 = elasticity.time();
       my_surfaces.clear();
       try
         {
@@ -436,6 +440,36 @@ namespace Signorini
     contact->set_interference(shares);
     if (contact->S_thermal.m() > 0)
       contact->set_rises(elasticity.thermal().coefficients());
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::gap_varies(const ContactPair<dim> &pair) const
+  {
+    const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
+    return pair.gap_depends_on_time() || (obstacle && obstacle->shape->depends_on_time());
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::is_outdated() const
+  {
+    if (elasticity.time() == built_for)
+      return false;
+    const bool  with_stress = scene.contact.chosen().predictor() == Predictor::normal_stress;
+    const auto &mesh        = elasticity.mesh();
+    return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const ContactPair<dim> &pair) {
+      if (gap_varies(pair))
+        return true;
+      const bool is_between_bodies = !scene.obstacle_of(pair);
+      return with_stress &&
+             (surface_loads_vary(mesh, elasticity.loads(), pair.slave) ||
+              (is_between_bodies && surface_loads_vary(mesh, elasticity.loads(), pair.master)));
+    });
   }
 
 

@@ -298,7 +298,7 @@ namespace Signorini
     elasticity.distribute(state.displacement);
     steps_before.clear();
     if (my_follows && t == state.time)
-      return follow_surfaces(t, tolerance, true); // only the mesh is another
+      return follow_surfaces(t, tolerance, !contact.is_outdated()); // only the mesh is another
     if (my_follows)
       {
         contact.check_ways(last, state.displacement);
@@ -311,6 +311,8 @@ namespace Signorini
         in_place.place(std::move(place));
         in_place.find_contact(false);
       }
+    else if (contact.is_outdated())
+      in_place.find_contact(false);
     if (!solve_in_place(t, first_goal(tolerance, start.has_value())))
       return false;
     return my_follows || leaves_place() ? follow_surfaces(t, tolerance, false) : true;

@@ -122,11 +122,20 @@ namespace Signorini
     std::string
     pressed_twice(const LA::Vector &active) const;
 
+    /// What build() found was of another time, and is not the same now: gaps by formulas, and loads
+    /// on surfaces of which a method asks for the stress.
+    bool
+    is_outdated() const;
+
     /// What was left out, for the results.
     std::vector<std::string>
     left_out() const;
 
   private:
+    /// Does the gap at rest depend on time?
+    bool
+    gap_varies(const ContactPair<dim> &pair) const;
+
     /// The change of displacements since build().
     LA::Vector
     since_built(const LA::Vector &u) const;
@@ -169,8 +178,9 @@ namespace Signorini
     std::vector<ContactSurface<dim>> my_surfaces;
     std::unique_ptr<ContactRows>     rows;
     std::unique_ptr<GapOperator>     contact;
-    LA::Vector                       built_at; ///< displacement; empty: at rest
-    std::set<std::string>            kept;     ///< pairs whose master cannot be the slave
+    LA::Vector                       built_at;      ///< displacement; empty: at rest
+    double                           built_for = 0; ///< time
+    std::set<std::string>            kept;          ///< pairs whose master cannot be the slave
   };
 
   /// How far surfaces of a scene may come closer: sound guesses save a second solution.

@@ -25,7 +25,7 @@ namespace Signorini
       "oscillate; results keep the signs of the names");
     section.add("Initial gap",
                 initial_gap,
-                "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z [length]");
+                "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z,t [length]");
     section.add(
       "Closed up to",
       closed_up_to,
@@ -74,6 +74,16 @@ namespace Signorini
           section.fail("Initial gap",
                        std::string(error.what()) + "; or write 'from geometry' or 'closed'");
         }
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactPair<dim>::gap_depends_on_time() const
+  {
+    return gap_is_given() && initial_gap.text != "closed" &&
+           Expression<dim>(initial_gap).depends_on_time();
   }
 
 

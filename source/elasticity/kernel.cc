@@ -138,6 +138,7 @@ namespace Signorini
     : model(model)
     , t(t)
     , nodal_forces(mesh, loads)
+    , surface_loads(mesh, elements, model, loads, t)
     , scalars(scalar_elements(elements))
     , all_values(mesh.surface_mappings(),
                  scalars,
@@ -151,11 +152,6 @@ namespace Signorini
   {
     for (const Load<dim> &load : loads)
       {
-        BoundaryIds ids; // names may have faces in common, which are loaded once
-        for (const std::string &boundary : load.boundaries)
-          ids.insert(mesh.boundary_ids(boundary).begin(), mesh.boundary_ids(boundary).end());
-        for (const types::boundary_id id : ids)
-          by_boundary[id].push_back(&load);
         const std::set<std::string> names(load.bodies.begin(), load.bodies.end());
         for (unsigned int id = 0; id < mesh.n_materials(); ++id)
           if (names.count(mesh.body_name(mesh.body_of_material(id))) > 0)
@@ -167,38 +163,6 @@ namespace Signorini
         for (const types::coarse_cell_id cell : cells)
           by_cell[cell].push_back(&load);
       }
-    measure_boundaries(mesh, loads);
-  }
-
-
-
-  /// The areas on which total forces act, by the rule that integrates them.
-  template <int dim>
-  void
-  LoadKernel<dim>::measure_boundaries(const Mesh<dim> &mesh, const std::vector<Load<dim>> &loads)
-  {
-    for (const Load<dim> &load : loads)
-      if (load.total_force.given() && !load.boundaries.empty())
-        areas[&load] = 0;
-    if (areas.empty())
-      return;
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        for (const unsigned int f : cell->face_indices())
-          if (const auto found = by_boundary.find(cell->face(f)->boundary_id());
-              cell->face(f)->at_boundary() && found != by_boundary.end())
-            {
-              all_face_values.reinit(cell, f, 0, 0, 0);
-              const FEFaceValues<dim> &values = all_face_values.get_present_fe_values();
-              double                   area   = 0;
-              for (const unsigned int q : values.quadrature_point_indices())
-                area += values.JxW(q) * measure(model, values.quadrature_point(q));
-              for (const Load<dim> *load : found->second)
-                if (const auto of_load = areas.find(load); of_load != areas.end())
-                  of_load->second += area;
-            }
-    for (auto &[load, area] : areas)
-      area = Utilities::MPI::sum(area, mesh.communicator());
   }
 
 
@@ -219,16 +183,13 @@ namespace Signorini
         add_nodal_forces(cell, cell_load);
         loaded = true;
       }
-    if (!by_boundary.empty() && cell->at_boundary())
+    if (!surface_loads.empty() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary())
-          if (const auto found = by_boundary.find(cell->face(f)->boundary_id());
-              found != by_boundary.end())
-            for (const Load<dim> *load : found->second)
-              {
-                add_traction(cell, f, *load, cell_load);
-                loaded = true;
-              }
+        if (cell->face(f)->at_boundary() && surface_loads.act_on(cell->face(f)->boundary_id()))
+          {
+            add_surface_loads(cell, f, cell_load);
+            loaded = true;
+          }
     return loaded;
   }
 
@@ -313,28 +274,17 @@ namespace Signorini
 
   template <int dim>
   void
-  LoadKernel<dim>::add_traction(const Cell        &cell,
-                                const unsigned int face,
-                                const Load<dim>   &load,
-                                Vector<double>    &cell_load)
+  LoadKernel<dim>::add_surface_loads(const Cell        &cell,
+                                     const unsigned int face,
+                                     Vector<double>    &cell_load)
   {
     const FEFaceValues<dim> &face_values = reinit(all_face_values, cell, face);
-    const auto               area        = areas.find(&load);
     for (const unsigned int q : face_values.quadrature_point_indices())
       {
-        const Point<dim>    &x        = face_values.quadrature_point(q);
-        const Tensor<1, dim> traction = load.traction.value(x, t);
-        const double         pressure = load.pressure.value(x, t);
-        check(traction.norm(), load, "Traction", load.traction.text(), x);
-        check(pressure, load, "Pressure", load.pressure.formula(), x);
-        Tensor<1, dim> force = traction - pressure * face_values.normal_vector(q);
-        if (area != areas.end())
-          {
-            const Tensor<1, dim> total = load.total_force.value(x, t);
-            check(total.norm(), load, "Total force", load.total_force.text(), x);
-            force += total / area->second;
-          }
-        force *= face_values.JxW(q) * measure(model, x);
+        const Point<dim>    &x = face_values.quadrature_point(q);
+        const Tensor<1, dim> force =
+          face_values.JxW(q) * measure(model, x) *
+          surface_loads.at(cell->face(face)->boundary_id(), x).on(face_values.normal_vector(q));
         for (const unsigned int i : face_values.dof_indices())
           for (unsigned int d = 0; d < dim; ++d)
             cell_load[cell->get_fe().component_to_system_index(d, i)] +=

@@ -53,7 +53,7 @@ namespace Signorini
     section.add(
       "Moment",
       moment,
-      "on the obstacle about the Reference point, in free components of the Rotation [force*length]");
+      "on the obstacle about the Reference point, in free components of the Rotation; formulas in t [force*length]");
     section.add("Reference point", reference, "what the Rotation is about [length]");
     if (!section.reading())
       return;
@@ -63,6 +63,10 @@ namespace Signorini
     if (rotation.depends_on_place())
       section.fail("Rotation",
                    "depends on the place, but an obstacle is rigid; write it in t alone");
+    if (force.depends_on_place())
+      section.fail("Force", "depends on the place, but an obstacle is rigid; write it in t alone");
+    if (moment.depends_on_place())
+      section.fail("Moment", "depends on the place, but an obstacle is rigid; write it in t alone");
     check_driven(section, "Force", force, "Displacement", displacement);
     check_driven(section, "Moment", moment, "Rotation", rotation);
   }

@@ -67,10 +67,6 @@ namespace Signorini
     // what is done once for all load steps is a part.
     constexpr double warm_share = 0.6, set_up_of_steps = 0.2;
 
-    /// Of large deformation: about ten steps of Newton's method with a tangent each, but few
-    /// iterations.
-    constexpr double of_large_deformation = 3;
-
     /// Cells with one kind of element.
     struct Cells
     {
@@ -195,8 +191,10 @@ namespace Signorini
         result.seconds_per_cell += counted[i].seconds * counted[i].n / all_cells;
       }
     result.memory_mb += std::pow(size, (dim - 1.) / dim) * points * of_points.bytes / 1e6;
+    // Nor is it known how large load steps of large deformation can be, and how many steps of
+    // Newton's method they take.
     if (elasticity.is_finite())
-      result.seconds *= of_large_deformation;
+      result.seconds = std::numeric_limits<double>::quiet_NaN();
     // What a factorisation takes depends on the ordering that it finds, and on how often the active
     // set changes.
     if (scene.solver.preconditioner == "direct")

@@ -218,6 +218,19 @@ namespace Signorini
               {"histogram", histogram}};
     }
 
+    /// Of normals from opposite where surfaces touch or overlap at the start, on any rank
+    /// [degrees].
+    template <int dim>
+    double
+    largest_angle(const ContactSurface<dim> &surface, const double rounding, const MPI_Comm comm)
+    {
+      double smallest = 1;
+      for (const ContactPoint<dim> &point : surface.points)
+        if (point.gap <= rounding)
+          smallest = std::min(smallest, point.facing);
+      return std::acos(std::max(-1., Utilities::MPI::min(smallest, comm))) * 180 / numbers::PI;
+    }
+
     /// True if nearly all vertices of the slave are vertices of the master. A rank that their
     /// rounded coordinates tell compares them.
     template <int dim>
@@ -285,7 +298,7 @@ namespace Signorini
           one["covered_share"]    = covered_share(surfaces[i], comm);
           one["reach"]            = surfaces[i].reach;
           one["gap"]              = gaps(surfaces[i], rounding, comm);
-          one["largest_angle"]    = surfaces[i].largest_angle;
+          one["largest_angle"]    = largest_angle(surfaces[i], rounding, comm);
           const std::string where = "pair " + pair.name + ": ";
           if (const double overlap = -one["gap"]["least"].get<double>(); overlap > slave.size)
             warnings.push_back(
@@ -293,7 +306,7 @@ namespace Signorini
                       "refine the slave, or ramp it: Interference = t");
           if (one["largest_angle"] > 60)
             warnings.push_back(
-              where + "normals are up to " +
+              where + "normals of what touches at the start are up to " +
               std::to_string(one["largest_angle"].template get<int>()) +
               " degrees from opposite; contact there is badly resolved: refine, or split the surface");
           if (!scene.obstacle_of(pair))
@@ -359,15 +372,17 @@ namespace Signorini
       auto                            degree  = degrees.begin();
       for (const Body<dim> &body : scene.bodies)
         {
-          const unsigned int p = *degree++;
+          const unsigned int p          = *degree++;
+          const bool         wants_bars = !scene.goals.quantities.empty(); // mixed bodies have none
           if (body.material.poissons_ratio <= 0.49 || body.material.is_mixed ||
               model_of(scene.model) == Model::plane_stress) // free to become thinner
             continue;
           if (p == 1)
             warnings.push_back("body " + body.name +
-                               ": nearly incompressible, where degree 1 is too stiff; set "
-                               "Formulation = mixed, with Degree = 2 or none");
-          else if (scene.solver.preconditioner != "direct")
+                               ": nearly incompressible, where degree 1 is too stiff; set " +
+                               (wants_bars ? "Degree = 2, or none" :
+                                             "Formulation = mixed, with Degree = 2 or none"));
+          else if (!wants_bars && scene.solver.preconditioner != "direct")
             warnings.push_back(
               "body " + body.name +
               ": nearly incompressible, where displacements alone take hundreds of "

@@ -117,13 +117,18 @@ namespace Signorini
       out << "  left out: " << what.get<std::string>() << "\n";
     for (const auto &warning : report["warnings"])
       out << "  WARNING: " << warning.get<std::string>() << "\n";
-    const double seconds = report["predicted"]["seconds"];
+    const double seconds = report["predicted"]["seconds"],
+                 memory  = report["predicted"]["memory_mb"];
     if (!std::isfinite(seconds))
       {
-        out
-          << "  expected: what a direct solver takes is not predicted; in 3D seconds grow with the "
-             "square of the unknowns\n"
-          << std::flush;
+        out << "  expected: "
+            << (std::isfinite(memory) ?
+                  "the load steps and Newton steps of large deformation are not predicted; " :
+                  "what a direct solver takes is not predicted; in 3D seconds grow with the square "
+                  "of the unknowns");
+        if (std::isfinite(memory))
+          out << std::setprecision(3) << memory << " MB a rank";
+        out << "\n" << std::flush;
         return;
       }
     out << "  expected: " << std::setprecision(2);
@@ -131,8 +136,6 @@ namespace Signorini
       out << "less than a second";
     else
       out << "about " << seconds << " s";
-    out << " and " << std::setprecision(3) << report["predicted"]["memory_mb"].get<double>()
-        << " MB a rank\n"
-        << std::flush;
+    out << " and " << std::setprecision(3) << memory << " MB a rank\n" << std::flush;
   }
 } // namespace Signorini

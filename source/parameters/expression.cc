@@ -72,6 +72,15 @@ namespace Signorini
 
 
 
+  template <int dim>
+  bool
+  Expression<dim>::depends_on_time() const
+  {
+    return compiled->depends_on(dim);
+  }
+
+
+
   template <int dim, int n_components>
   VectorExpression<dim, n_components>::VectorExpression(const Formula &text)
   {
@@ -117,6 +126,18 @@ namespace Signorini
   {
     for (const auto &component : components)
       if (component && component->depends_on_place())
+        return true;
+    return false;
+  }
+
+
+
+  template <int dim, int n_components>
+  bool
+  VectorExpression<dim, n_components>::depends_on_time() const
+  {
+    for (const auto &component : components)
+      if (component && component->depends_on_time())
         return true;
     return false;
   }

@@ -52,6 +52,7 @@ def cases():
                 yield Case("patch/exact", f"{scene}/degree-{degree}/{name}",
                            uniform(scene, sets + [f"Mesh/Degree={degree}"], pressure))
     yield from penalties_and_elimination()
+    yield from loaded()
     # Bodies of different degree.
     for scene, pressure in EXACT.items():
         for i, body in enumerate(("lower", "upper")):
@@ -85,6 +86,40 @@ def penalties_and_elimination():
                        uniform(scene, method("direct elimination") +
                                [f"Mesh/Degree={degree}", f"Bodies/lower/Subdivisions={matching}",
                                 f"Bodies/upper/Subdivisions={matching}"], EXACT[scene]))
+
+
+def loaded():
+    """Loads on the surfaces that touch, which vary in time: with q_u = 20 t^2 on the upper one and q_l = 12 t on the lower one,
+    the upper body bears p + q_u, the lower one p + q_l, and together they are as short as without, under p0 in both: with
+    heights over moduli l and u, p = p0 - (q_l l + q_u u)/(l + u)."""
+    for scene, up, size, pressure in (("patch-2d", "0; ", 10, 97.8472222222), ("patch-3d", "0; 0; ", 100, 85.7777777778)):
+        loads = ["Load steps/Number=2", "Loads/Names=on upper, on lower",
+                 "Loads/on upper/Boundaries=upper.bottom", "Loads/on upper/Pressure=20*t^2",
+                 "Loads/on lower/Boundaries=lower.top", f"Loads/on lower/Traction={up}-8*t",
+                 f"Loads/on lower/Total force={up}{-4 * size}*t"]
+        for name, sets in exact_methods():
+            if "nitsche" in name or name == "multiplier-dual":
+                for degree in (1, 2) if scene == "patch-2d" else (1,):
+                    yield Case("patch/loaded", f"{scene}/degree-{degree}/{name}",
+                               uniform(scene, sets + loads + [f"Mesh/Degree={degree}"], pressure))
+    for name in ("Lagrange multiplier", "Nitsche"):
+        for ranks in (1, 2):
+            yield Case("patch/loaded", f"finite/{short(name)}/ranks-{ranks}", loaded_cubes(name, ranks), ranks)
+
+
+def loaded_cubes(name, ranks):
+    """Cubes of any deformation, force and area as in finite-stack-3d.prm: of the force in them, contact bears what a pressure
+    on the surfaces as they are, and a traction on them as they were, leave."""
+    def body(test):
+        force, pressure = 0.40523042431, 0.33012140865
+        sets = [*method(name), "Loads/Names=on upper, on lower", "Loads/on upper/Boundaries=upper.bottom",
+                "Loads/on upper/Pressure=0.1*t", "Loads/on upper/Traction=0; 0; 0.05", "Loads/on lower/Boundaries=lower.top",
+                "Loads/on lower/Pressure=0.1*t", "Loads/on lower/Traction=0; 0; -0.05"]
+        results = test.results(SCENES / "finite-stack-3d.prm", sets, ranks)
+        found, wanted = results["load_steps"][-1]["pairs"]["joint"]["force"][2], force - 0.1 * force / pressure - 0.05
+        test.print(f"force {found:.10g}, {wanted:.10g} expected")
+        test.check(abs(found / wanted - 1) < 1e-6, "the force is wrong")
+    return body
 
 
 def solvers():

@@ -147,7 +147,8 @@ TEST_CASE("a contact pressure exerts balanced forces")
 
 namespace
 {
-  /// A block of large deformation at u + h du: what its stress is at a place of each boundary face.
+  /// A block of large deformation at u + h du: what its stress is at a place of each boundary face,
+  /// on which loads act.
   template <int dim>
   std::vector<CauchyStress>
   stresses(const TestScene::SmallScene<dim> &scene,
@@ -166,6 +167,10 @@ namespace
       n[d] = 1 - 0.3 * d;
     for (unsigned int d = 0; d < dim - 1; ++d)
       xi[d] = 0.3 + 0.2 * d;
+    SurfaceLoad<dim> load;
+    load.pressure = 0.4;
+    for (unsigned int d = 0; d < dim; ++d)
+      load.traction[d] = 0.2 - 0.3 * d;
     for (const auto &cell : scene.elasticity->dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
@@ -174,7 +179,7 @@ namespace
               const FacePatch<dim> patch(scene.mesh->mapping(), 1, cell, f);
               stress.reinit(cell);
               result.push_back(
-                stress.cauchy(unit_point<dim>(f, xi), n / n.norm(), patch.normal(xi)));
+                stress.cauchy(unit_point<dim>(f, xi), n / n.norm(), patch.normal(xi), load));
             }
     return result;
   }

@@ -25,7 +25,7 @@ namespace Signorini
   {
     std::string name, slave, master;
     std::string slave_place, master_place;     ///< in the scene file
-    Formula     initial_gap = "from geometry"; ///< or "closed", or a formula of the coordinates
+    Formula     initial_gap = "from geometry"; ///< or "closed", or a formula of the place and time
     double closed_up_to = -1; ///< gaps at rest up to this are zero, and so are overlaps; < 0: none
     bool   separates    = true;          ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
@@ -47,6 +47,10 @@ namespace Signorini
     {
       return initial_gap.text != "from geometry";
     }
+
+    /// It is another at another time.
+    bool
+    gap_depends_on_time() const;
 
     /// Slave and master are the same surface of a body.
     bool

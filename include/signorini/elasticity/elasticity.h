@@ -3,6 +3,7 @@
 #include <signorini/elasticity/assembly.h>
 #include <signorini/elasticity/bulk_stress.h>
 #include <signorini/elasticity/displacements.h>
+#include <signorini/elasticity/surface_loads.h>
 #include <signorini/elasticity/thermal_strain.h>
 #include <signorini/elasticity/unheld_motions.h>
 
@@ -176,4 +177,16 @@ namespace Signorini
     UnheldMotions<dim>           unheld;
     LA::Vector                   stabilisation;
   };
+
+  /// Those at the present time. Collective.
+  template <int dim>
+  SurfaceLoads<dim>
+  surface_loads(const Elasticity<dim> &elasticity)
+  {
+    return {elasticity.mesh(),
+            elasticity.finite_elements(),
+            elasticity.model(),
+            elasticity.loads(),
+            elasticity.time()};
+  }
 } // namespace Signorini

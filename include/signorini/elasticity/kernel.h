@@ -3,6 +3,7 @@
 #include <signorini/elasticity/boundary_conditions.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/nodal_forces.h>
+#include <signorini/elasticity/surface_loads.h>
 #include <signorini/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -69,7 +70,7 @@ namespace Signorini
     const std::string &
     fault() const
     {
-      return what_is_wrong;
+      return what_is_wrong.empty() ? surface_loads.fault() : what_is_wrong;
     }
 
   private:
@@ -86,19 +87,15 @@ namespace Signorini
     void
     add_body_force(const Cell &cell, const Load<dim> &load, dealii::Vector<double> &cell_load);
     void
-    add_traction(const Cell             &cell,
-                 unsigned int            face,
-                 const Load<dim>        &load,
-                 dealii::Vector<double> &cell_load);
+    add_surface_loads(const Cell &cell, unsigned int face, dealii::Vector<double> &cell_load);
 
     void
     add_nodal_forces(const Cell &cell, dealii::Vector<double> &cell_load);
-    void
-    measure_boundaries(const Mesh<dim> &mesh, const std::vector<Load<dim>> &loads);
 
     const Model                         model;
     const double                        t;
     const NodalForces<dim>              nodal_forces;
+    SurfaceLoads<dim>                   surface_loads;
     const dealii::hp::FECollection<dim> scalars; ///< the values refer to it
     dealii::hp::FEValues<dim>           all_values;
     dealii::hp::FEFaceValues<dim>       all_face_values;
@@ -107,7 +104,5 @@ namespace Signorini
 
     std::map<unsigned int, std::vector<const Load<dim> *>>                  by_material;
     std::map<dealii::types::coarse_cell_id, std::vector<const Load<dim> *>> by_cell; ///< of sets
-    std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>>    by_boundary;
-    std::map<const Load<dim> *, double> areas; ///< of the boundaries of total forces
   };
 } // namespace Signorini

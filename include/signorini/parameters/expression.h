@@ -36,6 +36,9 @@ namespace Signorini
     bool
     depends_on_place() const;
 
+    bool
+    depends_on_time() const;
+
     /// As the user wrote it.
     const std::string &
     formula() const
@@ -76,6 +79,10 @@ namespace Signorini
     /// True if any component is not a function of the time alone.
     bool
     depends_on_place() const;
+
+    /// True if any component is a function of the time.
+    bool
+    depends_on_time() const;
 
     /// False for the empty text.
     bool

@@ -28,10 +28,10 @@ namespace Signorini
       {}
 
       double
-      operator()(const Point<dim> &x, const double from_geometry) const
+      operator()(const Point<dim> &x, const double t, const double from_geometry) const
       {
         if (is_given)
-          return formula.value(x);
+          return formula.value(x, t);
         return closed_up_to >= 0 && from_geometry <= closed_up_to ? 0. : from_geometry;
       }
 
@@ -212,8 +212,12 @@ namespace Signorini
     StressBounds<dim>                bound(slave);
     const InitialGap<dim>            initial_gap(pair);
     std::optional<NormalStress<dim>> of_body;
+    std::optional<SurfaceLoads<dim>> loads;
     if (with_stress)
-      of_body.emplace(configuration);
+      {
+        of_body.emplace(configuration);
+        loads.emplace(surface_loads(elasticity));
+      }
     for (const PairedPoint<dim> &paired : paired_points)
       {
         const auto &[cell, face] = slave.faces[paired.face];
@@ -243,7 +247,9 @@ namespace Signorini
             point.closing = gaps_at_rest[result.size() - 1] - point.gap;
             point.gap     = gaps_at_rest[result.size() - 1];
           }
-        point.gap = initial_gap(point.position, point.gap);
+        const double of_geometry = point.gap;
+        point.gap                = initial_gap(point.position, elasticity.time(), of_geometry);
+        point.told               = point.gap - of_geometry;
         if (!with_stress)
           continue;
         NormalStress<dim> &stress = *of_body;
@@ -251,9 +257,10 @@ namespace Signorini
           stress.reinit(cell);
         const Point<dim>     place = unit_point<dim>(face, paired.xi);
         const Tensor<1, dim> n     = rest.normal(paired.xi);
+        const auto           load  = loads->at(cell->face(face)->boundary_id(), point.position);
         if (elasticity.is_finite())
           {
-            set_cauchy_stress(stress.cauchy(place, paired.partner.normal, n),
+            set_cauchy_stress(stress.cauchy(place, paired.partner.normal, n, load),
                               bound(stress, paired.face),
                               paired.partner,
                               method.unbiased(),
@@ -267,6 +274,10 @@ namespace Signorini
                    paired.partner,
                    method.unbiased(),
                    point);
+        // Of sigma n, contact bears what loads do not.
+        const double share  = point.bound / bound(stress, paired.face);
+        point.stress_offset = -share * (paired.partner.normal * load.on(n)) +
+                              (1 - share) * paired.partner.stress_offset;
       }
     return result;
   }

@@ -246,8 +246,8 @@ namespace Signorini
   {
     if (S_thermal.m() == 0)
       return;
-    fixed_stress = zero();
-    S_thermal.vmult(fixed_stress, rises);
+    thermal_stress = zero();
+    S_thermal.vmult(thermal_stress, rises);
   }
 
 
@@ -280,8 +280,9 @@ namespace Signorini
     LA::Vector s = zero();
     if (has_stress() && !empty())
       S.vmult(s, u);
-    if (fixed_stress.size() > 0)
-      s += fixed_stress;
+    for (const LA::Vector *fixed : {&thermal_stress, &fixed_stress})
+      if (fixed->size() > 0)
+        s += *fixed;
     if (has_bulk_stress())
       S_bulk.vmult_add(s, m);
     return s;

@@ -128,7 +128,7 @@ namespace Signorini
         sums[2] += force * point->stiffness * point->depth;
         if (there[i])
           {
-            const double gap = there[i]->gap - (point->gap + opened[i]);
+            const double gap = there[i]->gap + point->told - (point->gap + opened[i]);
             sums[3] += force * gap * gap;
             sums[4] += force * (there[i]->normal - point->normal).norm_square();
           }

@@ -21,6 +21,9 @@ namespace Signorini
         : boundary(boundary)
         , trace(configuration.elasticity())
         , stress(with_stress ? std::make_shared<NormalStress<dim>>(configuration) : nullptr)
+        , loads(with_stress ?
+                  std::make_shared<SurfaceLoads<dim>>(surface_loads(configuration.elasticity())) :
+                  nullptr)
         , bound(boundary)
         , is_finite(configuration.elasticity().is_finite())
         , with_bend(!configuration.is_rest())
@@ -52,10 +55,11 @@ namespace Signorini
         const Point<dim>      place   = unit_point<dim>(face, xi);
         const Tensor<1, dim> &n       = partner.normal;
         const Tensor<1, dim>  at_rest = boundary.rest[i].normal(xi);
+        const auto            load    = loads->at(cell->face(face)->boundary_id(), partner.rest);
         partner.bound                 = bound(*stress, i);
         if (is_finite)
           {
-            CauchyStress now      = stress->cauchy(place, -n, at_rest);
+            CauchyStress now      = stress->cauchy(place, -n, at_rest, load);
             partner.stress        = std::move(now.stress);
             partner.bulk_stress   = std::move(now.bulk_stress);
             partner.stress_value  = now.value;
@@ -66,12 +70,14 @@ namespace Signorini
         partner.stress         = stress->row(place, -n, at_rest);
         partner.thermal_stress = stress->thermal_row(place, -n, at_rest);
         partner.bulk_stress    = stress->bulk_row(place, -n, at_rest);
+        partner.stress_offset  = n * load.on(at_rest);
       }
 
     private:
       const BoundaryFaces<dim>           boundary;
       Trace<dim>                         trace;
       std::shared_ptr<NormalStress<dim>> stress;
+      std::shared_ptr<SurfaceLoads<dim>> loads;
       StressBounds<dim>                  bound;
       const bool                         is_finite, with_bend;
       std::vector<double>                stiffnesses, moduli, sizes;

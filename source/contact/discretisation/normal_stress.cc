@@ -197,9 +197,10 @@ namespace Signorini
 
   template <int dim>
   CauchyStress
-  NormalStress<dim>::cauchy(const Point<dim>     &place,
-                            const Tensor<1, dim> &n_there,
-                            const Tensor<1, dim> &N_at_rest) const
+  NormalStress<dim>::cauchy(const Point<dim>       &place,
+                            const Tensor<1, dim>   &n_there,
+                            const Tensor<1, dim>   &N_at_rest,
+                            const SurfaceLoad<dim> &load) const
   {
     const Material        &material = elasticity.material(cell->material_id());
     const BulkStress<dim> &bulk     = elasticity.bulk_stress();
@@ -236,10 +237,14 @@ namespace Signorini
     const double             of_bulk  = n * (transpose(inverse) * N) / j;
     const Tensor<1, 3>       now      = cofactor / j;
     const Tensor<2, 3> of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
-    const Tensor<2, 3> of_force = derivative(state, F, n, N);
+    const double       p        = load.pressure;
+    const Tensor<2, 3> of_force =
+      derivative(state, F, n, N) +
+      p * j * ((n * now) * transpose(inverse) - outer_product(now, inverse * n));
 
-    result.ratio                    = j;
-    result.value                    = n * (F * (Tensor<2, 3>(state.stress) * N)) / j;
+    result.ratio = j;
+    result.value =
+      n * (F * (Tensor<2, 3>(state.stress) * N) - in_space(load.traction)) / j + p * (n * now);
     const std::vector<double> ratio = product_with_gradient(of_ratio, place),
                               stress =
                                 product_with_gradient(of_force / j - (result.value / j) * of_ratio,

@@ -40,6 +40,7 @@ namespace Signorini
       inverse.compress(VectorOperation::insert);
       LA::scale_rows(S, inverse);
     }
+
     template <int dim>
     LA::Vector
     offsets(const ContactRows                      &rows,
@@ -77,8 +78,7 @@ namespace Signorini
                rows,
                surfaces,
                contact);
-    if (elasticity.is_finite())
-      contact.fixed_stress = offsets(rows, surfaces, contact);
+    contact.fixed_stress = offsets(rows, surfaces, contact);
     if (!elasticity.bulk_stress().empty())
       assemble(contact.S_bulk,
                &ContactPoint<dim>::bulk_stress,

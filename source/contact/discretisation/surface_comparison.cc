@@ -9,20 +9,6 @@ namespace Signorini
 
   namespace
   {
-    /// Of normals from opposite [degrees].
-    template <int dim>
-    double
-    largest_angle(const BoundaryFaces<dim>            &slave,
-                  const std::vector<PairedPoint<dim>> &paired,
-                  const MPI_Comm                       comm)
-    {
-      double smallest = 1;
-      for (const PairedPoint<dim> &point : paired)
-        smallest =
-          std::min(smallest, -(slave.patches[point.face].normal(point.xi) * point.partner.normal));
-      return std::acos(Utilities::MPI::min(smallest, comm)) * 180 / numbers::PI;
-    }
-
     /// At a node of the master, one function is one and all others are zero.
     template <int dim>
     bool
@@ -45,8 +31,7 @@ namespace Signorini
           const bool                           is_obstacle,
           ContactSurface<dim>                 &surface)
   {
-    const MPI_Comm comm   = elasticity.mesh().communicator();
-    surface.largest_angle = largest_angle(slave, paired, comm);
+    const MPI_Comm      comm = elasticity.mesh().communicator();
     std::vector<double> sums(5, 0.); // area, size, area off nodes, logarithms of the ratios
     for (const PairedPoint<dim> &point : paired)
       {

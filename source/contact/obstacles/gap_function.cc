@@ -28,15 +28,27 @@ namespace Signorini
         section.add_required("Normal",
                              normal,
                              "direction in which the gap opens, out of the obstacle; any length");
-        section.add("Gap", gap, "formula in x,y,z of the slave point [length]");
+        section.add("Gap", gap, "formula in x,y,z of the slave point, and t [length]");
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");
+      }
+
+      bool
+      depends_on_time() const override
+      {
+        return gap.depends_on_time();
+      }
+
+      void
+      set_time(const double time) override
+      {
+        t = time;
       }
 
       ObstaclePlace<dim>
       closest(const Point<dim> &x) const override
       {
-        return {gap.value(x), normal / normal.norm()};
+        return {gap.value(x, t), normal / normal.norm()};
       }
 
       bool
@@ -60,13 +72,13 @@ namespace Signorini
             const Tensor<1, dim> slope = gradient(foot, length);
             n                          = slope / slope.norm();
             const Tensor<1, dim> arm   = x - foot;
-            const Tensor<1, dim> step  = arm - (arm * n) * n - gap.value(foot) / slope.norm() * n;
+            const Tensor<1, dim> step = arm - (arm * n) * n - gap.value(foot, t) / slope.norm() * n;
             if (step.norm() > 0.8 * last)
               share = std::max(share / 2, 1e-3);
             last = step.norm();
             foot += share * step;
           }
-        const double distance = (x - foot) * n, value = gap.value(x);
+        const double distance = (x - foot) * n, value = gap.value(x, t);
         // Far from a surface that bends much, the formula knows on which side x is, and about how
         // far from it.
         constexpr double rough = 1e-6;
@@ -92,7 +104,7 @@ namespace Signorini
           {
             Tensor<1, dim> step;
             step[d]   = h;
-            result[d] = (gap.value(x + step) - gap.value(x - step)) / (2 * h);
+            result[d] = (gap.value(x + step, t) - gap.value(x - step, t)) / (2 * h);
           }
         return result;
       }
@@ -121,6 +133,7 @@ namespace Signorini
 
       Point<dim>      normal;
       Expression<dim> gap;
+      double          t = 0;
     };
   } // namespace
 

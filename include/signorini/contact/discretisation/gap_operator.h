@@ -82,10 +82,11 @@ namespace Signorini
   /// once.
   ///
   /// With Nitsche's method there is also the normal stress s = S u + s_0 of the bodies at the
-  /// points, positive in compression, and p exerts B^T W p + theta S^T W (s - p)/eps. s_0 comes
-  /// with thermal strain, and with large deformation, where S is the derivative of the stress where
-  /// the surfaces are; of mixed bodies, with their bulk stress m, s has T m beside, and p
-  /// exerts theta T^T W (s - p)/eps on m.
+  /// points, positive in compression, less what loads exert on the surfaces there, since
+  /// sigma n = - p n + t, and p exerts B^T W p + theta S^T W (s - p)/eps. s_0 comes
+  /// with such loads, with thermal strain, and with large deformation, where S is the derivative of
+  /// the stress where the surfaces are; of mixed bodies, with their bulk stress m, s has T m
+  /// beside, and p exerts theta T^T W (s - p)/eps on m.
   struct GapOperator
   {
     dealii::IndexSet dofs; ///< locally owned degrees of freedom
@@ -94,10 +95,11 @@ namespace Signorini
     /// displacements, those of tied components added to the ones that move them.
     LA::SparseMatrix B_free;
     LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
-    LA::SparseMatrix S_thermal; ///< s_0 by ThermalStrain::coefficients(); empty: no body expands
-    LA::Vector       fixed_stress; ///< s_0; empty: zero
-    LA::SparseMatrix S_bulk;       ///< T, by BulkStress::coefficients(); empty: no body is mixed
-    double           theta = 0;    ///< see above
+    LA::SparseMatrix S_thermal; ///< of s_0, by ThermalStrain::coefficients(); empty: none expands
+    LA::Vector       thermal_stress; ///< what that is now; empty: zero
+    LA::Vector       fixed_stress;   ///< what else there is of s_0; empty: zero
+    LA::SparseMatrix S_bulk;         ///< T, by BulkStress::coefficients(); empty: no body is mixed
+    double           theta = 0;      ///< see above
     bool       tied = false; ///< B refers to components that supports tie to others, see B_free
     LA::Vector weight;       ///< area of each point; sums up to the slave area that has a partner
     LA::Vector rest_gap;     ///< from the geometry

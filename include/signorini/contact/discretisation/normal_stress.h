@@ -3,6 +3,7 @@
 #include <signorini/contact/discretisation/trace.h>
 #include <signorini/contact/geometry/configuration.h>
 #include <signorini/elasticity/kernel.h>
+#include <signorini/elasticity/surface_loads.h>
 
 #include <array>
 #include <vector>
@@ -12,10 +13,12 @@ namespace Signorini
   /// Cauchy's normal stress of a body of large deformation at a place of its boundary, positive in
   /// compression, and how it changes with the displacement:
   ///
-  ///   sigma = n.P N/j,  j = |cof F N|,
-  ///   d sigma = n.(dP/dF : dF) N/j - sigma dj/j,  dj = j (tr(dF F^-1) - m.dF F^-1 m),
+  ///   sigma = n.(P N - t)/j + p n.m,  j = |cof F N|,
+  ///   d sigma = (n.(dP/dF : dF) N + p n.d(j m) - (sigma) dj)/j,
+  ///   dj = j (tr(dF F^-1) - m.dF F^-1 m),  n.d(j m) = j (n.m tr(dF F^-1) - m.dF F^-1 n),
   ///
-  /// N being the normal at rest, m the one now, n that of contact, which stays.
+  /// N being the normal at rest, m the one now, n that of contact, which stays. Of what loads exert
+  /// there, the traction t, by area at rest, and the pressure p, contact bears nothing.
   struct CauchyStress
   {
     double    value = 0, ratio = 0; ///< sigma; j, area now per area at rest
@@ -67,10 +70,12 @@ namespace Signorini
     /// Of large deformation; not a number where the cell is folded.
     /// @param N outward normal of the body at rest
     /// @param n that of the other body, where it is
+    /// @param load on the boundary there
     CauchyStress
     cauchy(const dealii::Point<dim>     &unit_point,
            const dealii::Tensor<1, dim> &n,
-           const dealii::Tensor<1, dim> &N) const;
+           const dealii::Tensor<1, dim> &N,
+           const SurfaceLoad<dim>       &load = {}) const;
 
     /// The smallest C with
     ///

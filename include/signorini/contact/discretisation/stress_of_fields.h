@@ -8,7 +8,7 @@ namespace Signorini
   /// Assemble how the normal stress at the contact points depends on fields beside the
   /// displacement, once the points' areas are known: GapOperator::S_thermal on the rises of the
   /// temperature, nothing if no body expands; S_bulk on the bulk stress, nothing if no body is
-  /// mixed.
+  /// mixed; fixed_stress, which depends on none.
   template <int dim>
   void
   assemble_stress_of_fields(const Elasticity<dim>                  &elasticity,

@@ -28,6 +28,7 @@ namespace Signorini
     double                 facing;      ///< minus the product of both surfaces' unit normals
     double                 gap;         ///< at rest, thesis (44): g = (u^S - u^M).n + g_0
     double             closing = 0; ///< by which it is less where the surfaces are now; at rest 0
+    double             told    = 0; ///< gap beyond that of the geometry, by Initial gap
     double             drift   = 0; ///< to be added there: g = row . d + gap + drift about it
     dealii::Point<dim> master_position; ///< of the partner at rest; not of obstacles
     /// Where forces act on slave and master: at rest, or, of large deformation, now.
@@ -50,7 +51,7 @@ namespace Signorini
     SparseRow stress; ///< normal stress by area at rest of both bodies, positive in compression
     SparseRow thermal_stress;    ///< likewise that of rises, of ThermalStrain::coefficients()
     SparseRow bulk_stress;       ///< likewise that of BulkStress::coefficients()
-    double    stress_offset = 0; ///< of large deformation: what it is beyond, where surfaces are
+    double    stress_offset = 0; ///< what it is beyond: of loads there, and of large deformation
     double    bound         = 0; ///< of its square by the energy of the cells [force/length^3]
 
     GapBend<dim> bend; ///< where surfaces have moved
@@ -127,16 +128,15 @@ namespace Signorini
     bool                                      has_held = false; ///< any node, on any rank
     SearchStatistics                          statistics;
     unsigned int                              faces = 0;
-    unsigned int own_faces     = 0;     ///< without those of the master of unbiased methods
-    bool         separates     = true;  ///< as its pair says
-    double       reach         = 0;     ///< faces with larger gaps are no candidates
-    double       overlap       = 0;     ///< the deepest one, on any rank
-    bool         is_apart      = false; ///< none is one
-    double       largest_angle = 0;     ///< of normals from opposite, on any rank [degrees]
-    bool         sees_nothing  = false; ///< no point has a partner within the search distance
-    double       face_size     = 0;     ///< of slave faces with points, the mean over their areas
-    double       off_nodes     = 0; ///< share of the area whose partners are not at master nodes
-    Sides        sides;             ///< alike if the master is an obstacle
+    unsigned int own_faces    = 0;     ///< without those of the master of unbiased methods
+    bool         separates    = true;  ///< as its pair says
+    double       reach        = 0;     ///< faces with larger gaps are no candidates
+    double       overlap      = 0;     ///< the deepest one, on any rank
+    bool         is_apart     = false; ///< none is one
+    bool         sees_nothing = false; ///< no point has a partner within the search distance
+    double       face_size    = 0;     ///< of slave faces with points, the mean over their areas
+    double       off_nodes    = 0;     ///< share of the area whose partners are not at master nodes
+    Sides        sides;                ///< alike if the master is an obstacle
     /// Where surfaces have moved, the points of integration, before candidates were chosen.
     std::vector<LaidPoint<dim>> laid, laid_on_master;
   };

@@ -7,8 +7,8 @@
 
 namespace Signorini
 {
-  /// What slave and master are to each other at the points: the largest angle, sizes of faces,
-  /// nodes that meet, moduli; set in the surface. Collective.
+  /// What slave and master are to each other at the points: sizes of faces, nodes that meet,
+  /// moduli; set in the surface. Collective.
   /// @param is_obstacle then sides are alike, and no nodes meet
   template <int dim>
   void

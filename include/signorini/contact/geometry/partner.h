@@ -97,10 +97,10 @@ namespace Signorini
     /// hanging nodes resolved; for methods that ask for it.
     SparseRow stress;
     /// That of the rises of the temperature, in terms of ThermalStrain::coefficients().
-    SparseRow thermal_stress;
-    SparseRow bulk_stress; ///< that of mixed bodies, in terms of BulkStress::coefficients()
-    /// Of large deformation, where it is Cauchy's: its value, and what it is beyond these rows.
-    double       stress_value = 0, stress_offset = 0;
+    SparseRow    thermal_stress;
+    SparseRow    bulk_stress; ///< that of mixed bodies, in terms of BulkStress::coefficients()
+    double       stress_offset = 0; ///< what it is beyond these rows, with loads on the boundary
+    double       stress_value  = 0; ///< of large deformation, where it is Cauchy's
     GapBend<dim> bend; ///< where surfaces have moved; its factors not yet, see bend_of_bodies()
 
     template <class Archive>

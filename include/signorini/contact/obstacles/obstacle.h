@@ -32,6 +32,18 @@ namespace Signorini
     virtual void
     declare(Section &section) = 0;
 
+    /// Does it change with time, beside the motion of its obstacle?
+    virtual bool
+    depends_on_time() const
+    {
+      return false;
+    }
+
+    /// Be what it is at that time; at first that of t = 0.
+    virtual void
+    set_time(double /*t*/)
+    {}
+
     /// The place that belongs to a point of a slave surface that has not moved: the closest point,
     /// or what a theory takes for it.
     virtual ObstaclePlace<dim>
