@@ -2,6 +2,8 @@
 #include <signorini/mesh/mesh.h>
 #include <signorini/parameters/raw.h>
 
+#include <deal.II/distributed/tria.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -35,40 +37,62 @@ namespace Signorini
       throw SceneError(text.str());
     }
 
-    /// @param growth of the number of cells that are wanted, at least, from one time to the next
+    /// Trees of cells end.
+    template <int dim>
+    void
+    check_levels(const Triangulation<dim> &triangulation, const int finest)
+    {
+      constexpr int most = dim == 2 ? 29 : 18; // P4EST_QMAXLEVEL, P8EST_QMAXLEVEL
+      const bool    is_tree =
+        dynamic_cast<const parallel::distributed::Triangulation<dim> *>(&triangulation) != nullptr;
+      if (is_tree && Utilities::MPI::max(finest, triangulation.get_communicator()) > most)
+        throw SceneError("Mesh: refinement at the start would halve a cell more than " +
+                         std::to_string(most) +
+                         " times, which p4est has no room for; take smaller Mesh/Refinements, "
+                         "Contact refinements, Zones/.../Times or Bodies/.../Refinements");
+    }
+
+    /// @param growth of the number of cells that are wanted, at least, from one time to the next,
+    /// by cell
     /// @param wanted whether a cell, and how many times are left, with this one
-    template <int dim, typename Wanted>
+    template <int dim, typename Growth, typename Wanted>
     void
     refine_where(Triangulation<dim> &triangulation,
                  const unsigned int  times,
-                 const double        growth,
+                 const Growth       &growth,
                  const Wanted       &wanted)
     {
       for (unsigned int left = times; left > 0; --left)
         {
           std::size_t n_refined = 0;
+          double      n_in_all  = 0;
+          int         finest    = 0;
           for (const auto &cell : triangulation.active_cell_iterators())
             if (!cell->is_artificial() && wanted(cell, left))
               {
                 cell->set_refine_flag();
                 n_refined += cell->is_locally_owned();
+                finest = std::max(finest, cell->level() + 1);
+                n_in_all += cell->is_locally_owned() ? std::pow(growth(cell), left - 1) : 0.;
               }
           if (Utilities::MPI::sum(n_refined, triangulation.get_communicator()) == 0)
             return;
-          check_memory(triangulation, n_refined * std::pow(growth, left - 1));
+          check_memory(triangulation, n_in_all);
+          check_levels(triangulation, finest);
           triangulation.execute_coarsening_and_refinement();
         }
     }
 
+    /// Of the vertices and the centre of a cell, how many are in a zone?
     template <int dim>
-    bool
-    touches(const RefinementZone<dim>                               &zone,
-            const typename Triangulation<dim>::active_cell_iterator &cell)
+    unsigned int
+    places_within(const RefinementZone<dim>                               &zone,
+                  const typename Triangulation<dim>::active_cell_iterator &cell)
     {
+      unsigned int n = zone.where.value(cell->center()) > 0 ? 1 : 0;
       for (const unsigned int v : cell->vertex_indices())
-        if (zone.where.value(cell->vertex(v)) > 0)
-          return true;
-      return zone.where.value(cell->center()) > 0;
+        n += zone.where.value(cell->vertex(v)) > 0 ? 1 : 0;
+      return n;
     }
   } // namespace
 
@@ -88,12 +112,11 @@ namespace Signorini
     std::vector<unsigned int> times;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       times.push_back(settings.refinements + my_least_levels[b] + bodies[b].second.refinements);
-    refine_where(triangulation,
-                 *std::max_element(times.begin(), times.end()),
-                 children,
-                 [&](const auto &cell, const unsigned int left) {
-                   return times[body(cell)] >= left;
-                 });
+    refine_where(
+      triangulation,
+      *std::max_element(times.begin(), times.end()),
+      [](const auto &) { return children; },
+      [&](const auto &cell, const unsigned int left) { return times[body(cell)] >= left; });
 
     BoundaryIds surfaces;
     for (const auto &[slave, master] : contact_surfaces)
@@ -101,7 +124,10 @@ namespace Signorini
         if (!surface.empty())
           surfaces.insert(boundary_ids(surface).begin(), boundary_ids(surface).end());
     refine_where(
-      triangulation, settings.contact_refinements, children / 2, [&](const auto &cell, auto) {
+      triangulation,
+      settings.contact_refinements,
+      [](const auto &) { return children / 2; },
+      [&](const auto &cell, auto) {
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() && surfaces.count(cell->face(f)->boundary_id()) > 0)
             return true;
@@ -109,11 +135,18 @@ namespace Signorini
       });
 
     for (const RefinementZone<dim> &zone : settings.zones)
-      refine_where(triangulation, zone.times, 1, [&](const auto &cell, auto) {
-        return touches<dim>(zone, cell) &&
-               (zone.bodies.empty() ||
-                std::count(zone.bodies.begin(), zone.bodies.end(), names[body(cell)]));
-      });
+      refine_where(
+        triangulation,
+        zone.times,
+        // All children of a cell that lies within are wanted next, at least one of others.
+        [&](const auto &cell) {
+          return places_within<dim>(zone, cell) > cell->n_vertices() ? children : 1.;
+        },
+        [&](const auto &cell, auto) {
+          return places_within<dim>(zone, cell) > 0 &&
+                 (zone.bodies.empty() ||
+                  std::count(zone.bodies.begin(), zone.bodies.end(), names[body(cell)]));
+        });
   }
 
 

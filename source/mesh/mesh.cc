@@ -23,6 +23,10 @@ namespace Signorini
     section.add("Where",
                 where,
                 "cells are refined where this function of the coordinates is positive");
+    if (where.depends_on_time())
+      section.fail("Where",
+                   "depends on t, but these cells are refined once, at the start; write it in the "
+                   "coordinates alone, and refine wherever it is to be fine at any time");
     section.add("Bodies", bodies, "only cells of these bodies; empty: all");
     section.add("Times", times, "how often");
     place = section.place_of("Bodies");
