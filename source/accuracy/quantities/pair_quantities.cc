@@ -137,17 +137,22 @@ namespace Signorini
   Functional
   mean_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &probes)
   {
-    Functional       result = normal_force(name, s, probes);
-    const Functional area   = contact_area(name, s, probes);
-    if (area.value > 0)
+    const unsigned int pair   = number_of_pair(s, name.of);
+    const ContactPatch patch  = patch_of(s, pair);
+    Functional         result = normal_force(name, s, probes);
+    if (patch.area == 0)
+      return result;
+    const double mean = result.value / patch.area;
+    // Where all is in contact, the area is not asked.
+    if (patch.edge > 0)
       {
-        const double mean = result.value / area.value;
+        const Functional area = as_area(s, pair, patch, patch.area, 1.);
         result.of_pressure.add(-mean, area.of_pressure);
-        result.of_pressure /= area.value;
-        result.value      = mean;
-        result.unresolved = mean / area.value * area.unresolved;
+        result.unresolved     = mean / patch.area * area.unresolved;
+        result.is_regularised = true;
       }
-    result.is_regularised = true;
+    result.of_pressure /= patch.area;
+    result.value = mean;
     return result;
   }
 
