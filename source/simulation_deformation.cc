@@ -1,6 +1,7 @@
 #include <signorini/body_setup.h>
 #include <signorini/elasticity/deformation_change.h>
 #include <signorini/elasticity/material_law.h>
+#include <signorini/parameters/raw.h>
 #include <signorini/parameters/text.h>
 #include <signorini/simulation.h>
 
@@ -75,7 +76,18 @@ namespace Signorini
   Simulation<dim>::become_finite(const State &before)
   {
     scene.become_finite();
-    scene.check(); // what goes with small deformation alone
+    try
+      {
+        scene.check(); // what goes with small deformation alone
+      }
+    catch (const SceneError &error)
+      {
+        throw SceneError(
+          std::string(error.what()) +
+          ", which Deformation = automatic has come to, since small strain neglects " +
+          short_text(100 * *neglected_work, 2) +
+          " % of the work of the stresses; take Deformation = small, or a larger Deformation share");
+      }
     auto finite = make_elasticity(scene, *mesh);
     finite->setup(elasticity->time_of_supports());
     Json known = contact->memory();

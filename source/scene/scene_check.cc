@@ -210,12 +210,6 @@ namespace Signorini
     check_contrast(bodies);
     if (deformation == Deformation::finite)
       check_finite();
-    if (deformation == Deformation::automatic)
-      for (const Body<dim> &body : bodies)
-        if (body.expansion.given())
-          throw SceneError("Bodies/" + body.name +
-                           "/Thermal expansion: is not there with Deformation = automatic, which "
-                           "may become finite; take small");
     if (!auto_pairs)
       quantities();
     if (mesh.distribution == Distribution::METIS && most_cycles() > 0)
