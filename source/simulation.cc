@@ -114,7 +114,7 @@ namespace Signorini
             reach();
             if (!solve_for_estimate())
               return finish(report());
-            if (!improve())
+            if (!improve(control))
               break;
           }
         if (!has_estimate)
@@ -305,7 +305,10 @@ namespace Signorini
     equilibrium->recall_active_set();
     Position start;
     start.longest = end / 2;
-    return follow_loads(tolerance, start, [&](auto) { n_steps += report().steps.size(); });
+    return follow_loads(tolerance, start, [&](auto) {
+      n_steps += report().steps.size();
+      return true;
+    });
   }
 
 
@@ -323,8 +326,11 @@ namespace Signorini
             std::max(std::min(tolerance, loosest), scene.newton.tolerance) :
             scene.newton.tolerance;
     follow_loads(final_tolerance, position, [&](const unsigned int step) {
+      if (scene.goals.judge_all_steps() && !is_over() && !improve_step())
+        return false;
       record_step(step);
       reach();
+      return true;
     });
   }
 
@@ -334,7 +340,7 @@ namespace Signorini
   bool
   Simulation<dim>::follow_loads(const double                                  tolerance,
                                 Position                                     &from,
-                                const std::function<void(unsigned int step)> &visit)
+                                const std::function<bool(unsigned int step)> &visit)
   {
     const std::vector<double> ends    = scene.load_steps.ends();
     double                    start   = 0;
@@ -353,7 +359,8 @@ namespace Signorini
                 longest = scene.load_steps.next_length(next - t, report().steps.size(), longest);
                 t       = next;
                 shortest_tried = 0;
-                visit(++number);
+                if (!visit(++number))
+                  return false;
               }
             else
               {
@@ -379,7 +386,10 @@ namespace Signorini
     TimerOutput::Scope scope(timer, "output");
     recorder->add_contact_geometry(equilibrium->neglected(), equilibrium->follows());
     recorder->add_deformation(neglected_work, elasticity->is_finite());
-    recorder->add_step(equilibrium->snapshot(step), report(), multigrid_cycles());
+    recorder->add_step(equilibrium->snapshot(step),
+                       report(),
+                       multigrid_cycles(),
+                       std::exchange(of_step, {}));
   }
 
 

@@ -33,6 +33,14 @@ namespace Signorini
     }
 
     template <int dim>
+    void
+    let_none_be_coarsened(const Mesh<dim> &mesh)
+    {
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        cell->clear_coarsen_flag();
+    }
+
+    template <int dim>
     std::string
     names_of(const std::vector<unsigned int> &numbers, const std::vector<Body<dim>> &bodies)
     {
@@ -47,13 +55,14 @@ namespace Signorini
 
   template <int dim>
   bool
-  Simulation<dim>::improve()
+  Simulation<dim>::improve(ErrorControl &control)
   {
-    const ErrorEstimate estimate = estimate_errors();
-    control.add(estimate.quantities);
-    has_estimate = true;
-    report_errors();
+    const ErrorEstimate estimate = judge(control);
+    const bool          is_end   = &control == &this->control;
+    has_estimate |= is_end;
     Json accuracy = accuracy_results(scene.goals, control, estimate);
+    if (!is_end)
+      of_step = accuracy;
     if (scene.goals.has_targets())
       {
         tolerance   = control.tolerance(tolerance);
@@ -67,8 +76,10 @@ namespace Signorini
           out << "  penalties times " << short_text(stiffening) << std::endl;
       }
     TimerOutput::Scope scope(timer, "refinement");
-    if (!mark(estimate))
+    if (!mark(control, estimate))
       return false;
+    if (!is_end)
+      accuracy["time"] = state.time;
     recorder->add_cycle(n_steps, multigrid_cycles(), accuracy);
     reached.reset(); // it belongs to the mesh
     former_cycles  = 0;
@@ -89,7 +100,7 @@ namespace Signorini
 
   template <int dim>
   bool
-  Simulation<dim>::mark(const ErrorEstimate &estimate)
+  Simulation<dim>::mark(const ErrorControl &control, const ErrorEstimate &estimate)
   {
     const std::vector<double> indicators = control.indicators(estimate.cells, comm);
     if (!scene.goals.has_targets())
@@ -104,6 +115,8 @@ namespace Signorini
         if (next_quadratic.empty())
           mark_share(scene.refinement, *mesh, indicators, control.share());
       }
+    if (&control != &this->control) // other load steps need what is fine
+      let_none_be_coarsened(*mesh);
     const double of_cells = growth(*mesh),
                  factor   = of_cells * growth_of_enrichment(*mesh, next_quadratic),
                  now      = clock.wall_time();
@@ -152,8 +165,72 @@ namespace Signorini
 
 
   template <int dim>
+  ErrorEstimate
+  Simulation<dim>::judge(ErrorControl &control)
+  {
+    const ErrorEstimate estimate = estimate_errors();
+    control.add(estimate.quantities);
+    report_errors(control);
+    return estimate;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::improve_step()
+  {
+    // Beside what there is at the end, a value that passes through zero need not be known.
+    constexpr double    small = 0.01;
+    std::vector<double> least;
+    for (const ErrorHistory &of_end : control.quantities())
+      least.push_back(of_end.size() > 0 ? small * std::abs(of_end.last().value) : 0.);
+    ErrorControl      of_load(scene.goals, scene.refinement, least);
+    const std::string why_at_end = std::exchange(why_not_met, {});
+    for (;;)
+      {
+        n_steps = report().steps.size();
+        if (position.cycle == scene.most_cycles())
+          {
+            of_step = accuracy_results(scene.goals, of_load, judge(of_load));
+            break;
+          }
+        if (!improve(of_load))
+          break;
+        ++position.cycle;
+        equilibrium->find_contact();
+        report_set_up();
+        if (!solve(position.time, scene.newton.tolerance))
+          return false;
+      }
+    const std::string why = what_was_missed(of_load);
+    of_step["met"]        = why.empty();
+    of_step["reason"]     = why;
+    recorder->add_targets(of_load, why, position.time);
+    why_not_met = why_at_end;
+    return true;
+  }
+
+
+
+  template <int dim>
+  std::string
+  Simulation<dim>::what_was_missed(const ErrorControl &control) const
+  {
+    if (!scene.goals.has_targets() || control.is_met())
+      return {};
+    if (!why_not_met.empty())
+      return why_not_met;
+    return control.is_met(true) ?
+             "the solver cannot do better" :
+             "Accuracy/Refinement cycles = " + std::to_string(scene.most_cycles());
+  }
+
+
+
+  template <int dim>
   void
-  Simulation<dim>::report_errors()
+  Simulation<dim>::report_errors(const ErrorControl &control)
   {
     if (control.quantities().empty())
       return;
@@ -173,14 +250,10 @@ namespace Signorini
       control.replace_last(estimate.quantities);
     else
       control.add(estimate.quantities);
-    report_errors();
-    if (scene.goals.has_targets() && !control.is_met() && why_not_met.empty())
-      why_not_met = control.is_met(true) ?
-                      "the solver cannot do better" :
-                      "Accuracy/Refinement cycles = " + std::to_string(scene.most_cycles());
-    if (control.is_met())
-      why_not_met.clear();
-    recorder->add_accuracy(accuracy_results(scene.goals, control, estimate), control, why_not_met);
+    report_errors(control);
+    recorder->add_accuracy(accuracy_results(scene.goals, control, estimate),
+                           control,
+                           what_was_missed(control));
   }
 
 
@@ -211,10 +284,13 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template bool          Simulation<dim>::improve();                                               \
-  template bool          Simulation<dim>::mark(const ErrorEstimate &);                             \
+  template bool          Simulation<dim>::improve(ErrorControl &);                                 \
+  template bool          Simulation<dim>::mark(const ErrorControl &, const ErrorEstimate &);       \
+  template ErrorEstimate Simulation<dim>::judge(ErrorControl &);                                   \
+  template bool          Simulation<dim>::improve_step();                                          \
+  template std::string   Simulation<dim>::what_was_missed(const ErrorControl &) const;             \
   template void          Simulation<dim>::enrich(const std::vector<unsigned int> &);               \
-  template void          Simulation<dim>::report_errors();                                         \
+  template void          Simulation<dim>::report_errors(const ErrorControl &);                     \
   template void          Simulation<dim>::estimate_result();                                       \
   template ErrorEstimate Simulation<dim>::estimate_errors();
   INSTANTIATE(2)

@@ -76,11 +76,11 @@ namespace Signorini
     run_load_history();
     /// All load steps, cut back where they cannot be solved.
     /// @param from where they start, and then where they are
-    /// @param visit called after each
+    /// @param visit called after each; false: that is all
     bool
     follow_loads(double                                        tolerance,
                  Position                                     &from,
-                 const std::function<void(unsigned int step)> &visit);
+                 const std::function<bool(unsigned int step)> &visit);
     void
     record_step(unsigned int step);
     const NewtonReport &
@@ -117,16 +117,28 @@ namespace Signorini
 
     /// Estimate the errors of the last solution, and refine the mesh. False if that is not needed,
     /// or of no use: the last solution is on the last mesh.
+    /// @param control of the solutions of that load on all meshes
     bool
-    improve();
+    improve(ErrorControl &control);
     /// Which cells are refined, or which bodies enriched. False if the next mesh cannot be had.
     bool
-    mark(const ErrorEstimate &estimate);
+    mark(const ErrorControl &control, const ErrorEstimate &estimate);
+    /// Meet the targets at a load step before the last one, on finer meshes if it has to be. False
+    /// if that is not solved.
+    bool
+    improve_step();
     /// Degree 2 for these bodies, on the same mesh.
     void
     enrich(const std::vector<unsigned int> &bodies);
+    /// Of the last solution, on one mesh more.
+    ErrorEstimate
+    judge(ErrorControl &control);
     void
-    report_errors();
+    report_errors(const ErrorControl &control);
+    /// After the last mesh on which the targets could have been met. @return why they were not, in
+    /// words; empty: they are
+    std::string
+    what_was_missed(const ErrorControl &control) const;
     /// Of the last load step.
     void
     estimate_result();
@@ -180,14 +192,15 @@ namespace Signorini
     std::unique_ptr<Recorder<dim>>     recorder; ///< none where nothing is to be written
     bool                               only_checks = false;
     unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
-    ErrorControl                       control;
-    double                             tolerance; ///< of Newton's method on the next mesh
+    ErrorControl                       control;         ///< of the end of the load history
+    double                             tolerance;       ///< of Newton's method on the next mesh
     bool                               has_estimate = false; ///< of this mesh
     double                             last_mesh_at = 0;     ///< seconds: when it was estimated
     std::vector<unsigned int>          next_quadratic;       ///< bodies, on the next mesh
     /// The largest share, where Deformation = automatic.
     std::optional<double> neglected_work;
     std::string           why_not_met;        ///< the targets; empty: no reason is known
+    Json                  of_step;            ///< how good the last load step is; null: not known
     unsigned int          former_cycles  = 0; ///< of multigrid on this mesh, before a restart
     double                former_seconds = 0; ///< likewise
 

@@ -9,9 +9,12 @@ namespace Signorini
 {
   using namespace dealii;
 
-  ErrorControl::ErrorControl(const Goals &goals, const RefinementSettings &settings)
+  ErrorControl::ErrorControl(const Goals               &goals,
+                             const RefinementSettings  &settings,
+                             const std::vector<double> &least)
     : goals(goals)
     , settings(settings)
+    , least(least)
     , histories(goals.quantities.size())
   {}
 
@@ -36,9 +39,17 @@ namespace Signorini
 
 
   double
+  ErrorControl::scale(const unsigned int i) const
+  {
+    return std::max(std::abs(histories[i].last().value), least.empty() ? 0. : least[i]);
+  }
+
+
+
+  double
   ErrorControl::allowed(const unsigned int i) const
   {
-    return goals.has_targets() ? goals.targets[i] * std::abs(histories[i].last().value) : 0.;
+    return goals.has_targets() ? goals.targets[i] * scale(i) : 0.;
   }
 
 

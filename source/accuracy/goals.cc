@@ -17,6 +17,12 @@ namespace Signorini
                 targets,
                 "relative, one a quantity or one for all: the mesh is refined until the error bars "
                 "are smaller; empty: none");
+    section.add_choice(
+      "Load steps",
+      steps,
+      {{"all", JudgedSteps::all}, {"last", JudgedSteps::last}},
+      "which of them meet the Target error, each on a mesh that is refined for it and serves from there on; last: those "
+      "before it have the mesh that its results need, and no bars");
     section.add("Time limit",
                 time_limit,
                 "no refinement that would last longer; 0: none [minutes of wall time since the "

@@ -25,7 +25,7 @@ namespace Signorini
         if (goals.has_targets())
           {
             one["target"] = goals.targets[i];
-            one["met"]    = now.bar <= goals.targets[i] * std::abs(now.value);
+            one["met"]    = now.bar <= goals.targets[i] * control.scale(i);
           }
         if (const auto better = history.extrapolated())
           one["extrapolated"] = {{"value", better->value}, {"bar", better->bar}};

@@ -3,6 +3,7 @@
 #include <signorini/parameters/section.h>
 #include <signorini/verdict/checks.h>
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -215,12 +216,31 @@ namespace Signorini
                               const ErrorControl &control,
                               const std::string  &why)
   {
+    const double end    = scene.load_steps.ends().back();
     results["accuracy"] = accuracy;
-    if (!scene.goals.has_targets())
-      return;
-    results["accuracy"]["met"]    = why.empty();
-    results["accuracy"]["reason"] = why;
-    verdict.add(check_targets(scene.goals, control, why), scene.load_steps.ends().back());
+    if (scene.goals.has_targets())
+      {
+        results["accuracy"]["met"]    = why.empty();
+        results["accuracy"]["reason"] = why;
+        add_targets(control, why, end);
+      }
+    results["load_steps"].back()["accuracy"] = results["accuracy"];
+    const auto all                           = results["load_steps"].size();
+    const auto open                          = std::count_if(results["load_steps"].begin(),
+                                    results["load_steps"].end(),
+                                    [](const Json &step) { return step["accuracy"].is_null(); });
+    if (scene.goals.has_targets() && all > 1)
+      verdict.add(check_judged_steps(open, all), end);
+    results["verdict"] = verdict.json();
+  }
+
+
+
+  template <int dim>
+  void
+  Recorder<dim>::add_targets(const ErrorControl &control, const std::string &why, const double time)
+  {
+    verdict.add(check_targets(scene.goals, control, why), time);
     results["verdict"] = verdict.json();
   }
 
@@ -261,7 +281,8 @@ namespace Signorini
   void
   Recorder<dim>::add_step(const Snapshot<dim> &now,
                           const NewtonReport  &report,
-                          const unsigned int   multigrid_cycles)
+                          const unsigned int   multigrid_cycles,
+                          const Json          &accuracy)
   {
     Json one = {{"step", now.step}, {"time", now.time}};
     one.update(newton_results(report));
@@ -270,6 +291,8 @@ namespace Signorini
     largest_force = std::max(largest_force, one["largest_force"].get<double>());
     verdict.add(check_solution(scene, now, one, largest_force), now.time);
     results["verdict"] = verdict.json();
+    if (!scene.goals.quantities.empty())
+      one["accuracy"] = accuracy; // null: not judged
     results["load_steps"].push_back(one);
     writer.write(now, scene.known.pressure);
 

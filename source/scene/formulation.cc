@@ -31,6 +31,15 @@ namespace Signorini
       return {};
     }
 
+    /// Nothing but cells of degree 1 that lock would be refined for a quantity, without end.
+    template <int dim>
+    bool
+    needs_degree_2(const Scene<dim> &scene, const Material &material)
+    {
+      return model_of(scene.model) != Model::plane_stress &&
+             material.poissons_ratio >= nearly_incompressible && !scene.goals.quantities.empty();
+    }
+
     /// One of the materials of a body. @param place in the scene
     template <int dim>
     void
@@ -50,7 +59,8 @@ namespace Signorini
         throw SceneError(place + "/Poisson's ratio = 0.5 is for Formulation = mixed" +
                          (obstacle.empty() ? "" : ", but " + obstacle) +
                          "; or take a Poisson's ratio below 0.5");
-      if (material.is_mixed && body.degree == 0 && (!has_degree || scene.degree == 0))
+      const bool is_open = body.degree == 0 && (!has_degree || scene.degree == 0);
+      if (is_open && (material.is_mixed || needs_degree_2(scene, material)))
         body.degree = 2;
     }
   } // namespace

@@ -10,11 +10,12 @@ namespace Signorini
     std::vector<Finding> findings;
     for (unsigned int i = 0; i < goals.quantities.size(); ++i)
       {
-        const ValueWithBar now = control.quantities()[i].last_with_bar();
+        const ValueWithBar now   = control.quantities()[i].last_with_bar();
+        const double       scale = control.scale(i);
         Finding            finding;
         finding.check   = "error bar";
         finding.where   = goals.quantities[i];
-        finding.value   = now.value != 0 ? now.bar / std::abs(now.value) : now.bar;
+        finding.value   = scale > 0 ? now.bar / scale : now.bar;
         finding.limit   = goals.targets[i];
         finding.outcome = finding.value <= finding.limit ? Outcome::passed : Outcome::warned;
         finding.what    = "the bar is larger than the Target error: " + why;
@@ -22,5 +23,21 @@ namespace Signorini
         findings.push_back(finding);
       }
     return findings;
+  }
+
+
+
+  std::vector<Finding>
+  check_judged_steps(const unsigned int not_judged, const unsigned int all)
+  {
+    Finding finding;
+    finding.check   = "load steps without bars";
+    finding.value   = not_judged;
+    finding.limit   = 0;
+    finding.outcome = not_judged == 0 ? Outcome::passed : Outcome::warned;
+    finding.what    = std::to_string(not_judged) + " of " + std::to_string(all) +
+                   " have the mesh that the last one needs; their results may be off by any amount";
+    finding.cure = "set Accuracy/Load steps = all";
+    return {finding};
   }
 } // namespace Signorini

@@ -206,7 +206,7 @@ namespace Signorini
     const double         scale = std::max(largest_force, rounding * elastic_force(now, extremes));
     std::vector<Finding> all   = check_motions(now, extremes);
     all.push_back(check_something_acts(scene, now, results, extremes));
-    for (const auto &some : {check_locking(now),
+    for (const auto &some : {check_locking(scene, now),
                              check_pairs(scene, now, extremes),
                              check_normal_forces(results),
                              check_loads(scene, now),

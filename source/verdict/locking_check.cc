@@ -122,7 +122,7 @@ namespace Signorini
 
   template <int dim>
   std::vector<Finding>
-  check_locking(const Snapshot<dim> &now)
+  check_locking(const Scene<dim> &scene, const Snapshot<dim> &now)
   {
     constexpr double least_ratio = 0.4; // below there is little to lock
     if (now.elasticity.model() == Model::plane_stress)
@@ -147,14 +147,16 @@ namespace Signorini
       "' is nearly incompressible and too stiff on this mesh, as that share of its energy "
       "goes into changes of volume inside of cells: forces may be too large by about "
       "that, pressures by three times it";
-    finding.cure = "set Formulation = mixed with Degree = 2, or take a finer mesh";
+    finding.cure = scene.goals.quantities.empty() ?
+                     "set Formulation = mixed with Degree = 2, or take a finer mesh" :
+                     "set Degree = 2 (errors of Formulation = mixed are not estimated)";
     return {finding};
   }
 
 
 
   template std::vector<Finding>
-  check_locking(const Snapshot<2> &);
+  check_locking(const Scene<2> &, const Snapshot<2> &);
   template std::vector<Finding>
-  check_locking(const Snapshot<3> &);
+  check_locking(const Scene<3> &, const Snapshot<3> &);
 } // namespace Signorini

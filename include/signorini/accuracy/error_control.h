@@ -13,8 +13,11 @@ namespace Signorini
   class ErrorControl
   {
   public:
-    /// Refers to both.
-    ErrorControl(const Goals &goals, const RefinementSettings &settings);
+    /// Refers to the goals and settings.
+    /// @param least sizes of the quantities that their targets are relative to; empty: none
+    ErrorControl(const Goals               &goals,
+                 const RefinementSettings  &settings,
+                 const std::vector<double> &least = {});
 
     /// The errors on one mesh more, finer than those before.
     void
@@ -29,6 +32,10 @@ namespace Signorini
     {
       return histories;
     }
+
+    /// What the target of a quantity is relative to.
+    double
+    scale(unsigned int i) const;
 
     /// All bars are within their targets; of some, if the solver is left out: it goes on.
     bool
@@ -81,6 +88,7 @@ namespace Signorini
 
     const Goals              &goals;
     const RefinementSettings &settings;
+    const std::vector<double> least;
     std::vector<ErrorHistory> histories;
   };
 } // namespace Signorini

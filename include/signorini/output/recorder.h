@@ -85,6 +85,9 @@ namespace Signorini
     /// or there are none
     void
     add_accuracy(const Json &accuracy, const ErrorControl &control, const std::string &why);
+    /// How good the targets were met at a load step. @param why they were not; empty: they were
+    void
+    add_targets(const ErrorControl &control, const std::string &why, double time);
     /// Of all meshes that were refined so far.
     const Json &
     cycles() const
@@ -92,8 +95,12 @@ namespace Signorini
       return results["cycles"];
     }
     /// @param multigrid_cycles of the linear solver so far
+    /// @param accuracy of the wanted quantities; null: the load step was not judged
     void
-    add_step(const Snapshot<dim> &now, const NewtonReport &report, unsigned int multigrid_cycles);
+    add_step(const Snapshot<dim> &now,
+             const NewtonReport  &report,
+             unsigned int         multigrid_cycles,
+             const Json          &accuracy);
     /// @param seconds and cycles of the solution with contact
     void
     add_linear_reference(const LinearReference &linear, double seconds, double cycles);

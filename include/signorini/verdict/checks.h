@@ -34,6 +34,10 @@ namespace Signorini
   std::vector<Finding>
   check_targets(const Goals &goals, const ErrorControl &control, const std::string &why);
 
+  /// Load steps of a run with targets that were neither refined for nor have bars.
+  std::vector<Finding>
+  check_judged_steps(unsigned int not_judged, unsigned int all);
+
   // One after the other:
 
   /// Motions larger than the scene, and gradients of the displacement of which the theory neglects
@@ -46,7 +50,7 @@ namespace Signorini
   /// share of the energy that this takes.
   template <int dim>
   std::vector<Finding>
-  check_locking(const Snapshot<dim> &now);
+  check_locking(const Scene<dim> &scene, const Snapshot<dim> &now);
 
   /// Pair by pair: those that never act, zones of a few faces, surfaces that move far or are far
   /// from opposite, overlaps larger than faces, facets, sides, penetration of penalties.
