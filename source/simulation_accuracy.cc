@@ -185,12 +185,13 @@ namespace Signorini
     std::vector<double> least;
     for (const ErrorHistory &of_end : control.quantities())
       least.push_back(of_end.size() > 0 ? small * std::abs(of_end.last().value) : 0.);
-    ErrorControl      of_load(scene.goals, scene.refinement, least);
-    const std::string why_at_end = std::exchange(why_not_met, {});
+    ErrorControl       of_load(scene.goals, scene.refinement, least);
+    const std::string  why_at_end = std::exchange(why_not_met, {});
+    const unsigned int most       = position.cycle + scene.most_cycles();
     for (;;)
       {
         n_steps = report().steps.size();
-        if (position.cycle == scene.most_cycles())
+        if (position.cycle == most)
           {
             of_step = accuracy_results(scene.goals, of_load, judge(of_load));
             break;
