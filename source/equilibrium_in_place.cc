@@ -33,7 +33,6 @@ namespace Signorini
   void
   EquilibriumInPlace<dim>::find_contact(const bool is_near, const bool keeps_points)
   {
-    look_for_interruption();
     forget_solver();
     clock.start();
     contact.build(placed.size() > 0 ? Configuration<dim>(elasticity, placed) :
@@ -62,6 +61,7 @@ namespace Signorini
   {
     for (;;)
       {
+        look_for_interruption(); // behind each search
         solve_with_candidates(t, goal);
         if (my_report.converged ? !contact.needs_more(state.displacement) :
                                   !my_report.is_loose || !contact.look_farther())

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 
-from case import PRM, ROOT, SCENES, TESTS, Case
+from case import PRM, ROOT, TESTS, Case
 
 WAVY = [str(PRM / "wavy-surfaces.prm"), "--set", "Accuracy/Refinement cycles=1"]
 
@@ -96,7 +96,7 @@ def interrupted_while_iterating(test):
     folder = folder_of(test)
     sets = ["Solver/Preconditioner=block diagonal", "Solver/Maximum iterations=100000000", "Newton/Tolerance=1e-40",
             f"Output/Directory={folder}"]
-    process = start(test, [SCENES / "patch-3d.prm", *[word for one in sets for word in ("--set", one)]])
+    process = start(test, [PRM / "block-on-block.prm", *[word for one in sets for word in ("--set", one)]])
     time.sleep(3)
     test.check(process.poll() is None, "it has ended by itself")
     process.send_signal(signal.SIGTERM)
