@@ -91,23 +91,6 @@ def interrupted(number, ranks):
     return body
 
 
-def interrupted_while_iterating(test):
-    """A tolerance that no Krylov method reaches, and iterations for hours."""
-    folder = folder_of(test)
-    sets = ["Solver/Preconditioner=block diagonal", "Solver/Maximum iterations=100000000", "Newton/Tolerance=1e-40",
-            f"Output/Directory={folder}"]
-    process = start(test, [PRM / "block-on-block.prm", *[word for one in sets for word in ("--set", one)]])
-    time.sleep(3)
-    test.check(process.poll() is None, "it has ended by itself")
-    process.send_signal(signal.SIGTERM)
-    try:
-        test.print(process.communicate(timeout=30)[0])
-    except subprocess.TimeoutExpired:
-        process.kill()
-    test.check(process.returncode == 5, f"exit code {process.returncode} instead of 5")
-    test.check(results_in(folder)["reason"].startswith("interrupted by SIGTERM"), "the reason is another")
-
-
 def time_limit(test):
     folder, whole = folder_of(test), folder_of(test) / "whole"
     ends(test, [*WAVY, "--set", f"Output/Directory={whole}"], 0)
@@ -170,7 +153,6 @@ def cases():
                      ["Contact method/Method=auto", "Accuracy/Quantity=force of contact", "Accuracy/Target error=1e-3"], 1e-2))
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
         yield Case("restart", f"{number.name}/np1", interrupted(number, 1))
-    yield Case("restart", "SIGTERM/iterating", interrupted_while_iterating)
     yield Case("restart", "SIGUSR1/np2", interrupted(signal.SIGUSR1, 2), 2)
     yield Case("restart", "time-limit", time_limit)
     yield Case("restart", "refused", refused)
