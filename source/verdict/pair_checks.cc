@@ -135,7 +135,7 @@ namespace Signorini
       Finding      finding = finding_of(
         "overlap without pressure / face",
         name,
-        zone.active > 0 ? 0. : depth / face,
+        zone.active > 0 || face == 0 ? 0. : depth / face,
         3e-3,
         "the surfaces overlap by up to " + short_text(depth, 2) +
           " within faces that carry no pressure: the slave is too coarse to see its master",
