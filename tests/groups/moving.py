@@ -199,7 +199,7 @@ def passed_through(test):
 
 
 def pulled(test):
-    """A uniform tension is exact, and no pressure that alternates; nor is none at all."""
+    """A uniform tension is exact, and no pressure that alternates."""
     scene = VARIED / "pulled.prm"
     for degree in (1, 2):
         results = test.results(scene, [f"Mesh/Degree={degree}"])
@@ -207,9 +207,6 @@ def pulled(test):
         exact = -2 * 500 * (1.1 - 1 / 1.1)  # neo-Hooke of nu = 0, stretched by 1.1, on a width of 2
         test.check(abs(force / exact - 1) <= 1e-8, f"degree {degree}: {force:.10g} instead of {exact:.10g}")
         test.check(results["verdict"]["outcome"] == "passed", f"degree {degree}: {results['verdict']}")
-    still = test.results(scene, ["Obstacles/o/Displacement=0.3*t; 0", "Supports/sx/Displacement=0.3*t; free"])
-    alarms = [check["check"] for check in still["verdict"]["checks"] if check["outcome"] == "warned"]
-    test.check(not alarms, f"a block that is carried along: {alarms}")
 
 
 def cases():
