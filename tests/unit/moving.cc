@@ -26,12 +26,15 @@ namespace
   template <int dim>
   using Points = std::map<std::pair<unsigned int, Values>, ContactPoint<dim>>;
 
-  /// The points laid at the first call, with their partners at u.
+  /// The points laid at the first call, with their partners at u. Frames stay, as those of rows do.
   template <int dim>
   Points<dim>
-  points_at(SmallScene<dim> &scene, const LA::Vector &u, const bool keeps_points)
+  points_at(SmallScene<dim>  &scene,
+            const LA::Vector &u,
+            const LA::Vector &of_frames,
+            const bool        keeps_points)
   {
-    scene.contact->build(Configuration<dim>(*scene.elasticity, u), false, keeps_points);
+    scene.contact->build(Configuration<dim>(*scene.elasticity, u, of_frames), false, keeps_points);
     Points<dim> result;
     for (const ContactPoint<dim> &point : scene.contact->surfaces()[0].points)
       result[{point.face, coordinates<dim>(point.xi)}] = point;
@@ -95,9 +98,10 @@ namespace
       elasticity.distribute(result);
       return result;
     };
-    points_at(scene, u, false);
-    const Points<dim> here = points_at(scene, u, true), back = points_at(scene, moved(-step), true),
-                      forth = points_at(scene, moved(step), true);
+    points_at(scene, u, u, false);
+    const Points<dim> here  = points_at(scene, u, u, true),
+                      back  = points_at(scene, moved(-step), u, true),
+                      forth = points_at(scene, moved(step), u, true);
     unsigned int counts[2]  = {0, 0}; // compared, on rims
     for (const auto &[name, point] : here)
       {
@@ -270,7 +274,7 @@ namespace
       LA::Vector there = u;
       there.add(a, v);
       elasticity.distribute(there);
-      scene.contact->build(Configuration<dim>(elasticity, there), false, keeps_points);
+      scene.contact->build(Configuration<dim>(elasticity, there, u), false, keeps_points);
       LA::Vector p = scene.gap_operator().zero();
       p            = 1.;
       return scene.gap_operator().force(p, p);

@@ -142,7 +142,7 @@ namespace
       return path.empty() ? part : path + "/" + part;
     };
     // The page says it once.
-    if (path == "cycles/N/accuracy")
+    if (path == "cycles/N/accuracy" || path == "load_steps/N/accuracy")
       return collect_paths(value, "accuracy", paths);
     if (path == "load_steps/N/probes/PROBE/N")
       return collect_paths(value, "load_steps/N/probes/PROBE", paths);

@@ -111,10 +111,20 @@ namespace Signorini
 
   template <int dim>
   Configuration<dim>::Configuration(const Elasticity<dim> &elasticity, const LA::Vector &u)
+    : Configuration(elasticity, u, u)
+  {}
+
+
+
+  template <int dim>
+  Configuration<dim>::Configuration(const Elasticity<dim> &elasticity,
+                                    const LA::Vector      &u,
+                                    const LA::Vector      &of_frames)
     : my_elasticity(elasticity)
     , at_rest(false)
     , u(u)
     , ghosted(elasticity.with_ghosts(u))
+    , of_frames(elasticity.with_ghosts(of_frames))
     , rest_places(places_of_nodes(elasticity))
     , rigid_motion(elasticity.rigid_motion(u))
   {}
@@ -176,13 +186,13 @@ namespace Signorini
           for (unsigned int d = 0; d < dim; ++d)
             {
               const auto   dof = indices[fe.component_to_system_index(d, shape.function)];
-              const double X = rest_places(dof), x = X + ghosted(dof);
+              const double X   = rest_places(dof);
               before.origin[d] += shape.value * X;
-              now.origin[d] += shape.value * x;
+              now.origin[d] += shape.value * (X + ghosted(dof));
               for (unsigned int a = 0; a < dim - 1; ++a)
                 {
                   before.tangents[a][d] += shape.slopes[a] * X;
-                  now.tangents[a][d] += shape.slopes[a] * x;
+                  now.tangents[a][d] += shape.slopes[a] * (X + of_frames(dof));
                 }
             }
         nodes.push_back(now.origin + carried(rest.position(xi) - before.origin, before, now));

@@ -27,6 +27,14 @@ namespace Signorini
     /// Displaced by u. Collective.
     Configuration(const Elasticity<dim> &elasticity, const LA::Vector &u);
 
+    /// Displaced by u, with the frames of another displacement in moved(). What the rows of a
+    /// contact point say of its gap is the derivative at frames that stay: how they turn with a
+    /// change of u is left out of the variation, and comes with the next placement of the surfaces.
+    /// Collective.
+    Configuration(const Elasticity<dim> &elasticity,
+                  const LA::Vector      &u,
+                  const LA::Vector      &of_frames);
+
     bool
     is_rest() const
     {
@@ -90,6 +98,7 @@ namespace Signorini
     const Elasticity<dim> &my_elasticity;
     bool                   at_rest;
     LA::Vector             u, ghosted;
+    LA::Vector             of_frames;   ///< the displacement of the frames, with ghosts
     LA::Vector             rest_places; ///< of nodes, with ghosts
     std::vector<double>    rigid_motion;
 
