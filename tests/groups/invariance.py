@@ -182,4 +182,5 @@ def cases():
     # A body whose cells are merged for p4est, and not for METIS.
     yield Case("invariance/ranks", "merged-cells", labels={"full"}, ranks=4,
                body=ranks(SCENES / "patch-3d.prm", ["Bodies/lower/Subdivisions=12,12,12", "Bodies/upper/Subdivisions=8,8,8",
-                                                    "Contact pairs/interface/Initial gap=0.02*(x/10)^2", *method(METHODS[1])]))
+                                                    "Contact pairs/interface/Initial gap=0.02*(x/10)^2",
+                                                    "Contact method/Contact geometry=updated", *method(METHODS[1])]))
