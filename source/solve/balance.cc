@@ -127,7 +127,7 @@ namespace Signorini
   double
   Balance::least() const
   {
-    return force_scale > 0 ? *std::min_element(at_work.begin(), at_work.end()) : 1.;
+    return force_scale > 0 ? *std::min_element(at_work.begin(), at_work.end()) : scale();
   }
 
 

@@ -79,6 +79,12 @@ namespace Signorini
 
     LA::Vector &r = stage.rhs.block(0);
     r             = balance.residual(u, p, stage.stress, active);
+    LA::Vector defect;
+    if (system.is_saddle_point() || law.augments())
+      {
+        defect = law.defect({stage.gap, stage.stress, p}, active);
+        balance.set_forces_of_gaps(defect.l2_norm());
+      }
     if (!is_same)
       system.find_loose_motions(active);
     if (settings.undetermined == Undetermined::hold)
@@ -96,8 +102,7 @@ namespace Signorini
       }
     if (system.is_saddle_point() || law.augments())
       {
-        const LA::Vector defect = law.defect({stage.gap, stage.stress, p}, active);
-        step.gap_residual       = defect.l2_norm() / balance.least();
+        step.gap_residual = defect.l2_norm() / balance.least();
         if (system.is_saddle_point())
           stage.rhs.block(1) = defect;
       }

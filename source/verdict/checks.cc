@@ -152,9 +152,8 @@ namespace Signorini
                          const nlohmann::ordered_json &results)
     {
       constexpr double rounding = 1e-14; // of the size of the scene
-      const bool       acts =
-        results["largest_force"].get<double>() > 0 ||
-        now.displacement.linfty_norm() > rounding * now.elasticity.mesh().size();
+      const bool       acts     = results["largest_force"].get<double>() > 0 ||
+                        now.displacement.linfty_norm() > rounding * now.elasticity.mesh().size();
       Finding finding;
       finding.check   = "something acts";
       finding.value   = acts;

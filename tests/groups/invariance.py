@@ -90,6 +90,16 @@ def counts_of(value):
     return value if isinstance(value, list) else [value]
 
 
+def small_overlaps(*sets):
+    """Overlaps of bodies that are held: nothing else acts, so nothing but the gap tells what is small."""
+    def body(test):
+        for edge, modulus in ((1, 1), (1e-12, 1e-3), (2**-10, 2**-10), (1e-9, 2e11), (1e6, 1e12)):
+            results = test.results(VARIED / "small-overlap.prm", [*sets, f"Definitions/a={edge}", f"Definitions/E={modulus}"])
+            pressure = results["load_steps"][-1]["pairs"]["joint"]["max_pressure"]
+            test.check(abs(pressure / (modulus / 2000) - 1) < 1e-8, f"edge {edge}, E {modulus}: pressure {pressure}")
+    return body
+
+
 def units(scene, sets, counts_differ=0):
     """counts_differ: where rounding is not quite the same, a solve may need that many iterations more or less."""
     def body(test):
@@ -179,6 +189,8 @@ def cases():
     yield from table(ranks, ("patch-3d-distorted", "hertz-2d", "layer", "patch-inclined"), 4, "full", METHODS[:1])
     yield from table(ranks, ("shrink-fit", "hertz-axisymmetric", "tilted-punch", "patch-3d-distorted"), 4, "full", METHODS[1:])
     yield from table(ranks, ("patch-3d-distorted",), 4, "full", METHODS[1:], ["Bodies/upper/Degree=2"])
+    for name in ("Lagrange multiplier", "augmented Lagrangian"):
+        yield Case("invariance/units", f"small-overlap/{short(name)}", small_overlaps(*method(name)))
     # A body whose cells are merged for p4est, and not for METIS.
     yield Case("invariance/ranks", "merged-cells", labels={"full"}, ranks=4,
                body=ranks(SCENES / "patch-3d.prm", ["Bodies/lower/Subdivisions=12,12,12", "Bodies/upper/Subdivisions=8,8,8",

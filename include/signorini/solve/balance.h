@@ -34,11 +34,20 @@ namespace Signorini
 
     // Of the last one:
 
-    /// The forces at work; 1 if there are none.
+    /// The forces that gaps ask for, see ContactLaw::defect(). Where surfaces overlap before
+    /// anything else acts, they are all that tells what is small.
+    void
+    set_forces_of_gaps(const double forces)
+    {
+      forces_of_gaps = forces;
+    }
+
+    /// The forces at work; where there are none, those that gaps ask for; 1 if there are none
+    /// either.
     double
     scale() const
     {
-      return force_scale > 0 ? force_scale : 1.;
+      return force_scale > 0 ? force_scale : forces_of_gaps > 0 ? forces_of_gaps : 1.;
     }
 
     /// Those at work in the body where they are smallest.
@@ -81,7 +90,7 @@ namespace Signorini
     const GapOperator  &contact;
     double              tolerance;
     unsigned int        n_bodies    = 0;
-    double              force_scale = 0, largest_force = 0, force_rounding = 0;
+    double              force_scale = 0, largest_force = 0, force_rounding = 0, forces_of_gaps = 0;
     std::vector<double> at_work; ///< forces_at_work() now
 
     mutable LA::Vector   stiffness_diagonal;
