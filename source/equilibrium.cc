@@ -417,15 +417,25 @@ namespace Signorini
         in_vain = now < least ? 0 : in_vain + 1;
         least   = std::min(least, now);
       }
-    const bool by_segments = std::all_of(scene.pairs.begin(), scene.pairs.end(), [&](auto &pair) {
+    const bool by_segments  = std::all_of(scene.pairs.begin(), scene.pairs.end(), [&](auto &pair) {
       return scene.integration_of(pair).rule == Rule::segments;
     });
-    my_report.converged    = false;
+    const auto &[low, high] = elasticity.mesh().extent().get_boundary_points();
+    constexpr double far    = 1e3; // sizes of the scene
+    const bool       is_far = (low + (high - low) / 2).norm() > far * low.distance(high);
+    my_report.converged     = false;
     my_report.reason =
-      "contact on the surfaces as they are now does not come to rest: load in smaller steps (Load steps/Number)" +
-      std::string(!is_finite   ? ", or take Contact method/Contact geometry = reference" :
-                  !by_segments ? ", or integrate by segments (Contact method/Integration)" :
-                                 "");
+      "contact on the surfaces as they are now does not come to rest: " +
+      std::string(
+        is_far ?
+          "gaps are rounded like coordinates, and the scene lies far from the origin: shift it there, or "
+          "take a larger Newton/Geometry tolerance, which is now " +
+            short_text(scene.newton.of_geometry) + " of the forces; or " :
+          "") +
+      "load in smaller steps (Load steps/Number)" +
+      (!is_finite   ? ", or take Contact method/Contact geometry = reference" :
+       !by_segments ? ", or integrate by segments (Contact method/Integration)" :
+                      "");
     return false;
   }
 

@@ -65,20 +65,25 @@ namespace Signorini
         // factor of gap times curvature each time; shorter where that is more than one.
         Point<dim>       foot  = x;
         Tensor<1, dim>   n     = normal / normal.norm();
-        constexpr double small = 1e-13;
-        double           share = 1, last = std::numeric_limits<double>::max();
-        for (unsigned int i = 0; i < 100 && last > small * length; ++i)
+        constexpr double small = 1e-13, epsilon = std::numeric_limits<double>::epsilon();
+        const double     least = std::max(small * length, 2 * epsilon * x.norm());
+        double           share = 1, last = std::numeric_limits<double>::max(), distance = 0;
+        for (unsigned int i = 0; i < 100 && last > least; ++i)
           {
             const Tensor<1, dim> slope = gradient(foot, length);
             n                          = slope / slope.norm();
             const Tensor<1, dim> arm   = x - foot;
-            const Tensor<1, dim> step = arm - (arm * n) * n - gap.value(foot, t) / slope.norm() * n;
+            const double         above = gap.value(foot, t) / slope.norm();
+            const Tensor<1, dim> step  = arm - (arm * n) * n - above * n;
+            // The foot is rounded, far from the origin to much more than distances are; what the
+            // formula says of it makes up for that.
+            distance = arm * n + above;
             if (step.norm() > 0.8 * last)
               share = std::max(share / 2, 1e-3);
             last = step.norm();
             foot += share * step;
           }
-        const double distance = (x - foot) * n, value = gap.value(x, t);
+        const double value = gap.value(x, t);
         // Far from a surface that bends much, the formula knows on which side x is, and about how
         // far from it.
         constexpr double rough = 1e-6;
@@ -95,16 +100,31 @@ namespace Signorini
       }
 
     private:
+      /// A point and another one, a step forth and back along a coordinate, and how far they are
+      /// from each other: coordinates are rounded, which far from the origin is much of a step.
+      struct Step
+      {
+        Step(const Point<dim> &x, const unsigned int d, const double h)
+          : forth(x)
+          , back(x)
+        {
+          forth[d] += h;
+          back[d] -= h;
+          length = forth[d] - back[d];
+        }
+
+        Point<dim> forth, back;
+        double     length;
+      };
+
       Tensor<1, dim>
       gradient(const Point<dim> &x, const double length) const
       {
-        const double   h = 1e-5 * length;
         Tensor<1, dim> result;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            Tensor<1, dim> step;
-            step[d]   = h;
-            result[d] = (gap.value(x + step, t) - gap.value(x - step, t)) / (2 * h);
+            const Step step(x, d, 1e-5 * length);
+            result[d] = (gap.value(step.forth, t) - gap.value(step.back, t)) / step.length;
           }
         return result;
       }
@@ -113,7 +133,6 @@ namespace Signorini
       Tensor<2, dim>
       curvature(const Point<dim> &x, const double length) const
       {
-        const double   h = 1e-4 * length;
         Tensor<2, dim> change, across;
         const auto     normal_at = [&](const Point<dim> &y) {
           const Tensor<1, dim> slope = gradient(y, length);
@@ -121,9 +140,8 @@ namespace Signorini
         };
         for (unsigned int d = 0; d < dim; ++d)
           {
-            Tensor<1, dim> step;
-            step[d]      = h;
-            change[d]    = (normal_at(x + step) - normal_at(x - step)) / (2 * h);
+            const Step step(x, d, 1e-4 * length);
+            change[d]    = (normal_at(step.forth) - normal_at(step.back)) / step.length;
             across[d][d] = 1;
           }
         const Tensor<1, dim> n = normal_at(x);
