@@ -1,18 +1,236 @@
 #include <signorini/mesh/cell_mapping.h>
+#include <signorini/parameters/raw.h>
 
-#include <deal.II/fe/fe_q.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace Signorini
 {
   using namespace dealii;
 
   template <int dim>
+  struct CellMapping<dim>::Hanging
+  {
+    explicit Hanging(const Triangulation<dim> &triangulation);
+
+    /// A node of a cell of some degree, in the order of FE_Q.
+    bool
+    has(const Cell &cell, unsigned int node, unsigned int degree) const;
+
+    bool
+    has_any(const Cell &cell, unsigned int degree) const;
+
+    std::vector<bool> vertices, lines, quads;
+  };
+
+
+
+  // Of what belongs to an active cell, halves hang.
+  template <int dim>
+  CellMapping<dim>::Hanging::Hanging(const Triangulation<dim> &triangulation)
+    : vertices(triangulation.n_vertices(), false)
+    , lines(triangulation.n_raw_lines(), false)
+    , quads(triangulation.n_raw_quads(), false)
+  {
+    for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        for (const unsigned int l : cell->line_indices())
+          if (const auto line = cell->line(l); line->has_children())
+            {
+              vertices[line->child(0)->vertex_index(1)] = true;
+              lines[line->child_index(0)] = lines[line->child_index(1)] = true;
+            }
+        if constexpr (dim == 3)
+          for (const auto &face : cell->face_iterators())
+            for (unsigned int c = 0; c < face->n_children(); ++c)
+              {
+                const auto child                          = face->child(c);
+                vertices[face->child(0)->vertex_index(3)] = quads[child->index()] = true;
+                for (const unsigned int l : child->line_indices())
+                  lines[child->line_index(l)] = true;
+              }
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  CellMapping<dim>::Hanging::has(const Cell        &cell,
+                                 const unsigned int node,
+                                 const unsigned int degree) const
+  {
+    const unsigned int n_vertices = cell->n_vertices(), of_line = degree - 1,
+                       n_on_lines = of_line * cell->n_lines();
+    if (node < n_vertices)
+      return vertices[cell->vertex_index(node)];
+    if (node < n_vertices + n_on_lines)
+      return lines[cell->line_index((node - n_vertices) / of_line)];
+    if constexpr (dim == 3)
+      if (const unsigned int quad = (node - n_vertices - n_on_lines) / (of_line * of_line);
+          quad < cell->n_faces())
+        return quads[cell->quad_index(quad)];
+    return false;
+  }
+
+
+
+  template <int dim>
+  bool
+  CellMapping<dim>::Hanging::has_any(const Cell &cell, const unsigned int degree) const
+  {
+    for (unsigned int i = 0; i < Utilities::pow(degree + 1, dim); ++i)
+      if (has(cell, i, degree))
+        return true;
+    return false;
+  }
+
+
+
+  template <int dim>
   CellMapping<dim>::CellMapping(const unsigned int        degree,
-                                std::vector<unsigned int> degree_of_material)
+                                std::vector<unsigned int> degree_of_material,
+                                const Triangulation<dim> &triangulation)
     : MappingQ<dim>(degree)
     , degree_of_material(std::move(degree_of_material))
-    , unit_nodes(FE_Q<dim>(degree).get_unit_support_points())
-  {}
+    , shapes(std::make_shared<const FE_Q<dim>>(degree))
+    , unit_nodes(shapes->get_unit_support_points())
+    , moved(std::make_shared<const Moved>())
+  {
+    place_hanging_nodes(triangulation);
+  }
+
+
+
+  template <int dim>
+  void
+  CellMapping<dim>::place_hanging_nodes(const Triangulation<dim> &triangulation)
+  {
+    constexpr double       small   = 1e-10; // of the size of a cell
+    constexpr double       epsilon = std::numeric_limits<double>::epsilon();
+    constexpr unsigned int none    = numbers::invalid_unsigned_int;
+    const MPI_Comm         comm    = triangulation.get_communicator();
+    const Hanging          hanging(triangulation);
+    const QGauss<dim>      rule(this->get_degree() + 1);
+    auto                   now = std::make_shared<Moved>();
+    const auto             add = [&](const auto &cell, const Nodes &points) {
+      now->places.resize(triangulation.n_active_cells(), none);
+      now->places[cell->active_cell_index()] = now->points.size();
+      now->points.push_back(points);
+    };
+    const auto folds = [&](const Nodes &points) {
+      for (const Point<dim> &unit : rule.get_points())
+        {
+          Tensor<2, dim> slopes;
+          for (unsigned int i = 0; i < points.size(); ++i)
+            slopes += outer_product(points[i] - points[0], shapes->shape_grad(i, unit));
+          if (determinant(slopes) <= 0)
+            return true;
+        }
+      return false;
+    };
+
+    bool any_folds = false;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          hanging.has_any(cell, degree_of_material.at(cell->material_id())))
+        {
+          const Nodes before = nodes_on_manifolds(cell), after = nodes(cell, hanging);
+          double      change = 0;
+          for (unsigned int i = 0; i < after.size(); ++i)
+            change = std::max(change, before[i].distance(after[i]));
+          if (change <= small * before.front().distance(before[cell->n_vertices() - 1]) +
+                          16 * epsilon * before.front().norm())
+            continue;
+          add(cell, support_points(after));
+          any_folds |= folds(now->points.back()) && !folds(support_points(before));
+        }
+    if (Utilities::MPI::logical_or(any_folds, comm))
+      throw SceneError(
+        "Mesh: where cells are refined beside others that are not, a curved body is so thin that they would fold, "
+        "since the edges of the larger ones stay straight; take more cells around it, or Degree = 2 for it");
+    if (!Utilities::MPI::logical_or(!now->points.empty(), comm))
+      return;
+    // A ghost may hang on a cell that only its owner knows.
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      GridTools::exchange_cell_data_to_ghosts<Nodes, Triangulation<dim>>(
+        triangulation,
+        [&](const auto &cell) -> std::optional<Nodes> {
+          const unsigned int place =
+            now->places.empty() ? none : now->places[cell->active_cell_index()];
+          if (place == none)
+            return {};
+          return now->points[place];
+        },
+        add);
+    moved = now;
+  }
+
+
+
+  template <int dim>
+  typename CellMapping<dim>::Nodes
+  CellMapping<dim>::nodes_on_manifolds(const Cell &cell) const
+  {
+    if (degree_of_material.at(cell->material_id()) == this->get_degree())
+      return MappingQ<dim>::compute_mapping_support_points(cell);
+    Nodes vertices;
+    for (const unsigned int v : cell->vertex_indices())
+      vertices.push_back(cell->vertex(v));
+    return vertices;
+  }
+
+
+
+  template <int dim>
+  typename CellMapping<dim>::Nodes
+  CellMapping<dim>::nodes(const Cell &cell, const Hanging &hanging) const
+  {
+    Nodes result = nodes_on_manifolds(cell);
+    if (cell->level() == 0)
+      return result;
+    const unsigned int degree = degree_of_material.at(cell->material_id());
+    Nodes              of_parent;
+    for (unsigned int i = 0; i < result.size(); ++i)
+      if (hanging.has(cell, i, degree))
+        {
+          const auto parent = cell->parent();
+          if (of_parent.empty())
+            of_parent = support_points(nodes(parent, hanging));
+          unsigned int child = 0;
+          while (parent->child_index(child) != cell->index())
+            ++child;
+          const Point<dim> place =
+            GeometryInfo<dim>::child_to_cell_coordinates(unit_nodes[i], child);
+          Tensor<1, dim> arm;
+          for (unsigned int j = 0; j < of_parent.size(); ++j)
+            arm += shapes->shape_value(j, place) * (of_parent[j] - of_parent[0]);
+          result[i] = of_parent[0] + arm;
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename CellMapping<dim>::Nodes
+  CellMapping<dim>::support_points(Nodes nodes) const
+  {
+    if (nodes.size() == unit_nodes.size())
+      return nodes;
+    Nodes points(unit_nodes.size());
+    for (unsigned int i = 0; i < points.size(); ++i)
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        points[i] += GeometryInfo<dim>::d_linear_shape_function(unit_nodes[i], v) * nodes[v];
+    return points;
+  }
 
 
 
@@ -26,17 +244,39 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<Point<dim>>
-  CellMapping<dim>::compute_mapping_support_points(
-    const typename Triangulation<dim>::cell_iterator &cell) const
+  boost::container::small_vector<Point<dim>, GeometryInfo<dim>::vertices_per_cell>
+  CellMapping<dim>::get_vertices(const Cell &cell) const
   {
-    if (degree_of_material.at(cell->material_id()) == this->get_degree())
-      return MappingQ<dim>::compute_mapping_support_points(cell);
-    std::vector<Point<dim>> points(unit_nodes.size());
-    for (unsigned int i = 0; i < points.size(); ++i)
-      for (const unsigned int v : cell->vertex_indices())
-        points[i] += GeometryInfo<dim>::d_linear_shape_function(unit_nodes[i], v) * cell->vertex(v);
-    return points;
+    const Nodes points = compute_mapping_support_points(cell);
+    return {points.begin(), points.begin() + cell->n_vertices()};
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<dim>>
+  CellMapping<dim>::compute_mapping_support_points(const Cell &cell) const
+  {
+    if (!moved->places.empty() && cell->is_active())
+      if (const unsigned int place = moved->places[cell->active_cell_index()];
+          place != numbers::invalid_unsigned_int)
+        return moved->points[place];
+    return support_points(nodes_on_manifolds(cell));
+  }
+
+
+
+  template <int dim>
+  CellSimilarity::Similarity
+  CellMapping<dim>::fill_fe_values(
+    const Cell                                                &cell,
+    const CellSimilarity::Similarity                           similarity,
+    const Quadrature<dim>                                     &quadrature,
+    const typename Mapping<dim>::InternalDataBase             &data,
+    internal::FEValuesImplementation::MappingRelatedData<dim> &output) const
+  {
+    return MappingQ<dim>::fill_fe_values(
+      cell, moved->places.empty() ? similarity : CellSimilarity::none, quadrature, data, output);
   }
 
 

@@ -107,7 +107,7 @@ namespace Signorini
     std::vector<unsigned int> by_material;
     for (const unsigned int body : bodies_of_materials)
       by_material.push_back(degree_of_body[body]);
-    my_mappings = hp::MappingCollection<dim>(CellMapping<dim>(degree, by_material));
+    my_mappings = hp::MappingCollection<dim>(CellMapping<dim>(degree, by_material, *tria));
   }
 
 
@@ -138,7 +138,6 @@ namespace Signorini
         degree_of_body.assign(bodies.size(), settings.geometry_degree);
         is_curved.assign(bodies.size(), false);
       }
-    map_cells();
     my_surface_mappings.push_back(MappingQ<dim>(degree_of_surfaces));
     find_pieces(coarse);
     check_slaves_and_masters(contact_surfaces);
@@ -174,6 +173,8 @@ namespace Signorini
         distributed->create_triangulation(description);
         tria = std::move(distributed);
       }
+    map_cells();
+    tria->signals.post_distributed_refinement.connect([this] { map_cells(); });
     measure();
   }
 

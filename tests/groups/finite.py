@@ -286,11 +286,18 @@ def cases():
     yield Case("finite", "law/Ogden", law("Ogden", f"Bodies/ring/Coefficients={0.8 * mu:.12g}, 2, {-0.2 * mu:.12g}, -2"))
     by_a_cell = "Load steps/Times=1, 1.0416666666666667"
     exchanged = ["Contact pairs/fit/Slave=o.inner", "Contact pairs/fit/Master=i.outer"]
+    # Finer cells within a circle, and in a part: edges hang on circles, and on spheres, of the surface of contact too.
+    hangs = ["Mesh/Zones/Names=fine", "Mesh/Zones/fine/Where=1.1 - sqrt(x^2 + y^2)"]
+    hangs_3d = ["Mesh/Zones/Names=fine", "Mesh/Zones/fine/Where=z + 0.6", "Mesh/Zones/fine/Bodies=o", "Load steps/Times=1, 1.05, 1.3"]
     for name, scene, sets in (
             ("whole", "turned-fit", method("penalty")),
             ("whole, sides exchanged", "turned-fit", [*exchanged, *method("Lagrange multiplier")]),
             ("whole, degree 2", "turned-fit", [by_a_cell, "Mesh/Degree=2", *method("Nitsche")]),
             ("inner ring", "turned-fit", [by_a_cell, "Definitions/share=0", *method("Nitsche")]),
             ("inner ring, sides exchanged", "turned-fit", ["Definitions/share=0", *exchanged, *method("Lagrange multiplier")]),
-            ("shells", "turned-fit-3d", method("Lagrange multiplier"))):
-        yield Case("finite", f"turned/{name}", turned(scene, sets), ranks=2 if name == "shells" else 1)
+            ("shells", "turned-fit-3d", method("Lagrange multiplier")),
+            ("hanging", "turned-fit", [*hangs, *exchanged, *method("penalty")]),
+            ("hanging, degree 2", "turned-fit", [*hangs, *exchanged, by_a_cell, "Mesh/Degree=2", *method("Nitsche")]),
+            ("shells, hanging", "turned-fit-3d", [*hangs_3d, *method("Lagrange multiplier")]),
+            ("shells, hanging, degree 2", "turned-fit-3d", [*hangs_3d, "Load steps/Times=1, 1.05", "Mesh/Degree=2", *method("penalty")])):
+        yield Case("finite", f"turned/{name}", turned(scene, sets), ranks=2 if "shells" in name else 1)

@@ -3,7 +3,7 @@
 import csv
 from pathlib import Path
 
-from case import SCENES, Case, Failed, method, short
+from case import SCENES, VARIED, Case, Failed, method, short
 
 EXACT = {"patch-2d": 115.7407407407, "patch-3d": 103.7037037037, "patch-overhang-2d": 10, "patch-overhang-3d": 10}
 SWAPPED = ["Contact pairs/interface/Slave=lower.top", "Contact pairs/interface/Master=upper.bottom"]
@@ -32,6 +32,21 @@ def uniform(scene, sets, pressure, exact=1e-6, spread=1e-9, penetrates=False, ra
     return body
 
 
+def uniform_ring(degree):
+    """Where cells hang on curved edges of larger ones, the cells leave no space: linear displacements are solutions."""
+    def body(test):
+        strain_x, strain_y, half_shear, modulus, nu = 0.01, -0.003, 0.003, 1, 0.3
+        mu, lame = modulus / (2 + 2 * nu), modulus * nu / ((1 + nu) * (1 - 2 * nu))
+        volume = lame * (strain_x + strain_y)
+        x, y, z, xy = volume + 2 * mu * strain_x, volume + 2 * mu * strain_y, volume, 2 * mu * half_shear
+        wanted = (((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2 + 3 * xy ** 2) ** 0.5
+        results = test.results(VARIED / "uniform-ring.prm", [f"Mesh/Degree={degree}"])
+        found = results["load_steps"][-1]["bodies"]["ring"]["largest"]["von_mises"]["value"]
+        test.print(f"largest von Mises stress {found:.12g}, {found / wanted - 1:.1e} off")
+        test.check(abs(found / wanted - 1) <= 1e-9, f"{found:.12g} instead of {wanted:.12g}")
+    return body
+
+
 def exact_methods():
     for basis in ("standard", "dual"):
         multiplier = [*method("Lagrange multiplier"), f"Contact method/Pressure basis={basis}"]
@@ -53,6 +68,8 @@ def cases():
                            uniform(scene, sets + [f"Mesh/Degree={degree}"], pressure))
     yield from penalties_and_elimination()
     yield from loaded()
+    for degree in (1, 2):
+        yield Case("patch/hanging", f"ring/degree-{degree}", uniform_ring(degree))
     # Bodies of different degree.
     for scene, pressure in EXACT.items():
         for i, body in enumerate(("lower", "upper")):

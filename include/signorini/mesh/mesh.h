@@ -81,6 +81,8 @@ namespace Signorini
          const std::vector<std::pair<std::string, std::string>>   &contact_surfaces,
          MPI_Comm                                                  comm);
 
+    Mesh(Mesh &&) = delete; // the triangulation calls map_cells()
+
     const dealii::parallel::DistributedTriangulationBase<dim> &
     triangulation() const
     {
@@ -111,7 +113,7 @@ namespace Signorini
     }
 
     /// The displacement has other degrees now, one a body: the cells of curved ones follow, if the
-    /// scene does not say what they are.
+    /// scene does not say what they are. Collective.
     void
     set_degrees(const std::vector<unsigned int> &degrees);
 
@@ -278,7 +280,7 @@ namespace Signorini
     void
     measure();
 
-    /// Makes mapping() of degree_of_body.
+    /// Makes mapping() of degree_of_body, and of the cells that there are. Collective.
     void
     map_cells();
 
