@@ -93,6 +93,17 @@ namespace Signorini
 
 
 
+  bool
+  ActiveSet::take_if_empty(const LA::Vector &pushes)
+  {
+    if (size_of_separating() > 0)
+      return false;
+    now = pushes;
+    return size_of_separating() > 0;
+  }
+
+
+
   unsigned int
   ActiveSet::count_changes()
   {

@@ -74,6 +74,10 @@ namespace Signorini
     bool
     keep_last_if_any();
 
+    /// Instead of a set without points that may separate. Returns true if it has some then.
+    bool
+    take_if_empty(const LA::Vector &pushes);
+
     /// True if the set is one of those since restart(), but not the last one.
     bool
     seen_before();
