@@ -181,6 +181,7 @@ namespace Signorini
     LA::Vector                       built_at;      ///< displacement; empty: at rest
     double                           built_for = 0; ///< time
     std::set<std::string>            kept;          ///< pairs whose master cannot be the slave
+    bool                             told_of_theta = false;
   };
 
   /// How far surfaces of a scene may come closer: sound guesses save a second solution.

@@ -1,6 +1,7 @@
 #include <signorini/contact/discretisation/contact_rows.h>
 #include <signorini/contact/discretisation/face_matrices.h>
 #include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/discretisation/shared_places.h>
 #include <signorini/contact/discretisation/stress_of_fields.h>
 #include <signorini/contact/discretisation/tied_columns.h>
 #include <signorini/contact/methods/method.h>
@@ -42,7 +43,10 @@ namespace Signorini
       contact.B.compress(VectorOperation::add);
       if (method.predictor() != Predictor::normal_stress)
         return;
-      contact.theta = method.theta();
+      // The term with theta S^T takes s = p for granted at each point, which another pair may spoil;
+      // without it all is consistent.
+      const bool are_shared = Utilities::MPI::max(share_places(surfaces) ? 1 : 0, comm) > 0;
+      contact.theta         = are_shared ? 0. : method.theta();
       contact.S.reinit(pattern);
       for (const FaceMatrix &matrix : matrices)
         contact.S.add(matrix.rows, matrix.columns, matrix.stress);
