@@ -104,7 +104,42 @@ namespace Signorini
       return across * a.normal >= -touching && -across * b.normal >= -touching;
     }
 
+    /// The middle of b lies between the middle of a and a plane at that height, seen along a's normal.
+    template <int dim>
+    bool
+    covers(const Face<dim> &b, const Face<dim> &a, const double height)
+    {
+      const double         touching = 1e-6 * std::min(a.size, b.size);
+      const Tensor<1, dim> across   = b.center - a.center;
+      const double         here     = across * a.normal;
+      return here > -touching && here < height - touching &&
+             (across - here * a.normal).norm() <= b.size / 2;
+    }
+
     using BoundaryPair = std::pair<unsigned int, unsigned int>;
+
+    /// Of faces in front of a face, those that it sees: no other ones lie between the middles of both.
+    template <int dim>
+    std::vector<const Face<dim> *>
+    seen_from(const Face<dim> &face, const std::vector<const Face<dim> *> &front)
+    {
+      std::vector<const Face<dim> *> result;
+      for (const Face<dim> *other : front)
+        {
+          const double height = (other->center - face.center) * face.normal;
+          bool         before_face = false, before_other = false;
+          for (const Face<dim> *between : front)
+            {
+              before_face = before_face || covers(*between, face, height);
+              Face<dim> beside = face;
+              beside.center    = other->center - height * face.normal;
+              before_other     = before_other || covers(*between, beside, height);
+            }
+          if (!before_face || !before_other)
+            result.push_back(other);
+        }
+      return result;
+    }
 
     /// A face of this rank and boundaries of another body, parts of which lie behind it.
     using Behind = std::map<unsigned int, std::set<unsigned int>>;
@@ -155,16 +190,19 @@ namespace Signorini
         {
           const Face<dim> &face = surfaces.own[k];
           farthest              = std::max(farthest, distance + face.size);
+          std::vector<const Face<dim> *> front;
           for (const auto &[box, i] :
                tree | boost::geometry::index::adaptors::queried(
                         boost::geometry::index::intersects(face.box(distance))))
             if (const Face<dim> &other = surfaces.all[i]; may_meet(face, other, distance))
               {
                 if (is_in_front(face, other))
-                  own.insert(std::minmax(face.boundary, other.boundary));
+                  front.push_back(&other);
                 else
                   behind[other.body][k].insert(other.boundary);
               }
+          for (const Face<dim> *other : seen_from(face, front))
+            own.insert(std::minmax(face.boundary, other->boundary));
         }
       farthest = Utilities::MPI::max(farthest, comm);
       for (unsigned int body = 0; body < behind.size(); ++body)
