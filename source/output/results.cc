@@ -3,6 +3,7 @@
 #include <signorini/fields/contact_force.h>
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/largest_stress.h>
+#include <signorini/fields/peak.h>
 #include <signorini/fields/point_values.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/output/json.h>
@@ -84,6 +85,7 @@ namespace Signorini
       double       active_points = 0, points = 0;
       ContactPatch patch;
       double       pressure = 0; ///< the largest
+      double       sharpness = 0; ///< sharpness_of_peak()
       // Of each, the maximum.
       double penetration = 0, minus_gap = -std::numeric_limits<double>::max(), tension = 0,
              complementarity = 0;
@@ -127,6 +129,7 @@ namespace Signorini
         sums.tension = std::max(sums.tension, -nodal(i));
       sums.patch    = contact_patch(s, pair, nodal);
       sums.pressure = largest_pressure(s, pair, nodal, sums.patch);
+      sums.sharpness = sharpness_of_peak(s, pair, nodal);
       sums.over_ranks(s.elasticity.mesh().communicator());
       return sums;
     }
@@ -192,6 +195,7 @@ namespace Signorini
           {"active_points", sums.active_points},
           {"separates", snapshot.pairs[pair].separates},
           {"max_pressure", sums.pressure},
+          {"sharpness_of_peak", sums.sharpness},
           {"max_penetration", sums.penetration},
           {"min_gap", sums.points > 0 ? Json(-sums.minus_gap) : Json(nullptr)},
           {"max_tension", sums.tension},

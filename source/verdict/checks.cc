@@ -1,4 +1,5 @@
 #include <signorini/elasticity/model.h>
+#include <signorini/fields/peak.h>
 #include <signorini/verdict/checks.h>
 
 #include <algorithm>
@@ -51,10 +52,9 @@ namespace Signorini
   {
     /// Pressures push, so that the size of their sum is no more than the sum of their sizes.
     std::vector<Finding>
-    check_normal_forces(const nlohmann::ordered_json &results)
+    check_normal_forces(const nlohmann::ordered_json &results, const double scale)
     {
       constexpr double     exact = 1.01, none = 1.05, rounding = 1e-9;
-      const double         largest = results["largest_force"];
       std::vector<Finding> findings;
       for (const auto &[name, pair] : results["pairs"].items())
         {
@@ -67,7 +67,7 @@ namespace Signorini
           Finding      finding;
           finding.check = "force / normal force";
           finding.where = "pair " + name;
-          finding.value = force <= rounding * largest ? 0. : normal > 0 ? force / normal : 2 * none;
+          finding.value = force <= rounding * scale ? 0. : normal > 0 ? force / normal : 2 * none;
           finding.limit = exact;
           finding.outcome = finding.value <= exact ? Outcome::passed :
                             finding.value <= none  ? Outcome::warned :
@@ -75,6 +75,33 @@ namespace Signorini
           finding.what =
             "the force is larger than the sum of pressures times areas, which no pressures can do: faces are too coarse for this contact, or hardly covered";
           finding.cure = "refine the slave, or exchange Slave and Master";
+          findings.push_back(finding);
+        }
+      return findings;
+    }
+
+    /// Of the largest pressures, see sharpness_of_peak().
+    std::vector<Finding>
+    check_peaks(const nlohmann::ordered_json &results, const double scale)
+    {
+      constexpr double     rounding = 1e-9;
+      std::vector<Finding> findings;
+      for (const auto &[name, pair] : results["pairs"].items())
+        {
+          Finding finding;
+          finding.check   = "sharpness of the peak";
+          finding.where   = "pair " + name;
+          finding.value   = pair["normal_force"].get<double>() > rounding * scale ?
+                              pair["sharpness_of_peak"].get<double>() :
+                              0.;
+          finding.limit   = sharp_peak;
+          finding.over    = Finding::Over::last;
+          finding.outcome = finding.value <= finding.limit ? Outcome::passed : Outcome::warned;
+          finding.what =
+            "the largest pressure stands out by that share from what its neighbours lead to: it may "
+            "be off by so much, and at an edge, where it has no bound, by any";
+          finding.cure =
+            "refine there (Mesh/Contact refinements, Zones), round the edge, or go by forces";
           findings.push_back(finding);
         }
       return findings;
@@ -203,7 +230,8 @@ namespace Signorini
     all.push_back(check_something_acts(scene, now, results));
     for (const auto &some : {check_locking(scene, now),
                              check_pairs(scene, now, extremes),
-                             check_normal_forces(results),
+                             check_normal_forces(results, scale),
+                             check_peaks(results, scale),
                              check_loads(scene, now),
                              check_coordinates(now, extremes),
                              check_left_out(scene, now, extremes, largest_force),

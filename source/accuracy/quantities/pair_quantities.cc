@@ -2,6 +2,7 @@
 #include <signorini/elasticity/model.h>
 #include <signorini/fields/contact_patch.h>
 #include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/peak.h>
 #include <signorini/fields/probes.h>
 #include <signorini/fields/recovered_pressure.h>
 #include <signorini/fields/surface_probes.h>
@@ -205,6 +206,14 @@ namespace Signorini
         }
       return Utilities::MPI::max(is_beside ? 1 : 0, s.elasticity.mesh().communicator()) == 1;
     }
+
+    /// What the largest pressure may be off by, as a share of it, since the mesh is too coarse for
+    /// its peak. Of those that are not resolved neighbours do not tell how high they are.
+    double
+    unknown_share(const double sharpness)
+    {
+      return 0.5 * sharpness + 5 * std::max(0., sharpness - sharp_peak);
+    }
   } // namespace
 
 
@@ -244,7 +253,8 @@ namespace Signorini
           result.of_pressure(row) = 1;
         result.of_pressure.compress(VectorOperation::insert);
       }
-    result.value = largest_pressure(s, pair, nodal, contact_patch(s, pair, nodal));
+    result.value      = largest_pressure(s, pair, nodal, contact_patch(s, pair, nodal));
+    result.unresolved = unknown_share(sharpness_of_peak(s, pair, nodal)) * result.value;
     return result;
   }
 
