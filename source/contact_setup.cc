@@ -205,12 +205,13 @@ namespace Signorini
     TimerOutput::Scope scope(timer, "contact");
     rows =
       std::make_unique<ContactRows>(make_contact_rows(elasticity, my_surfaces, method.sampling()));
-    contact           = make_gap_operator(configuration, my_surfaces, *rows, method);
+    contact = make_gap_operator(configuration, my_surfaces, *rows, method);
     if (contact->has_stress() && contact->theta != method.theta() && !told_of_theta)
       {
-        out << "  pairs see the same places of a surface: Contact method/Nitsche/Theta = 0 is taken, "
-               "which lets each of them carry what the others do not"
-            << std::endl;
+        out
+          << "  pairs see the same places of a surface: Contact method/Nitsche/Theta = 0 is taken, "
+             "which lets each of them carry what the others do not"
+          << std::endl;
         told_of_theta = true;
       }
     built_at          = configuration.displacement();

@@ -87,8 +87,10 @@ namespace Signorini
           continue;
         const std::string &name = goals.quantities[i];
         if (histories[i].diverges())
-          return name + " grows from mesh to mesh without end: it has no finite value, as under a "
-                        "sharp edge or a point force; ask for a force, or for a value farther away";
+          return name +
+                 " grows from mesh to mesh without end: it has no finite value, as under a "
+                 "sharp edge or a point force, or one that only a finer start sees (Mesh/Contact "
+                 "refinements); ask for a force, or for a value farther away";
         if (const double model = histories[i].last().parts.model; model > 0.9 * allowed(i))
           return name + " is wrong by " +
                  short_text(100 * model / std::abs(histories[i].last().value)) +

@@ -84,7 +84,7 @@ namespace Signorini
     {
       double       active_points = 0, points = 0;
       ContactPatch patch;
-      double       pressure = 0; ///< the largest
+      double       pressure  = 0; ///< the largest
       double       sharpness = 0; ///< sharpness_of_peak()
       // Of each, the maximum.
       double penetration = 0, minus_gap = -std::numeric_limits<double>::max(), tension = 0,
@@ -127,8 +127,8 @@ namespace Signorini
       const LA::Vector nodal = recovered_pressure(s, pair);
       for (const auto i : nodal.locally_owned_elements())
         sums.tension = std::max(sums.tension, -nodal(i));
-      sums.patch    = contact_patch(s, pair, nodal);
-      sums.pressure = largest_pressure(s, pair, nodal, sums.patch);
+      sums.patch     = contact_patch(s, pair, nodal);
+      sums.pressure  = largest_pressure(s, pair, nodal, sums.patch);
       sums.sharpness = sharpness_of_peak(s, pair, nodal);
       sums.over_ranks(s.elasticity.mesh().communicator());
       return sums;

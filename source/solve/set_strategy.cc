@@ -94,9 +94,8 @@ namespace Signorini
     if (cautious && law.is_mixed())
       active_set.keep_all_but_the_worst(trial);
     // An obstacle that retreats has lost all contact before the bodies follow: let them first.
-    step.follows =
-      n == 0 && (active_set.keep_last_if_any() ||
-                 (!is_cold && active_set.take_if_empty(law.pushes(in.pressure))));
+    step.follows = n == 0 && (active_set.keep_last_if_any() ||
+                              (!is_cold && active_set.take_if_empty(law.pushes(in.pressure))));
     step.active  = active_set.size();
     step.changes = active_set.count_changes();
     // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.

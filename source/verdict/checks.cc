@@ -65,10 +65,10 @@ namespace Signorini
             square += component * component;
           const double normal = pair["normal_force"], force = std::sqrt(square);
           Finding      finding;
-          finding.check = "force / normal force";
-          finding.where = "pair " + name;
-          finding.value = force <= rounding * scale ? 0. : normal > 0 ? force / normal : 2 * none;
-          finding.limit = exact;
+          finding.check   = "force / normal force";
+          finding.where   = "pair " + name;
+          finding.value   = force <= rounding * scale ? 0. : normal > 0 ? force / normal : 2 * none;
+          finding.limit   = exact;
           finding.outcome = finding.value <= exact ? Outcome::passed :
                             finding.value <= none  ? Outcome::warned :
                                                      Outcome::failed;

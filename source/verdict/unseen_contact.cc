@@ -282,8 +282,8 @@ namespace Signorini
               }};
     }
 
-    /// Of small strain, where two bodies were inside of each other from the start by more than
-    /// their surfaces see: some faces are asked, since others beside them are as deep.
+    /// Where two bodies were inside of each other from the start by more than their surfaces see:
+    /// some faces are asked, since others beside them are as deep.
     template <int dim>
     Overlap
     deep_at_start(const Configuration<dim>   &configuration,
@@ -296,17 +296,24 @@ namespace Signorini
       const MPI_Comm         comm   = mesh.communicator();
       if (common_depth(mesh.extent(a), mesh.extent(b)) == 0)
         return {};
-      const Outside<dim> asking(some_faces(configuration, a, mesh.extent(b), enough),
-                                watched,
-                                {},
-                                comm);
+      Outside<dim> asking(some_faces(configuration, a, mesh.extent(b), enough), watched, {}, comm);
       if (!asking.box)
         return {};
       const BoundaryFaces<dim> of_b(configuration,
                                     [&](const CellIterator<dim> &cell, const unsigned int) {
                                       return mesh.body(cell) == b;
                                     });
-      return deep_in(asking, Outside<dim>(of_b, watched, {}, comm), b, watched, comm);
+      const Outside<dim>       outside(of_b, watched, {}, comm);
+      Overlap                  result = deep_in(asking, outside, b, watched, comm);
+      // Bodies in the same place have the same surfaces: the middles of cells behind them are
+      // asked.
+      for (unsigned int i = 0; i < asking.places.size(); ++i)
+        {
+          asking.places[i] -= asking.depth(i) * asking.normals[i];
+          asking.rest[i].x -= asking.depth(i) * asking.normals[i];
+        }
+      result.take(deep_in(asking, outside, b, watched, comm));
+      return result;
     }
 
     /// What was outside at rest has gone through the surface, however deep it is; what was inside
@@ -314,6 +321,7 @@ namespace Signorini
     /// @param closest place of what is rigid, to place i, if there is one
     /// @param was_outside at rest, of place i
     /// @param is_idle by the kind of its face, whether there is a pair that has not seen it
+    /// @param belongs what is inside at rest may be there, since a pair knows of it
     template <int dim, typename Closest, typename WasOutside, typename IsIdle>
     Overlap
     overlap_with_rigid(const Outside<dim> &a,
@@ -321,7 +329,8 @@ namespace Signorini
                        const unsigned int  what,
                        const Closest      &closest,
                        const WasOutside   &was_outside,
-                       const IsIdle       &is_idle)
+                       const IsIdle       &is_idle,
+                       const bool          belongs)
     {
       Overlap largest;
       for (unsigned int i = 0; i < a.places.size(); ++i)
@@ -334,8 +343,9 @@ namespace Signorini
           const bool         idle  = is_idle(kind),
                      is_near =
                        (idle || share < 0.5) && faces_each_other<dim>(a.normals[i], place->normal);
-          if ((is_near || was_outside(i)) && !(idle && share < much_of_cell))
-            largest.take({share, -place->gap, kind, through, what, idle});
+          const bool at_start = !belongs && share >= much_of_cell && !was_outside(i);
+          if ((is_near || at_start || was_outside(i)) && !(idle && share < much_of_cell))
+            largest.take({share, -place->gap, kind, through, what, idle, at_start});
         }
       return largest;
     }
@@ -360,10 +370,17 @@ namespace Signorini
       const auto was_outside = [&](const unsigned int i) {
         return at_rest.closest(obstacle, rest, a.rest[i].x).gap >= 0;
       };
+      const bool belongs = std::any_of(a.kinds.begin(), a.kinds.end(), [&](const auto kind) {
+        return watched.sees(kind, obstacle.name);
+      });
       return overlap_with_rigid(
-        a, Through::obstacle, number, closest, was_outside, [&](const unsigned int kind) {
-          return watched.is_idle(kind, obstacle.name);
-        });
+        a,
+        Through::obstacle,
+        number,
+        closest,
+        was_outside,
+        [&](const unsigned int kind) { return watched.is_idle(kind, obstacle.name); },
+        belongs);
     }
 
     template <int dim>
@@ -394,7 +411,13 @@ namespace Signorini
         return (plane.center - a.rest[i].x) * plane.normal >= 0;
       };
       return overlap_with_rigid(
-        a, Through::symmetry, number, closest, was_outside, [](unsigned int) { return false; });
+        a,
+        Through::symmetry,
+        number,
+        closest,
+        was_outside,
+        [](unsigned int) { return false; },
+        true);
     }
 
     /// Of all ranks.
@@ -432,7 +455,7 @@ namespace Signorini
         for (unsigned int other = 0; other < bodies.size(); ++other)
           {
             const Outside<dim> &b = bodies[other];
-            if (!is_finite && body != other)
+            if (body != other)
               largest.take(deep_at_start(configuration, body, other, watched));
             if ((!is_finite && &a == &b) || !a.box || !b.box ||
                 a.box->get_neighbor_type(*b.box) == NeighborType::not_neighbors)
@@ -487,7 +510,8 @@ namespace Signorini
           break;
         case Through::obstacle:
           finding.what = name + "the obstacle '" + scene.obstacles[largest.what].name + "'" +
-                         depth + ", where no pair looks for contact";
+                         depth + (largest.at_start ? ", from the start" : "") +
+                         ", where no pair looks for contact";
           finding.cure = pair(scene.obstacles[largest.what].name);
           break;
         case Through::symmetry:

@@ -2,7 +2,7 @@
 
 import math
 
-from case import PRM, SCENES, Case, method, short
+from case import PRM, SCENES, TESTS, Case, method, short
 
 PUNCH = ("punch-axisymmetric.prm", "force of contact", 460.396)
 SPHERE = ("hertz-axisymmetric.prm", "force of contact", 1000)
@@ -97,6 +97,21 @@ def without_limit(test):
     test.check(results["verdict"]["outcome"] == "warned", results["verdict"]["outcome"])
 
 
+def peak_within_a_face(sets):
+    """The first mesh does not see how high the peak is, and says so; the bar holds there and at the end."""
+    def body(test):
+        quantity, exact, warned = "largest pressure of c", 62.9, []
+        for more in (["Accuracy/Refinement cycles=0"], ["Accuracy/Target error=0.1"]):
+            results = test.results(TESTS / "varied" / "rounded-edge.prm", wanted(quantity, *more) + sets)
+            found = results["accuracy"]["quantities"][quantity]
+            test.print(f"{found['value']:.4g} +- {found['bar']:.2g}")
+            test.check(abs(found["value"] - exact) <= found["bar"], f"{exact} is outside of {found['value']} +- {found['bar']}")
+            warned.append("sharpness of the peak" in [check["check"] for check in results["verdict"]["checks"]
+                                                      if check["outcome"] == "warned"])
+        test.check(warned[0], "the peak of the first mesh is not warned of")
+    return body
+
+
 def tip_on_one_face(sets):
     """Nobody knows where on its face a tip presses; the reference is the scene's with a target of 1e-4."""
     def body(test):
@@ -148,6 +163,7 @@ def cases():
     yield Case("accuracy", "axis", on_the_axis)
     for name in ("Lagrange multiplier", "Nitsche"):
         yield Case("accuracy", f"tip/{short(name)}", tip_on_one_face(method(name)), ranks=2)
+        yield Case("accuracy", f"peak/{short(name)}", peak_within_a_face(method(name)))
     yield Case("accuracy", "soft penalty", soft_penalty, ranks=2)
     yield Case("accuracy", "target/punch", aimed_at(PUNCH, 2e-3, 12000, 2), ranks=2)
     yield Case("accuracy", "target/degrees", quadratic_where_it_pays, ranks=2)

@@ -212,7 +212,7 @@ namespace Signorini
     double
     unknown_share(const double sharpness)
     {
-      return 0.5 * sharpness + 5 * std::max(0., sharpness - sharp_peak);
+      return 0.5 * sharpness + 20 * std::max(0., sharpness - sharp_peak);
     }
   } // namespace
 

@@ -43,8 +43,8 @@ namespace Signorini
       contact.B.compress(VectorOperation::add);
       if (method.predictor() != Predictor::normal_stress)
         return;
-      // The term with theta S^T takes s = p for granted at each point, which another pair may spoil;
-      // without it all is consistent.
+      // The term with theta S^T takes s = p for granted at each point, which another pair may
+      // spoil; without it all is consistent.
       const bool are_shared = Utilities::MPI::max(share_places(surfaces) ? 1 : 0, comm) > 0;
       contact.theta         = are_shared ? 0. : method.theta();
       contact.S.reinit(pattern);

@@ -104,7 +104,8 @@ namespace Signorini
       return across * a.normal >= -touching && -across * b.normal >= -touching;
     }
 
-    /// The middle of b lies between the middle of a and a plane at that height, seen along a's normal.
+    /// The middle of b lies between the middle of a and a plane at that height, seen along a's
+    /// normal.
     template <int dim>
     bool
     covers(const Face<dim> &b, const Face<dim> &a, const double height)
@@ -118,7 +119,8 @@ namespace Signorini
 
     using BoundaryPair = std::pair<unsigned int, unsigned int>;
 
-    /// Of faces in front of a face, those that it sees: no other ones lie between the middles of both.
+    /// Of faces in front of a face, those that it sees: no other ones lie between the middles of
+    /// both.
     template <int dim>
     std::vector<const Face<dim> *>
     seen_from(const Face<dim> &face, const std::vector<const Face<dim> *> &front)
@@ -126,11 +128,11 @@ namespace Signorini
       std::vector<const Face<dim> *> result;
       for (const Face<dim> *other : front)
         {
-          const double height = (other->center - face.center) * face.normal;
+          const double height      = (other->center - face.center) * face.normal;
           bool         before_face = false, before_other = false;
           for (const Face<dim> *between : front)
             {
-              before_face = before_face || covers(*between, face, height);
+              before_face      = before_face || covers(*between, face, height);
               Face<dim> beside = face;
               beside.center    = other->center - height * face.normal;
               before_other     = before_other || covers(*between, beside, height);
