@@ -148,7 +148,12 @@ TEST_CASE("Abaqus: what cannot be read is named with its line")
 TEST_CASE("a cell that is there twice is refused")
 {
   const TemporaryFile file(squares + cells + "*ELEMENT, TYPE=CPS4\n12, 1, 2, 5, 4\n", ".inp");
-  says(message_of([&] { mesh_of<2>(file); }), "is a cell there twice?");
+  says(message_of([&] { mesh_of<2>(file); }),
+       "has element 10 (CPS4R) twice, also as element 12 (CPS4), at (0 0)");
+  // Without neighbours, all faces have two cells.
+  const TemporaryFile alone(squares + "*ELEMENT, TYPE=CPS4\n7, 1, 2, 5, 4\n8, 2, 5, 4, 1\n",
+                            ".inp");
+  says(message_of([&] { mesh_of<2>(alone); }), "has element 7 (CPS4) twice, also as element 8");
 }
 
 

@@ -1,5 +1,6 @@
 #include <signorini/mesh/formats/abaqus_elements.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdlib>
@@ -175,9 +176,13 @@ namespace Signorini
     for (const auto &[name, corners] : labelled_faces(element.shape))
       if (wanted.empty() || name == wanted)
         {
-          faces.emplace_back();
+          // Those of collapsed elements have corners twice, or are no faces.
+          Nodes face;
           for (const unsigned int corner : corners)
-            faces.back().push_back(element.nodes[corner]);
+            if (std::count(face.begin(), face.end(), element.nodes[corner]) == 0)
+              face.push_back(element.nodes[corner]);
+          if (face.size() >= dimension_of(element.shape))
+            faces.push_back(face);
         }
     return faces;
   }

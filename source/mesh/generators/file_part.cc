@@ -105,6 +105,42 @@ namespace Signorini
 
 
 
+    /// CalculiX adds the stiffness of elements that coincide.
+    template <int dim>
+    void
+    refuse_repetitions(const std::vector<CellData<dim>>             &cells,
+                       const std::vector<const MeshFile::Element *> &elements,
+                       const std::vector<Point<dim>>                &vertices)
+    {
+      using Corners = std::array<unsigned int, GeometryInfo<dim>::vertices_per_cell>;
+      std::vector<std::pair<Corners, unsigned int>> all(cells.size());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        {
+          std::copy(cells[c].vertices.begin(), cells[c].vertices.end(), all[c].first.begin());
+          std::sort(all[c].first.begin(), all[c].first.end());
+          all[c].second = c;
+        }
+      std::sort(all.begin(), all.end());
+      const auto same = [](const auto &a, const auto &b) { return a.first == b.first; };
+      const auto name = [&](const unsigned int c) {
+        return "element " + std::to_string(elements[c]->number) + " (" + elements[c]->type + ")";
+      };
+      unsigned int n     = 0;
+      auto         first = all.end();
+      for (auto next = all.begin(); (next = std::adjacent_find(next, all.end(), same)) != all.end();
+           ++next)
+        if (++n == 1)
+          first = next;
+      if (n > 0)
+        throw SceneError("has " + name(first->second) + " twice, also as " +
+                         name((first + 1)->second) + ", at " + text_of(vertices[first->first[0]]) +
+                         (n > 1 ? ", and " + std::to_string(n - 1) + " others" : "") +
+                         "; take one of them out (CalculiX adds their stiffness: then it has the "
+                         "modulus of both)");
+    }
+
+
+
     /// Faces with one cell. Two cells share an inner face.
     template <int dim>
     std::vector<CellData<dim - 1>>
@@ -123,7 +159,7 @@ namespace Signorini
             const unsigned int    n     = n_cells[Centers::key(nodes)];
             if (n > 2)
               throw SceneError("has a face with more than two cells at " +
-                               text_of(vertices[nodes[0]]) + "; is a cell there twice?");
+                               text_of(vertices[nodes[0]]));
             if (n == 1)
               {
                 faces.emplace_back();
@@ -331,6 +367,7 @@ namespace Signorini
       else
         return faces.boundary_quads;
     }();
+    refuse_repetitions(cells, elements, vertices);
     list = boundary_faces(cells, vertices);
     if (selection.coinciding_nodes != AtOnePlace::keep)
       refuse_hanging_nodes<dim>(cells, list, vertices);
