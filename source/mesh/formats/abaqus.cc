@@ -18,6 +18,7 @@ namespace Signorini
     {"ELSET", &AbaqusReader::read_element_set},
     {"SURFACE", &AbaqusReader::read_surface},
     {"DLOAD", &AbaqusReader::read_element_loads},
+    {"CONTACT PAIR", &AbaqusReader::read_adjustments},
     {"SYSTEM", &AbaqusReader::read_system},
     {"PART", &AbaqusReader::begin_part},
     {"END PART", &AbaqusReader::end_scope},
@@ -56,6 +57,8 @@ namespace Signorini
                               "the file has parts, but no elements in instances: *INSTANCE");
     complete_scope();
     make_groups();
+    for (const Adjustment &one : adjustments)
+      adjust(one);
     note_of_other_elements();
     whole.mesh->notes.assign(notes.begin(), notes.end());
     whole.mesh->numbers = whole.nodes.all_numbers();
@@ -312,8 +315,13 @@ namespace Signorini
       }
     for (const LateMembers &late : scope->late_members)
       for (const std::string &word : late.words)
-        notes.insert((late.are_nodes ? "node set " : "element set ") + late.set +
-                     ": there is no '" + word + "'; it is left out");
+        {
+          const std::string note = (late.are_nodes ? "node set " : "element set ") + late.set +
+                                   ": there is no '" + word + "'; it is left out";
+          notes.insert(note);
+          if (word.find_first_not_of("0123456789") != std::string::npos)
+            deck.missing.push_back(note);
+        }
     scope->late_members.clear();
   }
 
@@ -384,8 +392,10 @@ namespace Signorini
         const auto               faces   = abaqus_faces(element, label);
         surface.faces.insert(surface.faces.end(), faces.begin(), faces.end());
         if (faces.empty())
-          notes.insert("surface " + surface.name + ": elements of type " + element.type +
-                       " have no face " + label);
+          if (const std::string note = "surface " + surface.name + ": elements of type " +
+                                       element.type + " have no face " + label;
+              notes.insert(note).second)
+            deck.missing.push_back(note);
       }
   }
 

@@ -12,6 +12,7 @@ namespace Signorini
     AbaqusSets nodes, elements;
     std::map<std::string, std::vector<std::string>>
       instances_of; ///< names of the instances of each part, by its name in upper case
+    std::vector<std::string> missing; ///< names and faces that sets and surfaces have of nothing
   };
 
   /// Read an input file of Abaqus or CalculiX, flat or of parts and instances. Groups: instances

@@ -40,6 +40,12 @@ namespace Signorini
       std::vector<std::pair<Words, std::string>> lines; ///< with their places, for messages
     };
 
+    /// Slave nodes that are to be moved onto a master: a set, or up to a distance.
+    struct Adjustment
+    {
+      std::string slave, master, of;
+    };
+
     /// Where names and numbers count: the file or assembly, a part, or an instance.
     struct Scope
     {
@@ -102,6 +108,11 @@ namespace Signorini
     void
     read_element_loads();
 
+    void
+    read_adjustments();
+    void
+    adjust(const Adjustment &one);
+
     // Parts and instances
     void
     begin_part();
@@ -149,6 +160,7 @@ namespace Signorini
     std::string                  instance_name;
     std::vector<MeshFile::Group> instances; ///< the elements of each
     std::unique_ptr<RigidMotion> system;    ///< of *SYSTEM
+    std::vector<Adjustment>      adjustments;
     std::set<std::string>        notes;
     unsigned int                 n_element_loads = 0;
   };
