@@ -66,7 +66,7 @@ namespace Signorini
           model.leave_out("different thicknesses of " + all[0].name + " and " + body.name +
                             "; contact acts per thickness",
                           "*SOLID SECTION",
-                          "model");
+                          "pair");
         all.push_back(body);
       }
     if (all.empty())
@@ -118,19 +118,31 @@ namespace Signorini
   {
     // Of an element that several sections name, the last one counts.
     std::map<unsigned int, std::string> of_elements;
+    std::map<unsigned int, double>      thickness_of;
     for (const auto &one : model.sections)
       for (const unsigned int e : one.elements)
         if (body.has_element[e])
           {
-            of_elements[e] = one.material;
-            if (one.thickness > 0 && kind != "axisymmetric")
-              body.thickness = one.thickness;
+            of_elements[e]  = one.material;
+            thickness_of[e] = one.thickness > 0 && kind != "axisymmetric" ? one.thickness : 1;
           }
     if (of_elements.empty())
       {
         model.leave_out(description(piece) + ", which has no *SOLID SECTION", "", "body");
         return false;
       }
+    body.thickness = thickness_of.begin()->second;
+    if (const auto other =
+          std::find_if(thickness_of.begin(),
+                       thickness_of.end(),
+                       [&](const auto &one) { return one.second != body.thickness; });
+        dim == 2 && other != thickness_of.end())
+      throw SceneError(
+        "'" + file + "': elements " +
+        std::to_string(model.deck.mesh.elements[thickness_of.begin()->first].number) + " and " +
+        std::to_string(model.deck.mesh.elements[other->first].number) +
+        " are connected and have different thicknesses; a plane body has one. Mesh "
+        "it in three dimensions");
     std::map<std::string, unsigned int> n;
     for (const auto &element : of_elements)
       ++n[element.second];
@@ -177,6 +189,26 @@ namespace Signorini
 
 
 
+  /// CalculiX 2.20 begins the amplitude of temperatures anew in each later step, at all nodes but
+  /// one; that of loads it does not, and Abaqus neither.
+  void
+  SceneWriter::leave_out_going_amplitudes(const DeckModel::Curve &curve)
+  {
+    for (unsigned int i = 0; i < curve.size(); ++i)
+      {
+        const unsigned int next = i + 1 < curve.size() ? curve[i + 1].step : model.steps.size() + 1;
+        const auto         amplitude = model.amplitudes.find(curve[i].amplitude);
+        if (amplitude != model.amplitudes.end() && !amplitude->second.is_total &&
+            next > curve[i].step + 1)
+          model.leave_out("that CalculiX begins the amplitude of temperatures anew in later steps; "
+                          "they stay",
+                          "*TEMPERATURE",
+                          "load");
+      }
+  }
+
+
+
   /// A body has one temperature, from its initial one on.
   void
   SceneWriter::give_temperature(Body &body)
@@ -187,15 +219,15 @@ namespace Signorini
     if (!expands || model.temperatures.empty())
       return;
     // Empty where no node has one; false if they differ.
-    const auto same = [&](const std::map<unsigned int, double> &of_nodes,
-                          std::optional<double>                &value) {
+    using Value     = std::pair<double, std::string>;
+    const auto same = [&](const DeckModel::Temperatures &of, std::optional<Value> &value) {
       unsigned int n = 0, n_nodes = 0;
       for (unsigned int node = 0; node < body.has_node.size(); ++node)
         if (body.has_node[node])
           {
             ++n_nodes;
-            const auto found = of_nodes.find(node);
-            if (found == of_nodes.end())
+            const auto found = of.of_nodes.find(node);
+            if (found == of.of_nodes.end())
               continue;
             if (value && *value != found->second)
               return false;
@@ -204,16 +236,18 @@ namespace Signorini
           }
       return n == 0 || n == n_nodes;
     };
-    std::optional<double> initial;
-    bool                  is_uniform = same(model.initial_temperatures, initial);
-    body.initial_temperature         = initial.value_or(0);
+    std::optional<Value> initial;
+    bool                 is_uniform = same(model.initial_temperatures, initial);
+    body.initial_temperature        = initial.value_or(Value()).first;
     DeckModel::Curve curve{{0, body.initial_temperature, "", {}}};
     for (const auto &[step, temperatures] : model.temperatures)
       {
-        std::optional<double> value;
-        is_uniform &= same(temperatures.of_nodes, value);
+        std::optional<Value> value;
+        is_uniform &= same(temperatures, value);
         if (value)
-          curve.push_back({step, *value, temperatures.amplitude, {}});
+          curve.push_back({step, value->first, value->second, {}});
+        else if (temperatures.is_new)
+          curve.push_back({step, body.initial_temperature, "", {}});
       }
     if (!is_uniform)
       model.leave_out("temperatures that differ from node to node of " + body.name +
@@ -221,6 +255,9 @@ namespace Signorini
                       "*TEMPERATURE",
                       "load");
     else if (curve.size() > 1)
-      body.temperature = curve;
+      {
+        body.temperature = curve;
+        leave_out_going_amplitudes(curve);
+      }
   }
 } // namespace Signorini

@@ -11,9 +11,12 @@ namespace Signorini
 {
   /// Is the model, or a step that is computed.
   bool
-  DeckReader::counts() const
+  DeckReader::counts()
   {
-    return !in_step || step_counts;
+    const bool result = !in_step || step_counts;
+    if (!result)
+      leave_out("in a step that is left out");
+    return result;
   }
 
 
@@ -101,13 +104,46 @@ namespace Signorini
 
   /// Each once.
   std::vector<unsigned int>
-  DeckReader::nodes_of(const std::string &target) const
+  DeckReader::nodes_of(const std::string &target)
   {
+    if (target.empty())
+      in.fail("*" + in.keyword() + " without the name of a node or set");
     std::vector<unsigned int> nodes;
     model.deck.nodes.append(in, target, nodes);
+    if (in.keyword() == "CLOAD")
+      leave_out_repetitions(target, nodes);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     return nodes;
+  }
+
+
+
+  /// As often as the deck names them; all without a target.
+  DeckReader::Members
+  DeckReader::elements_of(const std::string &target)
+  {
+    Members elements;
+    if (target.empty())
+      for (unsigned int e = 0; e < model.deck.mesh.elements.size(); ++e)
+        elements.push_back(e);
+    else
+      model.deck.elements.append(in, target, elements);
+    leave_out_repetitions(target, elements);
+    return elements;
+  }
+
+
+
+  /// Sets may have members twice. CalculiX loads them twice then, Abaqus once.
+  void
+  DeckReader::leave_out_repetitions(const std::string &target, Members members)
+  {
+    std::sort(members.begin(), members.end());
+    if (std::adjacent_find(members.begin(), members.end()) != members.end())
+      leave_out("on " + target +
+                ", which names members twice: each is loaded once, as in Abaqus, "
+                "but not in CalculiX");
   }
 
 
@@ -124,6 +160,8 @@ namespace Signorini
     const AbaqusSet   *set = model.deck.nodes.find(target);
     one.name               = set ? set->name : target;
     one.nodes              = nodes_of(target);
+    if (set && target.find_first_not_of("0123456789") == std::string::npos)
+      in.fail("a set of nodes is called as a number: " + target + "; give it another name");
     for (const unsigned int node : one.nodes)
       if (transformed.count(node) > 0)
         {
@@ -195,8 +233,12 @@ namespace Signorini
         const unsigned int first = component(words, 1),
                            last =
                              words.size() > 2 && !words[2].empty() ? component(words, 2) : first;
-        if (last > 3)
-          model.leave_out("*BOUNDARY of rotations and temperatures", in.place());
+        if (last > 6)
+          leave_out("of temperatures, fluxes and the like");
+        else if (last > 3)
+          model.leave_out("*BOUNDARY of rotations", in.place());
+        if (last < first)
+          leave_out("whose last component is below the first");
         if (first < 1 || first > 3)
           continue;
         std::vector<unsigned int> components;
@@ -277,10 +319,8 @@ namespace Signorini
             pressures.push_back(value);
             model.pressed.push_back(name_of_loaded_faces(n_element_loads, pressures.size()));
           }
-        Members elements;
-        model.deck.elements.append(in, words[0], elements);
         std::set<DeckModel::Face> faces;
-        for (const unsigned int e : elements)
+        for (const unsigned int e : elements_of(words[0]))
           for (DeckModel::Face face :
                abaqus_faces(model.deck.mesh.elements[e], "S" + label.substr(1)))
             {
@@ -334,8 +374,7 @@ namespace Signorini
     else if (label == "BX" || label == "BY" || label == "BZ")
       {
         const unsigned int    d = label[1] - 'X';
-        DeckModel::BodyForces one{words[0], {}, d};
-        model.deck.elements.append(in, words[0], one.elements);
+        DeckModel::BodyForces one{words[0], elements_of(words[0]), d};
         std::sort(one.elements.begin(), one.elements.end());
         one.elements.erase(std::unique(one.elements.begin(), one.elements.end()),
                            one.elements.end());
@@ -361,7 +400,7 @@ namespace Signorini
     for (DeckModel::BodyLoad &other : model.gravity)
       if (other.name == load.name && other.direction == load.direction)
         return add(other.size, number(words, 2));
-    model.deck.elements.append(in, words[0], load.elements);
+    load.elements = elements_of(words[0]);
     add(load.size, number(words, 2));
     model.gravity.push_back(load);
   }
@@ -390,6 +429,10 @@ namespace Signorini
   {
     Members nodes;
     model.deck.nodes.append(in, in.value("NSET"), nodes);
+    for (const unsigned int node : nodes)
+      for (unsigned int d = 0; d < 3; ++d)
+        if (model.supports.count({node, d}) + model.forces.count({node, d}) > 0)
+          in.fail("*TRANSFORM of nodes that have *BOUNDARY or *CLOAD above; put it before these");
     transformed.insert(nodes.begin(), nodes.end());
   }
 
@@ -419,22 +462,20 @@ namespace Signorini
           leave_out("from " + where);
           return;
         }
-    DeckModel::Temperatures &here = model.temperatures[in_step ? model.steps.size() : 0];
-    here.amplitude                = upper_case(in.value("AMPLITUDE"));
-    read_temperatures_of_nodes(here.of_nodes);
+    know_parameters({"OP", "AMPLITUDE"});
+    const bool               is_new = removes_old("TEMPERATURE");
+    DeckModel::Temperatures &here   = model.temperatures[present_step()];
+    here.is_new |= is_new;
+    read_temperatures_of_nodes(here);
   }
 
 
 
   void
-  DeckReader::read_temperatures_of_nodes(std::map<unsigned int, double> &of_nodes)
+  DeckReader::read_temperatures_of_nodes(DeckModel::Temperatures &temperatures)
   {
     for (Words words; in.next_line(words);)
-      {
-        Members nodes;
-        model.deck.nodes.append(in, words[0], nodes);
-        for (const unsigned int node : nodes)
-          of_nodes[node] = number(words, 1);
-      }
+      for (const unsigned int node : nodes_of(words[0]))
+        temperatures.of_nodes[node] = {number(words, 1), upper_case(in.value("AMPLITUDE"))};
   }
 } // namespace Signorini

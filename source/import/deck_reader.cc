@@ -159,6 +159,8 @@ namespace Signorini
         if (of_known_length.count(in.keyword()) > 0)
           leave_out_stray_lines("that do not belong to *" + in.keyword());
       }
+    for (const std::string &what : model.deck.missing)
+      model.leave_out(what, "", "keyword");
     return std::move(model);
   }
 
@@ -217,6 +219,7 @@ namespace Signorini
   DeckReader::begin_material()
   {
     material                       = upper_case(in.value("NAME"));
+    is_again                       = model.materials.count(material) > 0;
     model.materials[material].name = in.value("NAME");
   }
 
@@ -239,6 +242,8 @@ namespace Signorini
     Words                words, more;
     if (!in.next_line(words))
       in.fail("*ELASTIC without data");
+    if (is_again && one.youngs_modulus)
+      in.fail("the material '" + one.name + "' is there twice");
     const double a = number(words, 0), b = number(words, 1), d = number(words, 3);
     if (type.empty() || type == "ISO" || type == "ISOTROPIC")
       {
@@ -434,10 +439,15 @@ namespace Signorini
   void
   DeckReader::begin_step()
   {
-    in_step     = true;
-    step_counts = !in.has("PERTURBATION");
-    if (in.has("NLGEOM") && upper_case(in.value("NLGEOM")) != "NO")
-      model.nlgeom = model.nlgeom.empty() ? in.place() : model.nlgeom;
+    in_step              = true;
+    step_counts          = !in.has("PERTURBATION");
+    const bool is_finite = in.has("NLGEOM") && upper_case(in.value("NLGEOM")) != "NO";
+    if (is_finite && model.nlgeom.empty())
+      {
+        model.nlgeom = in.place();
+        if (!model.steps.empty())
+          leave_out("that strains are small in the steps before NLGEOM; they are large in all");
+      }
     if (in.has("PERTURBATION"))
       model.leave_out("*STEP, PERTURBATION (the whole step)", in.place());
     if (step_counts)
@@ -453,6 +463,9 @@ namespace Signorini
   void
   DeckReader::read_static()
   {
+    for (const std::string other : {"RIKS", "TIME RESET", "TOTAL TIME AT START"})
+      if (step_counts && in.has(other))
+        model.leave_out("*STATIC (its " + other + ")", in.place(), "load");
     Words words;
     if (step_counts && in.next_line(words) && number(words, 1) > 0)
       model.steps.back().end = model.steps.back().begin + number(words, 1);
@@ -535,15 +548,10 @@ namespace Signorini
   void
   DeckReader::read_pairs()
   {
+    // The mesh reader moves the nodes; what is left between curved surfaces is closed.
     std::optional<double> closed_up_to;
-    if (in.has("ADJUST"))
-      {
-        const std::string set = in.value("ADJUST");
-        if (model.deck.nodes.find(set))
-          leave_out("its ADJUST of a set of nodes; gaps are those of the mesh");
-        else
-          closed_up_to = std::max(0., number({set}, 0));
-      }
+    if (const std::string by = in.value("ADJUST"); in.has("ADJUST") && !model.deck.nodes.find(by))
+      closed_up_to = std::max(0., number({by}, 0));
     if (in.has("TIED"))
       leave_out_tie();
     for (Words words; in.next_line(words);)

@@ -93,9 +93,11 @@ namespace Signorini
           if (element.type.compare(0, start.size(), start) == 0)
             {
               if (!result.empty() && result != name)
-                throw SceneError("'" + file + "': has elements of " + result + " (" + type +
-                                 ") and of " + name + " (" + element.type +
-                                 "); a scene has one Model for all bodies");
+                throw SceneError(
+                  "'" + file + "': has elements of " + result + " (" + type + ") and of " + name +
+                  " (" + element.type +
+                  "); a scene has one Model for all bodies. Give all elements one of these types, or mesh "
+                  "the deck in three dimensions");
               result = name;
               type   = element.type;
             }
@@ -790,7 +792,13 @@ namespace Signorini
         const std::string slaves  = surfaces(pair.slave, "the slave of a contact pair"),
                           masters = surfaces(pair.master, "the master of a contact pair");
         const auto found          = model.interactions.find(pair.interaction);
-        const bool stays          = found != model.interactions.end() &&
+        if (!pair.interaction.empty() && found == model.interactions.end())
+          model.leave_out("*SURFACE INTERACTION " + pair.interaction +
+                            ", which is not there; contact of " + pair.slave + " on " +
+                            pair.master + " is hard",
+                          "",
+                          "pair");
+        const bool stays = found != model.interactions.end() &&
                            found->second.kind == DeckModel::Interaction::Kind::tied;
         for (const std::string &slave : split(slaves, ','))
           for (const std::string &master : split(masters, ','))

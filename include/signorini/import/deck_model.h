@@ -114,10 +114,11 @@ namespace Signorini
       unsigned int              component;
     };
 
+    /// Of nodes, with the amplitude; of a step.
     struct Temperatures
     {
-      std::map<unsigned int, double> of_nodes;
-      std::string                    amplitude;
+      std::map<unsigned int, std::pair<double, std::string>> of_nodes;
+      bool is_new = false; ///< OP=NEW: others go back to where they began
     };
 
     struct Interaction
@@ -158,18 +159,18 @@ namespace Signorini
     std::string                      title;
     std::map<std::string, Material>  materials; ///< by names in upper case
     std::vector<SolidSection>        sections;
-    std::map<std::string, Amplitude> amplitudes;      ///< by names in upper case
-    std::vector<Step>                steps;           ///< that are computed
-    std::vector<AtNodes>           supported, loaded; ///< nodes and sets, in the order of the deck
-    NodeCurves                     supports, forces;
-    std::vector<std::string>       pressed; ///< surfaces, in the order of the deck
-    std::map<Face, Curve>          pressures;
-    std::vector<BodyLoad>          gravity;
-    std::vector<BodyForces>        forced;      ///< elements and sets, in the order of the deck
-    NodeCurves                     body_forces; ///< by element and component
-    std::map<unsigned int, double> initial_temperatures; ///< of nodes
-    std::map<unsigned int, Temperatures> temperatures;   ///< by step
-    std::map<std::string, Interaction>   interactions;   ///< by names in upper case
+    std::map<std::string, Amplitude> amplitudes; ///< by names in upper case
+    std::vector<Step>                steps;      ///< that are computed
+    std::vector<AtNodes>     supported, loaded;  ///< nodes and sets, in the order of the deck
+    NodeCurves               supports, forces;
+    std::vector<std::string> pressed; ///< surfaces, in the order of the deck
+    std::map<Face, Curve>    pressures;
+    std::vector<BodyLoad>    gravity;
+    std::vector<BodyForces>  forced;      ///< elements and sets, in the order of the deck
+    NodeCurves               body_forces; ///< by element and component
+    Temperatures             initial_temperatures;
+    std::map<unsigned int, Temperatures> temperatures; ///< by step
+    std::map<std::string, Interaction>   interactions; ///< by names in upper case
     std::vector<Pair>                    pairs;
     std::vector<Clearance>               clearances;
     std::string                          nlgeom; ///< where it is first asked for; empty: nowhere

@@ -89,7 +89,7 @@ namespace Signorini
     void
     read_temperatures();
     void
-    read_temperatures_of_nodes(std::map<unsigned int, double> &of_nodes);
+    read_temperatures_of_nodes(DeckModel::Temperatures &temperatures);
 
     // Contact
     void
@@ -106,13 +106,17 @@ namespace Signorini
     unsigned int
     component(const Words &words, unsigned int i) const;
     std::vector<unsigned int>
-    nodes_of(const std::string &target) const;
+    nodes_of(const std::string &target);
+    Members
+    elements_of(const std::string &target);
+    void
+    leave_out_repetitions(const std::string &target, Members members);
     DeckModel::AtNodes *
     at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target);
     void
     hold(const std::string &target, const std::vector<unsigned int> &components, double value);
     bool
-    counts() const;
+    counts();
     /// Other parameters of the present keyword are left out.
     void
     know_parameters(const std::set<std::string> &known);
@@ -142,6 +146,7 @@ namespace Signorini
     DeckModel              model;
     std::string            material, part, interaction;
     bool                   in_step = false, step_counts = false;
+    bool                   is_again        = false; ///< the material stands above too
     unsigned int           n_element_loads = 0;
     std::set<unsigned int> transformed; ///< nodes with axes of their own
     /// Where the entry of a node or set is in a list of the model.

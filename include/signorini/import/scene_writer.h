@@ -62,6 +62,8 @@ namespace Signorini
     becomes_finite();
     void
     give_temperature(Body &body);
+    void
+    leave_out_going_amplitudes(const DeckModel::Curve &curve);
     std::set<std::string>
     boundaries_of(const Piece &piece) const;
 

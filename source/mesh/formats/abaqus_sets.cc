@@ -104,21 +104,22 @@ namespace Signorini
                               std::vector<unsigned int> &members,
                               const std::string         &instance) const
   {
-    const std::string name = in_instance(instance, word);
-    if (const AbaqusSet *set = find(name))
-      {
-        members.insert(members.end(), set->members.begin(), set->members.end());
-        return true;
-      }
+    // A set may be called like a number, which counts first, as in CalculiX.
+    const std::string name   = in_instance(instance, word);
     const auto        dot    = name.rfind('.');
     const std::string number = dot == std::string::npos ? name : name.substr(dot + 1);
-    if (!is_number(number))
-      return false;
-    const unsigned int i = index(std::strtoul(number.c_str(), nullptr, 10),
-                                 dot == std::string::npos ? "" : name.substr(0, dot));
-    if (i != none)
-      members.push_back(i);
-    return i != none;
+    if (is_number(number))
+      if (const unsigned int i = index(std::strtoul(number.c_str(), nullptr, 10),
+                                       dot == std::string::npos ? "" : name.substr(0, dot));
+          i != none)
+        {
+          members.push_back(i);
+          return true;
+        }
+    const AbaqusSet *set = find(name);
+    if (set)
+      members.insert(members.end(), set->members.begin(), set->members.end());
+    return set;
   }
 
 
@@ -146,8 +147,6 @@ namespace Signorini
                            std::vector<unsigned int> &members) const
   {
     const Numbers &numbers = *numbers_of(instance);
-    if (last < first)
-      return;
     if (const std::size_t n = (last - first) / step; n <= numbers.size())
       {
         for (std::size_t i = 0; i <= n; ++i)
@@ -180,7 +179,10 @@ namespace Signorini
             return i < words.size() && !words[i].empty() ? number_from(in, words[i]) : otherwise;
           };
           const std::size_t first = number_from(in, words.at(0)), last = number(1, first),
-                            step = std::max<std::size_t>(number(2, 1), 1);
+                            step = number(2, 1);
+          if (step == 0 || last < first || (last - first) % step != 0)
+            in.fail("GENERATE: steps of " + std::to_string(step) + " do not lead from " +
+                    std::to_string(first) + " to " + std::to_string(last));
           append_range(first, last, step, instance, members);
         }
       else
