@@ -53,6 +53,8 @@ namespace
   const std::string cube = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n"
                            "6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n*ELEMENT, TYPE=C3D8\n"
                            "1, 1, 2, 3, 4, 5, 6, 7, 8\n";
+
+  const std::string of_cube = "*MATERIAL, NAME=m\n*ELASTIC\n100, 0.3\n";
 } // namespace
 
 
@@ -606,6 +608,29 @@ TEST_CASE("import: temperatures of a body; what may have held bodies")
     says(messages, "temperatures that differ from node to node of piece2");
     CHECK(!checked<2>(text).bodies[1].expansion.given());
   }
+  {
+    // What an amplitude has come to stays; OP=NEW goes back to the initial temperature.
+    const TemporaryFile file(
+      deck("*AMPLITUDE, NAME=up\n0., 1., 1., 3.\n*STEP\n*STATIC\n1., 1.\n"
+           "*TEMPERATURE, AMPLITUDE=up\nNall, 30.\n*END STEP\n*STEP\n*STATIC\n.5, .5\n*END STEP\n"
+           "*STEP\n*STATIC\n1., 1.\n*TEMPERATURE, OP=NEW\n*END STEP\n"),
+      ".inp");
+    const auto [text, messages] = imported(file.path);
+    const Scene<2> scene        = checked<2>(text);
+    says(messages, "CalculiX begins the amplitude of temperatures anew");
+    for (const auto &[t, T] :
+         std::vector<std::pair<double, double>>{{3, 90}, {3.5, 90}, {4, 55}, {4.5, 20}})
+      CHECK(std::abs(scene.bodies[0].expansion.value({}, t, 0) - T) < 1e-6);
+  }
+  {
+    // Bodies with amplitudes of their own, in one step.
+    const TemporaryFile file(
+      deck("*AMPLITUDE, NAME=half\n0., 0., 1., .5\n*STEP\n*STATIC\n1., 1.\n"
+           "*TEMPERATURE, AMPLITUDE=half\nNall, 40.\n*TEMPERATURE\nNall, 40.\n*END STEP\n"),
+      ".inp");
+    CHECK(checked<2>(imported(file.path).first).bodies[0].expansion.value({}, 3, 0) ==
+          doctest::Approx(40));
+  }
   CHECK(checked<2>(imported(test_mesh("cae-blocks.inp")).first).newton.undetermined ==
         Undetermined::hold);
 }
@@ -627,16 +652,32 @@ TEST_CASE("import: what leaves nothing to solve is refused")
   const std::string square =
     "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n5, 3, 0\n6, 4, 0\n7, 4, 1\n"
     "8, 3, 1\n*ELEMENT, TYPE=CPE4, ELSET=a\n1, 1, 2, 3, 4\n";
-  says(attempt(square + "*ELEMENT, TYPE=CPS4, ELSET=a\n2, 5, 6, 7, 8\n"),
-       "has elements of plane strain (CPE4) and of plane stress (CPS4)");
+  says(
+    attempt(square + "*ELEMENT, TYPE=CPS4, ELSET=a\n2, 5, 6, 7, 8\n"),
+    "has elements of plane strain (CPE4) and of plane stress (CPS4); a scene has one Model for all "
+    "bodies. Give all elements one of these types");
+  says(attempt(
+         square + "*NODE\n9, 2, 0\n10, 2, 1\n*ELEMENT, TYPE=CPE4, ELSET=b\n2, 2, 9, 10, 3\n" +
+         of_cube +
+         "*SOLID SECTION, ELSET=a, MATERIAL=m\n0.5\n*SOLID SECTION, ELSET=b, MATERIAL=m\n1\n"),
+       "elements 1 and 2 are connected and have different thicknesses");
+  const std::string solid =
+    cube + "*ELSET, ELSET=e\n1\n" + of_cube + "*SOLID SECTION, ELSET=e, MATERIAL=m\n";
+  says(attempt(solid + "*MATERIAL, NAME=M\n*ELASTIC\n1, 0\n"), "the material 'M' is there twice");
+  says(attempt(solid +
+               "*BOUNDARY\n1, 1, 3\n*NSET, NSET=n\n1, 2\n*TRANSFORM, NSET=n\n0,1,0,1,0,0\n"),
+       "*TRANSFORM of nodes that have *BOUNDARY or *CLOAD above");
+  says(attempt(solid + "*NSET, NSET=5\n1, 2\n*BOUNDARY\n5, 1\n"),
+       "a set of nodes is called as a number: 5");
+  says(attempt(solid + "*CLOAD\n, 1, 1.\n"), "*CLOAD without the name of a node or set");
+  for (const std::string range : {"1, 8, 2", "8, 1", "1, 8, 0"})
+    says(attempt(solid + "*NSET, NSET=n, GENERATE\n" + range + "\n"), "GENERATE: steps of ");
 }
 
 
 
 namespace
 {
-  const std::string of_cube = "*MATERIAL, NAME=m\n*ELASTIC\n100, 0.3\n";
-
   std::string
   second_cube(const unsigned int number, const std::string &z)
   {
@@ -794,4 +835,105 @@ TEST_CASE("import: ADJUST, CLEARANCE, several materials of a connected body")
                               "*CLEARANCE, MASTER=S, SLAVE=T, VALUE=0.25\n",
                             ".inp");
   CHECK(checked<3>(imported(clear.path).first).pairs.at(0).initial_gap.text == "0.25");
+}
+
+
+
+TEST_CASE("ADJUST moves nodes of the slave onto the master")
+{
+  // The lower nodes of the second cube, 11 to 14, are those of t.
+  const auto heights = [](const std::string &z, const std::string &adjust) {
+    const TemporaryFile file(cube + second_cube(2, z) +
+                               "*NSET, NSET=two\n11, 13, 18\n*SURFACE, NAME=s\n1, S2\n"
+                               "*SURFACE, NAME=t\n2, S1\n*CONTACT PAIR, INTERACTION=i, ADJUST=" +
+                               adjust + "\nt, s\n",
+                             ".inp");
+    const MeshFile      mesh = read_abaqus(file.path);
+    std::vector<double> result;
+    for (unsigned int i = 8; i < 12; ++i)
+      result.push_back(mesh.nodes[i][2]);
+    CHECK(mesh.nodes[15][2] == 9);
+    return result;
+  };
+  using Heights = std::vector<double>;
+  CHECK(heights("1.01", "0.02") == Heights{1, 1, 1, 1});
+  CHECK(heights("1.01", "0.005") == Heights{1.01, 1.01, 1.01, 1.01});
+  CHECK(heights("0.99", "0.") == Heights{1, 1, 1, 1});
+  CHECK(heights("1.01", "two") == Heights{1, 1.01, 1, 1.01});
+  // One is beside the master.
+  const TemporaryFile plane(
+    "*NODE\n1, 0, 0\n2, 2, 0\n3, 2, 1\n4, 0, 1\n5, 1, 1.5\n6, 3, 1.1\n7, 3, 2\n8, 1, 2\n9, 2, 1.3\n"
+    "10, 3, 1.6\n11, 2, 2\n12, 1, 1.7\n*ELEMENT, TYPE=CPE4\n1, 1, 2, 3, 4\n*ELEMENT, TYPE=CPE8\n"
+    "2, 5, 6, 7, 8, 9, 10, 11, 12\n*SURFACE, NAME=s\n1, S3\n*SURFACE, NAME=t\n2, S1\n"
+    "*CONTACT PAIR, INTERACTION=i, ADJUST=1.\nt, s\n",
+    ".inp");
+  const MeshFile mesh = read_abaqus(plane.path);
+  CHECK(mesh.nodes[4].distance(Point<3>(1, 1, 0)) < 1e-14);
+  CHECK(mesh.nodes[5].distance(Point<3>(3, 1.1, 0)) < 1e-14);
+  CHECK(mesh.nodes[8].distance(Point<3>(2, 1, 0)) < 1e-14);
+  CHECK(mesh.nodes[11].distance(Point<3>(1, 1.7, 0)) < 1e-14);
+  REQUIRE(mesh.notes.size() == 1);
+  says(mesh.notes[0], "2 nodes of t are moved onto s, by at most 0.5");
+}
+
+
+
+TEST_CASE("faces of collapsed elements have each corner once, or are none")
+{
+  // A cube, and beside it a wedge that is written as a hexahedron.
+  const TemporaryFile deck(
+    "*NODE\n9, 2, 0, 0\n10, 2, 0, 1\n" + cube +
+      "*ELEMENT, TYPE=C3D8\n2, 2, 9, 3, 3, 6, 10, 7, 7\n*ELSET, ELSET=e\n1, 2\n" + of_cube +
+      "*SOLID SECTION, ELSET=e, MATERIAL=m\n*STEP\n*STATIC\n*DLOAD\n2, P2, 1.\n"
+      "2, P5, 3.\n*END STEP\n",
+    ".inp");
+  CHECK(group(read_abaqus(deck.path), "DLOAD 1").faces.at(0).size() == 3);
+  const auto [text, messages] = imported(deck.path);
+  says(messages, "surface DLOAD 1 2: elements of type C3D8 have no face S5");
+  REQUIRE(checked<3>(text).loads.size() == 1);
+  const auto body = generator<3>("file", {{"File", deck.path}})->generate();
+  CHECK(std::find(body.boundaries.begin(), body.boundaries.end(), "DLOAD 1") !=
+        body.boundaries.end());
+}
+
+
+
+TEST_CASE("import: what was lost in silence is told")
+{
+  const std::string head = "*STEP\n*STATIC\n1., 1.\n", tail = "*END STEP\n",
+                    load = "*CLOAD\n5, 3, 1.\n";
+  const std::vector<std::pair<std::string, std::string>> decks{
+    {head + load + tail + "*STEP, PERTURBATION\n*STATIC\n*CLOAD\n6, 1, 1.\n" + tail,
+     "load: *CLOAD (in a step that is left out)"},
+    {"*STEP\n*STATIC, RIKS\n" + load + tail, "load: *STATIC (its RIKS)"},
+    {head + load + tail + "*STEP, NLGEOM\n*STATIC\n" + load + tail,
+     "model: *STEP (that strains are small in the steps before NLGEOM"},
+    {"*NSET, NSET=n\n5, 5, 6\n" + head + "*CLOAD\nn, 3, 1.\n" + tail,
+     "load: *CLOAD (on n, which names members twice"},
+    {"*NSET, NSET=n\n5, nobody\n" + head + "*CLOAD\nn, 3, 1.\n" + tail,
+     "keyword: node set n: there is no 'nobody'"},
+    {head + load + "*BOUNDARY\n1, 11, 11, 40.\n" + tail,
+     "support: *BOUNDARY (of temperatures, fluxes and the like)"},
+    {head + load + "*BOUNDARY\n5, 3, 1, 0.1\n" + tail,
+     "support: *BOUNDARY (whose last component is below the first)"},
+    {"*CONTACT PAIR, INTERACTION=nothing\ns, s\n" + head + load + tail,
+     "pair: *SURFACE INTERACTION NOTHING, which is not there"}};
+  for (const auto &[what, told] : decks)
+    {
+      CAPTURE(told);
+      const TemporaryFile file(cube + "*ELSET, ELSET=e\n1\n*SURFACE, NAME=s\ne, S2\n" + of_cube +
+                                 "*SOLID SECTION, ELSET=e, MATERIAL=m\n*BOUNDARY\n1, 1, 3\n" + what,
+                               ".inp");
+      says(imported(file.path).second, told);
+    }
+  // All elements, and a number before a set of the same name.
+  const TemporaryFile file(cube + second_cube(2, "5") +
+                             "*ELSET, ELSET=2\n1\n*ELSET, ELSET=e\n1, 2\n" + of_cube +
+                             "*DENSITY\n2\n*SOLID SECTION, ELSET=e, MATERIAL=m\n" + head +
+                             "*DLOAD\n, GRAV, 3., 0, 0, -1\n2, BX, 1.\n" + tail,
+                           ".inp");
+  const Scene<3>      scene = checked<3>(imported(file.path).first);
+  REQUIRE(scene.loads.size() == 2);
+  CHECK(scene.loads[0].bodies == std::vector<std::string>{"second"});
+  CHECK(scene.loads[1].bodies.size() == 2);
 }
