@@ -548,10 +548,8 @@ namespace Signorini
   void
   DeckReader::read_pairs()
   {
-    // The mesh reader moves the nodes; what is left between curved surfaces is closed.
-    std::optional<double> closed_up_to;
-    if (const std::string by = in.value("ADJUST"); in.has("ADJUST") && !model.deck.nodes.find(by))
-      closed_up_to = std::max(0., number({by}, 0));
+    if (const std::string by = in.value("ADJUST"); !model.deck.nodes.find(by))
+      number({by}, 0); // or it fails
     if (in.has("TIED"))
       leave_out_tie();
     for (Words words; in.next_line(words);)
@@ -561,7 +559,7 @@ namespace Signorini
         model.pairs.push_back({words[0],
                                words[1],
                                in.has("TIED") ? "\"TIED" : upper_case(in.value("INTERACTION")),
-                               closed_up_to});
+                               in.has("ADJUST")});
     if (in.has("TIED"))
       model.interactions["\"TIED"].kind = DeckModel::Interaction::Kind::tied;
   }

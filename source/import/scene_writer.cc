@@ -239,6 +239,17 @@ namespace Signorini
           item.keys.push_back(key);
         if (body.is_quadratic)
           item.keys.emplace_back("Degree", "2");
+        // Nodes that were moved onto facets would not lie on surfaces that are rounded.
+        if (std::any_of(model.pairs.begin(), model.pairs.end(), [&](const DeckModel::Pair &pair) {
+              return pair.adjusts &&
+                     std::any_of(body.boundaries.begin(),
+                                 body.boundaries.end(),
+                                 [&](const std::string &name) {
+                                   return upper_case(name) == upper_case(pair.slave) ||
+                                          upper_case(name) == upper_case(pair.master);
+                                 });
+            }))
+          item.keys.emplace_back("Curved boundaries", "none");
         for (const auto &[key, sets] : {std::pair{"Node sets", body.node_sets},
                                         {"Face sets", body.face_sets},
                                         {"Cell sets", body.cell_sets}})
@@ -816,8 +827,6 @@ namespace Signorini
                              });
               if (clearance != model.clearances.end())
                 items.back().keys.emplace_back("Initial gap", text(clearance->value));
-              else if (pair.closed_up_to)
-                items.back().keys.emplace_back("Closed up to", text(*pair.closed_up_to));
             }
       }
     return section("Contact pairs", items);
