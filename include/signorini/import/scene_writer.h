@@ -8,8 +8,9 @@
 
 namespace Signorini
 {
-  /// Writes the scene of a deck's model, section by section; the bodies are found
-  /// in deck_bodies.cc.
+  /// Writes the scene of a deck's model, section by section: bodies and pairs in scene_bodies.cc,
+  /// supports and loads in scene_loads.cc, sets in scene_sets.cc. Bodies are found in
+  /// deck_bodies.cc.
   class SceneWriter
   {
   public:
