@@ -556,10 +556,8 @@ namespace Signorini
       if (words.size() < 2 || words[1].empty())
         leave_out("of one surface with itself: " + words[0]);
       else
-        model.pairs.push_back({words[0],
-                               words[1],
-                               in.has("TIED") ? "\"TIED" : upper_case(in.value("INTERACTION")),
-                               in.has("ADJUST")});
+        model.pairs.push_back(
+          {words[0], words[1], in.has("TIED") ? "\"TIED" : upper_case(in.value("INTERACTION"))});
     if (in.has("TIED"))
       model.interactions["\"TIED"].kind = DeckModel::Interaction::Kind::tied;
   }

@@ -50,15 +50,11 @@ namespace Signorini
         if (body.is_quadratic)
           item.keys.emplace_back("Degree", "2");
         // Nodes that were moved onto facets would not lie on surfaces that are rounded.
-        if (std::any_of(model.pairs.begin(), model.pairs.end(), [&](const DeckModel::Pair &pair) {
-              return pair.adjusts &&
-                     std::any_of(body.boundaries.begin(),
-                                 body.boundaries.end(),
-                                 [&](const std::string &name) {
-                                   return upper_case(name) == upper_case(pair.slave) ||
-                                          upper_case(name) == upper_case(pair.master);
-                                 });
-            }))
+        if (std::any_of(body.boundaries.begin(),
+                        body.boundaries.end(),
+                        [&](const std::string &name) {
+                          return model.deck.adjusted.count(upper_case(name)) > 0;
+                        }))
           item.keys.emplace_back("Curved boundaries", "none");
         for (const auto &[key, sets] : {std::pair{"Node sets", body.node_sets},
                                         {"Face sets", body.face_sets},

@@ -137,7 +137,6 @@ namespace Signorini
     struct Pair
     {
       std::string slave, master, interaction;
-      bool        adjusts = false; ///< the mesh reader moves nodes of the slave onto the master
     };
 
     /// A gap at the start that is not that of the mesh.

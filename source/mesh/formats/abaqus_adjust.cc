@@ -232,19 +232,21 @@ namespace Signorini
         const Facet *facet = surface.facet_at(x);
         if (!facet || (set && of_set.count(node) == 0))
           continue;
-        const double height = facet->height(x),
-                     size   = facet->corners[0].distance(facet->corners[1]);
+        const double height       = facet->height(x),
+                     size         = facet->corners[0].distance(facet->corners[1]);
+        constexpr double rounding = 1e-10;
         // What is deeper inside than a face is wide belongs to another side of the body.
-        if ((!set && height > value) || height < -size ||
-            std::abs(height) <= std::numeric_limits<double>::epsilon() * x.norm())
+        if ((!set && height > value) || height < -size || std::abs(height) <= rounding * size)
           continue;
         x = facet->foot(x);
         ++n_moved;
         farthest = std::max(farthest, std::abs(height));
       }
-    if (n_moved > 0)
-      notes.insert(std::to_string(n_moved) + " nodes of " + one.slave + " are moved onto " +
-                   one.master + ", by at most " + short_text(farthest, 3) +
-                   ", as ADJUST of *CONTACT PAIR says");
+    if (n_moved == 0)
+      return;
+    deck.adjusted.insert({upper_case(one.slave), upper_case(one.master)});
+    notes.insert(std::to_string(n_moved) + " nodes of " + one.slave + " are moved onto " +
+                 one.master + ", by at most " + short_text(farthest, 3) +
+                 ", as ADJUST of *CONTACT PAIR says");
   }
 } // namespace Signorini

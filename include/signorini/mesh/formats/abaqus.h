@@ -3,6 +3,8 @@
 #include <signorini/mesh/formats/abaqus_sets.h>
 #include <signorini/mesh/mesh_file.h>
 
+#include <set>
+
 namespace Signorini
 {
   /// The mesh of an input file of Abaqus or CalculiX, and what its numbers and names stand for.
@@ -12,7 +14,8 @@ namespace Signorini
     AbaqusSets nodes, elements;
     std::map<std::string, std::vector<std::string>>
       instances_of; ///< names of the instances of each part, by its name in upper case
-    std::vector<std::string> missing; ///< names and faces that sets and surfaces have of nothing
+    std::set<std::string>    adjusted; ///< surfaces, in upper case, of which nodes were moved
+    std::vector<std::string> missing;  ///< names and faces that sets and surfaces have of nothing
   };
 
   /// Read an input file of Abaqus or CalculiX, flat or of parts and instances. Groups: instances
