@@ -145,7 +145,7 @@ namespace Signorini
           if (one.kind == Kind::linear && stiffness > 0 && one.stiffness != stiffness)
             model.leave_out("different slopes of *SURFACE BEHAVIOR (the largest counts for all)",
                             "",
-                            "model");
+                            "material");
           if (one.kind == Kind::linear)
             stiffness = std::max(stiffness, one.stiffness);
         }
@@ -155,7 +155,7 @@ namespace Signorini
       {
         model.leave_out("the slope of linear contact beside a hard one (all contact is hard)",
                         "",
-                        "model");
+                        "material");
         return "";
       }
     return "\nsubsection Contact method\n  set Method = penalty\n  subsection penalty\n    set "

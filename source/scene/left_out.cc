@@ -9,7 +9,7 @@ namespace Signorini
   left_out_of(const std::string &list)
   {
     static const std::vector<std::string> kinds{
-      "load", "support", "motion", "pair", "body", "keyword", "model"};
+      "load", "support", "motion", "pair", "body", "material", "keyword", "model"};
     std::vector<LeftOut> result;
     for (const std::string &one : split(list, ';'))
       {

@@ -115,7 +115,7 @@ namespace Signorini
       "Left out",
       left_out,
       "what an import could not say, separated by ;   each KIND: what, where. It is printed; that a load, "
-      "support, motion, pair or body is left out is a warning of the verdict, and a failure if nothing acts "
+      "support, motion, pair, body or material is left out is a warning of the verdict, and a failure if nothing acts "
       "without it");
     if (section.reading())
       left_out_of(left_out);

@@ -749,7 +749,7 @@ TEST_CASE("import: what acts and is left out is of a kind; a body without sectio
   for (const std::string what : {"body: second (1 cell",
                                  "body: 1 elements of type CPS4",
                                  "support: *RIGID BODY",
-                                 "model: *PLASTIC",
+                                 "material: *PLASTIC",
                                  "pair: the master of a contact pair on 't'",
                                  "keyword: *WHATEVER",
                                  "keyword: data lines before the first keyword",

@@ -9,7 +9,8 @@ namespace Signorini
   struct LeftOut
   {
     /// "load", "support", "motion", "pair" and "body" are of what acts on bodies, or bears them,
-    /// and "keyword" may be; "model" is of how they behave.
+    /// "material" is of what resists, and "keyword" may be any of these; "model" is what this
+    /// program does without, as friction.
     std::string kind;
     std::string what; ///< with its places in the deck
 
