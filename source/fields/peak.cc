@@ -122,7 +122,9 @@ namespace Signorini
     for (const auto &[node, value] : around)
       if (value.pressure > 0 && value.position.distance(center) > 0)
         values.push_back(value);
-    return values.empty() ? 0. : std::abs(1 - linear_continuation(center, values) / largest);
+    if (values.size() < dim) // they do not tell a linear function
+      return 0;
+    return std::abs(1 - linear_continuation(center, values) / largest);
   }
 
 

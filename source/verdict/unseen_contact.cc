@@ -50,7 +50,8 @@ namespace Signorini
       bool
       fails() const
       {
-        return share > small && (through == Through::itself || is_idle || at_start);
+        return share > small &&
+               (through == Through::itself || is_idle || (at_start && through == Through::body));
       }
 
       void
@@ -321,7 +322,7 @@ namespace Signorini
     /// @param closest place of what is rigid, to place i, if there is one
     /// @param was_outside at rest, of place i
     /// @param is_idle by the kind of its face, whether there is a pair that has not seen it
-    /// @param belongs what is inside at rest may be there, since a pair knows of it
+    /// @param belongs what is inside at rest may be there
     template <int dim, typename Closest, typename WasOutside, typename IsIdle>
     Overlap
     overlap_with_rigid(const Outside<dim> &a,
@@ -356,6 +357,7 @@ namespace Signorini
                const Outside<dim>         &a,
                const Obstacle<dim>        &obstacle,
                const unsigned int          number,
+               const bool                  belongs,
                const WatchedSurfaces<dim> &watched)
     {
       const Configuration<dim> at_rest(configuration.elasticity());
@@ -370,9 +372,6 @@ namespace Signorini
       const auto was_outside = [&](const unsigned int i) {
         return at_rest.closest(obstacle, rest, a.rest[i].x).gap >= 0;
       };
-      const bool belongs = std::any_of(a.kinds.begin(), a.kinds.end(), [&](const auto kind) {
-        return watched.sees(kind, obstacle.name);
-      });
       return overlap_with_rigid(
         a,
         Through::obstacle,
@@ -465,7 +464,16 @@ namespace Signorini
               largest.take(deep_in(a, b, other, watched, mesh.communicator()));
           }
         for (unsigned int i = 0; i < scene.obstacles.size(); ++i)
-          largest.take(overlap_of(configuration, a, scene.obstacles[i], i, watched));
+          {
+            // Where it holds another body, as the ground does, there may be a hole for this one.
+            const Obstacle<dim> &obstacle = scene.obstacles[i];
+            const bool           is_used  = std::any_of(scene.pairs.begin(),
+                                             scene.pairs.end(),
+                                             [&](const ContactPair<dim> &pair) {
+                                               return scene.obstacle_of(pair) == &obstacle;
+                                             });
+            largest.take(overlap_of(configuration, a, obstacle, i, is_used, watched));
+          }
         for (unsigned int i = 0; i < planes.size(); ++i)
           if (planes[i].body == body)
             largest.take(overlap_of(configuration, a, planes[i], i, scene, watched));

@@ -60,6 +60,7 @@ def cases():
                out="WARNED  penetration / deformation, pair ")
     yield case("stiff-penalty", plane + ["--set", "Contact method/Method=penalty", "--set", "Contact method/penalty/Factor=1e11"], 0,
                out="WARNED  rounding / pressure, pair ")
+    yield case("obstacle-overlap", [str(TESTS / "varied" / "obstacle-overlap.prm"), *output], 0, out="WARNED  unseen contact: ")
     yield case("alternating", wavy + named, 0, out="WARNED  alternating pressure, pair joint: ")
     rubber = [str(SCENES / "nearly-incompressible.prm"), "--set", "Expected results/Names=", *output]
     displacement = ["--set", "Bodies/block/Formulation=displacement"]

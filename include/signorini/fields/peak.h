@@ -12,7 +12,7 @@ namespace Signorini
   /// it, on its faces and the next ones as far as these are in contact, as a share of it. Of a
   /// smooth pressure that is the square of the size of faces over the width of its peak, which is
   /// the order of its error, too; where the pressure is singular, as at an edge, no mesh makes it
-  /// small; of linear pressures it is zero. Collective.
+  /// small; of linear pressures, and of fewer nodes than tell a linear one, it is zero. Collective.
   /// @param pressure recovered_pressure()
   template <int dim>
   double
