@@ -117,7 +117,7 @@ namespace Signorini
             if (!improve(control))
               break;
           }
-        if (!has_estimate)
+        if (!end_judged_on)
           {
             equilibrium->find_contact();
             report_set_up();
@@ -326,7 +326,9 @@ namespace Signorini
             std::max(std::min(tolerance, loosest), scene.newton.tolerance) :
             scene.newton.tolerance;
     follow_loads(final_tolerance, position, [&](const unsigned int step) {
-      if (scene.goals.judge_all_steps() && !is_over() && !improve_step())
+      // Meshes that were made for other load steps may be too coarse for the last one by a little.
+      const bool is_judged = is_over() && (!end_judged_on || *end_judged_on == position.cycle);
+      if (scene.goals.judge_all_steps() && !is_judged && !improve_step())
         return false;
       record_step(step);
       reach();
@@ -459,12 +461,14 @@ namespace Signorini
         "by is in balance" +
         (is_driven_by_forces(scene) ? "; prescribe displacements instead of forces" : "");
     else if (!end.converged && !is_interrupted && shortest_tried > 0)
-      end.reason += "; load steps down to " + short_text(shortest_tried) +
-                    " were tried from t = " + short_text(state.time) +
-                    " on: where contact slips off a corner or an edge, or a hook snaps, no state "
-                    "near by is in balance, and no load step is small enough; take Load steps/End "
-                    "time = " +
-                    short_text(state.time) + " for what comes before";
+      end.reason +=
+        "; load steps down to " + short_text(shortest_tried) +
+        " were tried from t = " + short_text(state.time) +
+        " on: where contact slips off a corner or an edge, or a hook snaps, no state near by is in "
+        "balance, and no load step is small enough" +
+        (state.time > 0 ?
+           "; take Load steps/End time = " + short_text(state.time) + " for what comes before" :
+           "");
     recorder->add_sizes(*elasticity, *contact);
     std::ostringstream text;
     if (!end.converged)

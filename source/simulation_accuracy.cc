@@ -59,8 +59,7 @@ namespace Signorini
   {
     const ErrorEstimate estimate = judge(control);
     const bool          is_end   = &control == &this->control;
-    has_estimate |= is_end;
-    Json accuracy = accuracy_results(scene.goals, control, estimate);
+    Json                accuracy = accuracy_results(scene.goals, control, estimate);
     if (!is_end)
       of_step = accuracy;
     if (scene.goals.has_targets())
@@ -92,7 +91,8 @@ namespace Signorini
       }
     else
       enrich(std::exchange(next_quadratic, {}));
-    has_estimate = false;
+    if (is_end)
+      end_judged_on.reset();
     return true;
   }
 
@@ -169,7 +169,13 @@ namespace Signorini
   Simulation<dim>::judge(ErrorControl &control)
   {
     const ErrorEstimate estimate = estimate_errors();
-    control.add(estimate.quantities);
+    const bool          is_end   = &control == &this->control;
+    if (is_end && end_judged_on)
+      control.replace_last(estimate.quantities);
+    else
+      control.add(estimate.quantities);
+    if (is_end)
+      end_judged_on = position.cycle;
     report_errors(control);
     return estimate;
   }
@@ -185,7 +191,9 @@ namespace Signorini
     std::vector<double> least;
     for (const ErrorHistory &of_end : control.quantities())
       least.push_back(of_end.size() > 0 ? small * std::abs(of_end.last().value) : 0.);
+    const bool         is_end = is_over();
     ErrorControl       of_load(scene.goals, scene.refinement, least);
+    ErrorControl      &its        = is_end ? control : of_load;
     const std::string  why_at_end = std::exchange(why_not_met, {});
     const unsigned int most       = position.cycle + scene.most_cycles();
     for (;;)
@@ -193,10 +201,10 @@ namespace Signorini
         n_steps = report().steps.size();
         if (position.cycle == most)
           {
-            of_step = accuracy_results(scene.goals, of_load, judge(of_load));
+            of_step = accuracy_results(scene.goals, its, judge(its));
             break;
           }
-        if (!improve(of_load))
+        if (!improve(its))
           break;
         ++position.cycle;
         equilibrium->find_contact();
@@ -204,6 +212,8 @@ namespace Signorini
         if (!solve(position.time, scene.newton.tolerance))
           return false;
       }
+    if (is_end)
+      return true;
     const std::string why = what_was_missed(of_load);
     of_step["met"]        = why.empty();
     of_step["reason"]     = why;
@@ -246,12 +256,7 @@ namespace Signorini
   void
   Simulation<dim>::estimate_result()
   {
-    const ErrorEstimate estimate = estimate_errors();
-    if (has_estimate)
-      control.replace_last(estimate.quantities);
-    else
-      control.add(estimate.quantities);
-    report_errors(control);
+    const ErrorEstimate estimate = judge(control);
     recorder->add_accuracy(accuracy_results(scene.goals, control, estimate),
                            control,
                            what_was_missed(control));

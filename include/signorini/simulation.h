@@ -123,14 +123,15 @@ namespace Signorini
     /// Which cells are refined, or which bodies enriched. False if the next mesh cannot be had.
     bool
     mark(const ErrorControl &control, const ErrorEstimate &estimate);
-    /// Meet the targets at a load step before the last one, on finer meshes if it has to be. False
-    /// if that is not solved.
+    /// Meet the targets at a load step, on finer meshes if it has to be; at the last one, where
+    /// others have changed the mesh since it was judged. False if that is not solved.
     bool
     improve_step();
     /// Degree 2 for these bodies, on the same mesh.
     void
     enrich(const std::vector<unsigned int> &bodies);
-    /// Of the last solution, on one mesh more.
+    /// Of the last solution, on one mesh more. A mesh that was refined for other load steps is none
+    /// more to the end: what its values change by says nothing of what refinement for it would.
     ErrorEstimate
     judge(ErrorControl &control);
     void
@@ -194,9 +195,10 @@ namespace Signorini
     unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
     ErrorControl                       control;         ///< of the end of the load history
     double                             tolerance;       ///< of Newton's method on the next mesh
-    bool                               has_estimate = false; ///< of this mesh
-    double                             last_mesh_at = 0;     ///< seconds: when it was estimated
-    std::vector<unsigned int>          next_quadratic;       ///< bodies, on the next mesh
+    /// The number of the mesh on which the end was judged last, unless one was made for it since.
+    std::optional<unsigned int> end_judged_on;
+    double                      last_mesh_at = 0; ///< seconds: when it was estimated
+    std::vector<unsigned int>   next_quadratic;   ///< bodies, on the next mesh
     /// The largest share, where Deformation = automatic.
     std::optional<double> neglected_work;
     std::string           why_not_met;        ///< the targets; empty: no reason is known
