@@ -165,10 +165,14 @@ namespace Signorini
     const bool is_settled =
       contact.empty() || (n > 0 && step.changes == 0 && !step.withholds && !stage.softness_changed);
     // As many digits as a step of Newton's method finds where surfaces move on.
-    const double reduction   = goal.is_rough() ? std::min(strategy.reduction(), step.residual) :
-                               is_settled      ? 0. :
-                                                 strategy.reduction();
-    const bool   is_searched = bodies.is_nonlinear() && !step.withholds && !step.follows;
+    const double reduction = goal.is_rough() ? std::min(strategy.reduction(), step.residual) :
+                             is_settled      ? 0. :
+                                               strategy.reduction();
+    // Surfaces that come back to where they touch have the last pressure there at once, though next
+    // to none may be left in balance: a search would stop before that, again and again.
+    const bool comes_back = law.augments() && step.active == 0;
+    const bool is_searched =
+      bodies.is_nonlinear() && !step.withholds && !step.follows && !comes_back;
     linearise(u);
     solve_linear(stage.rhs, reduction, 0.5 * goal.tolerance * balance.least(), step);
     if (bodies.bulk())

@@ -19,7 +19,7 @@ namespace Signorini
       "Reduction",
       reduction,
       "of the residual by linear solves while the active set changes, relative to the loads (at most 1e-6 "
-      "once a set has come up again); the last one goes down to the Tolerance",
+      "once a set has come up again, or after ten changes); the last one goes down to the Tolerance",
       Range{0, 1, false, false});
     section.add(
       "Stabilisation",

@@ -11,7 +11,9 @@ namespace Signorini
   {
     constexpr double fine_reduction = 1e-6; // by linear solves, once an active set comes up again
     constexpr unsigned int steps_of_growth = 5; // of a cold start, see ActiveSet::keep_deepest()
-  }                                             // namespace
+    constexpr unsigned int patience =
+      10; // steps that change the set, before something else is tried
+  }       // namespace
 
 
 
@@ -41,7 +43,8 @@ namespace Signorini
   void
   SetStrategy::restart()
   {
-    cautious = false;
+    cautious  = false;
+    n_changes = 0;
     active_set.restart();
   }
 
@@ -82,13 +85,18 @@ namespace Signorini
       }
     if (!cautious && n > 0)
       active_set.open_pulling_regions(trial);
-    if (!cautious && active_set.seen_before())
+    // The linear solves may have been too rough to tell where there is pressure. Those of thin
+    // bodies, which bend before they are compressed, are so rough that sets wander without end, and
+    // none comes up again.
+    const bool is_rough = my_reduction > fine_reduction;
+    if (!cautious &&
+        (active_set.seen_before() || n_changes >= (is_rough ? patience : 2 * patience)))
       {
-        // The linear solves may have been too rough to tell where there is pressure.
-        if (my_reduction > fine_reduction)
+        if (is_rough)
           my_reduction = fine_reduction;
         else
           cautious = true;
+        n_changes = 0;
         active_set.restart();
       }
     if (cautious && law.is_mixed())
@@ -98,6 +106,7 @@ namespace Signorini
                               (!is_cold && active_set.take_if_empty(law.pushes(in.pressure))));
     step.active  = active_set.size();
     step.changes = active_set.count_changes();
+    n_changes += step.changes > 0;
     // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.
     // The sign of the gap, which decides, knows nothing of the penalty.
     if (law.is_soft() &&

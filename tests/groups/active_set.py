@@ -2,7 +2,7 @@
 
 import math
 
-from case import SCENES, Case, method
+from case import SCENES, VARIED, Case, force_of, method
 
 MOST = 10
 
@@ -57,6 +57,26 @@ def found_soon(scene, sets, most=MOST, mirrored=False):
     return body
 
 
+def settles(scene, sets, force):
+    """Sets that come out wrong of rough linear solves come to rest by finer ones, whatever the bodies are like."""
+    def body(test):
+        found = force_of(test.results(VARIED / f"{scene}.prm", sets))
+        test.check(abs(found / force - 1) <= 2e-4, f"{found:.8g} instead of {force:.8g}")
+    return body
+
+
+def back_to_touching(sets):
+    """Blocks that overlap less and less, until they touch and nothing is left of the force."""
+    def body(test):
+        history = ["Contact pairs/joint/Interference=1-t", "Load steps/Number=2"]
+        results = test.results(VARIED / "small-overlap.prm", [*sets, *history])
+        first, *_, last = (step["pairs"]["joint"]["max_pressure"] for step in results["load_steps"])
+        test.check(abs(first * 4000 - 1) <= 1e-3, f"{first:.6g} instead of 2.5e-4")
+        test.check(abs(last) <= 1e-11, f"{last:.6g} where the blocks only touch")
+        test.check(results["verdict"]["outcome"] == "passed", f"the verdict is {results['verdict']['outcome']}")
+    return body
+
+
 def starts_warm(scene, sets, ranks, most=4):
     """On the last of three meshes, from what the second one knew of the pressure."""
     def body(test):
@@ -94,6 +114,13 @@ def cases():
                 yield Case("active-set/cells", f"{scene}/degree-{degree}/{name}", found_soon(scene, sets, most=6))
                 yield Case("active-set/cells", f"{scene}/degree-{degree}/{name}/no-load",
                            found_soon(scene, [*sets, "Loads/press/Pressure=0", *REST], most=2))
+    for name, sets in METHODS.items():
+        if name != "penalty-1e6":  # sheets move so far that no digit is left of where they are
+            yield Case("active-set/thin", f"two-sheets/{name}", settles("two-sheets", sets, 0.04))
+        yield Case("active-set/thin", f"thin-fit/{name}", settles("thin-fit", sets, 37.009))
+        if name not in ("elimination", "penalty-pointwise", "penalty-1e6"):  # those that pass the patch test, to the last digits
+            for deformation in ("small", "finite"):
+                yield Case("active-set/touching", f"{deformation}/{name}", back_to_touching([*sets, f"Deformation={deformation}"]))
     # Where neither gap nor pressure is, rounding alone says which points are active: no reason for more than one step.
     yield Case("active-set/cold", "undecided",
                found_soon("patch-2d", ["Bodies/lower/Poisson's ratio=0", "Bodies/upper/Poisson's ratio=0",

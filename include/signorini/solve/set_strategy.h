@@ -8,9 +8,9 @@ namespace Signorini
 {
   /// Which points are taken for active next. Mostly those that the law says; but a cold start, from
   /// no pressure, takes the deepest half of what overlaps, grows step by step, and softens stiff
-  /// penalties until the set is nearly found; and a set that comes up again is left by finer linear
-  /// solves, and then by caution: one change at a time where pressures are unknowns, small steps
-  /// elsewhere.
+  /// penalties until the set is nearly found; and a set that comes up again, or that keeps
+  /// changing, is left by finer linear solves, and then by caution: one change at a time where
+  /// pressures are unknowns, small steps elsewhere.
   class SetStrategy
   {
   public:
@@ -77,5 +77,6 @@ namespace Signorini
     bool               is_cold      = true; ///< without a pressure to start from
     bool               cautious     = false;
     double             my_reduction = 1e-2;
+    unsigned int n_changes = 0; ///< steps that changed the set, since something else was tried
   };
 } // namespace Signorini
