@@ -144,10 +144,16 @@ namespace Signorini
           }
         if (built_near && !my_surfaces.empty())
           nearby[i] = std::max(nearby[i], my_surfaces[i].face_size / 2);
-        const bool   is_other = gap_varies(scene.pairs[i]) && elasticity.time() != built_for;
-        const double limit    = my_surfaces.empty() || is_other ?
-                                  search_limit(elasticity, scene.pairs[i], reach[i]) :
-                                  my_surfaces[i].overlap + approaches[i];
+        const ContactPair<dim> &pair     = scene.pairs[i];
+        const bool              is_other = gap_varies(pair) && elasticity.time() != built_for;
+        double                  limit    = search_limit(elasticity, pair, reach[i]);
+        if (!my_surfaces.empty() && !is_other)
+          {
+            const double now =
+              my_surfaces[i].overlap + std::max(0., pair.closed_up_to) + approaches[i];
+            // What the scene holds to be closed may be far apart, however little moves.
+            limit = pair.separates && !pair.gap_is_given() ? now : std::max(limit, now);
+          }
         result.push_back({built_near ? nearby[i] : reach[i], limit, false});
       }
     return result;
@@ -230,8 +236,8 @@ namespace Signorini
         if (!pair.separates && n_rows(i) == 0)
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
-            "' touches the master of this pair, which is never to separate; move them "
-            "together, or set its Search distance");
+            "' touches the master of this pair, which is never to separate; move them together, or " +
+            (pair.search_distance > 0 ? "take a larger" : "set its") + " Search distance");
       }
   }
 

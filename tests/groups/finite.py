@@ -34,6 +34,16 @@ def second_order(test):
     test.check(near and all(b <= 0.1 * a for a, b in near), "that does not fall by second order")
 
 
+def held_together(test):
+    """A pair that never separates closes its gap in both theories, however little moves: of the support's 0.001 each block has a half."""
+    for deformation in ("small", "finite"):
+        pressure = test.results(VARIED / "small-overlap.prm", [
+            f"Deformation={deformation}", "Bodies/upper/Corners=0,1.01*a : a,2.01*a", "Contact pairs/joint/Separates=no",
+            "Contact pairs/joint/Search distance=0.02", "Supports/top/Type=displacement", "Supports/top/Displacement=free; -0.001"])
+        pressure = pressure["load_steps"][-1]["pairs"]["joint"]["max_pressure"]
+        test.check(abs(2000 * pressure - 1) <= 1e-3, f"{deformation}: a pressure of {pressure:.6g} instead of 5e-4")
+
+
 def moved(test):
     """Far from where they were at rest, bodies have the same forces, and the same pressures, which are not uniform."""
     def solved(way):
@@ -268,6 +278,7 @@ def cases():
     yield Case("finite", "steps/punch", same_in_steps(PUNCH, [], 1e-8, (1, 2, 5), 20, "joint"))
     yield Case("finite", "second order", second_order)
     yield Case("finite", "moved", moved)
+    yield Case("finite", "held together", held_together)
     yield Case("finite", "steps/automatic", automatic_steps)
     yield Case("finite", "automatic", automatic_deformation)
     yield Case("finite", "contrast", contrast)
