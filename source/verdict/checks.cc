@@ -8,6 +8,15 @@
 
 namespace Signorini
 {
+  bool
+  counts(const double force, const double scale)
+  {
+    constexpr double rounding = 1e-9;
+    return force > rounding * scale;
+  }
+
+
+
   std::vector<Finding>
   check_balance(const nlohmann::ordered_json &results, const double scale, const double small)
   {
@@ -54,7 +63,7 @@ namespace Signorini
     std::vector<Finding>
     check_normal_forces(const nlohmann::ordered_json &results, const double scale)
     {
-      constexpr double     exact = 1.01, none = 1.05, rounding = 1e-9;
+      constexpr double     exact = 1.01, none = 1.05;
       std::vector<Finding> findings;
       for (const auto &[name, pair] : results["pairs"].items())
         {
@@ -67,7 +76,7 @@ namespace Signorini
           Finding      finding;
           finding.check   = "force / normal force";
           finding.where   = "pair " + name;
-          finding.value   = force <= rounding * scale ? 0. : normal > 0 ? force / normal : 2 * none;
+          finding.value   = !counts(force, scale) ? 0. : normal > 0 ? force / normal : 2 * none;
           finding.limit   = exact;
           finding.outcome = finding.value <= exact ? Outcome::passed :
                             finding.value <= none  ? Outcome::warned :
@@ -84,16 +93,14 @@ namespace Signorini
     std::vector<Finding>
     check_peaks(const nlohmann::ordered_json &results, const double scale)
     {
-      constexpr double     rounding = 1e-9;
       std::vector<Finding> findings;
       for (const auto &[name, pair] : results["pairs"].items())
         {
           Finding finding;
-          finding.check   = "sharpness of the peak";
-          finding.where   = "pair " + name;
-          finding.value   = pair["normal_force"].get<double>() > rounding * scale ?
-                              pair["sharpness_of_peak"].get<double>() :
-                              0.;
+          finding.check = "sharpness of the peak";
+          finding.where = "pair " + name;
+          finding.value =
+            counts(pair["normal_force"], scale) ? pair["sharpness_of_peak"].get<double>() : 0.;
           finding.limit   = sharp_peak;
           finding.over    = Finding::Over::last;
           finding.outcome = finding.value <= finding.limit ? Outcome::passed : Outcome::warned;
@@ -170,17 +177,46 @@ namespace Signorini
 
 
 
-    /// No force beyond rounding, and nothing moves: a scene whose loads were left out, or lost. An
-    /// answer that the scene expects is meant.
+    /// Of a square as large as the scene, or of a line where forces are those of a plane.
+    template <int dim>
+    double
+    area_of_size(const Snapshot<dim> &s)
+    {
+      const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
+      return std::pow(s.elasticity.mesh().size(), is_plane ? 1 : 2);
+    }
+
+    /// Beyond rounding of places.
+    constexpr double least_motion = 1e-14; // of the size of the scene
+
+    /// Forces act on bodies, or move them: of those that strain the softest one by rounding alone,
+    /// nobody knows whether they do.
+    template <int dim>
+    bool
+    acts_on_bodies(const Snapshot<dim>         &s,
+                   const std::vector<Extremes> &extremes,
+                   const double                 largest_force)
+    {
+      const double size    = s.elasticity.mesh().size();
+      double       softest = std::numeric_limits<double>::max();
+      for (const Material &material : s.elasticity.all_materials())
+        softest = std::min(softest, material.youngs_modulus);
+      return largest_force > least_motion * softest * area_of_size(s) ||
+             std::any_of(extremes.begin(), extremes.end(), [&](const Extremes &body) {
+               return body.motion > least_motion * size;
+             });
+    }
+
+    /// No force, and nothing moves, no obstacle either: a scene whose loads were left out, or lost.
+    /// An answer that the scene expects is meant.
     template <int dim>
     Finding
-    check_something_acts(const Scene<dim>             &scene,
-                         const Snapshot<dim>          &now,
-                         const nlohmann::ordered_json &results)
+    check_something_acts(const Scene<dim>    &scene,
+                         const Snapshot<dim> &now,
+                         const bool           acts_on_bodies)
     {
-      constexpr double rounding = 1e-14; // of the size of the scene
-      const bool       acts     = results["largest_force"].get<double>() > 0 ||
-                        now.displacement.linfty_norm() > rounding * now.elasticity.mesh().size();
+      const bool acts = acts_on_bodies || now.displacement.linfty_norm() >
+                                            least_motion * now.elasticity.mesh().size();
       Finding finding;
       finding.check   = "something acts";
       finding.value   = acts;
@@ -203,8 +239,7 @@ namespace Signorini
         stress = std::max(stress,
                           s.elasticity.material(id).youngs_modulus *
                             extremes[s.elasticity.mesh().body_of_material(id)].gradient);
-      const bool is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
-      return stress * std::pow(s.elasticity.mesh().size(), is_plane ? 1 : 2);
+      return stress * area_of_size(s);
     }
   } // namespace
 
@@ -227,14 +262,15 @@ namespace Signorini
     const auto           extremes = extremes_of_bodies(now);
     const double         scale = std::max(largest_force, rounding * elastic_force(now, extremes));
     std::vector<Finding> all   = check_motions(now, extremes);
-    all.push_back(check_something_acts(scene, now, results));
+    const bool           acts  = acts_on_bodies(now, extremes, results["largest_force"]);
+    all.push_back(check_something_acts(scene, now, acts));
     for (const auto &some : {check_locking(scene, now),
-                             check_pairs(scene, now, extremes),
+                             check_pairs(scene, now, extremes, results, scale),
                              check_normal_forces(results, scale),
                              check_peaks(results, scale),
                              check_loads(scene, now),
                              check_coordinates(now, extremes),
-                             check_left_out(scene, now, extremes, largest_force),
+                             check_left_out(scene, acts),
                              check_balance(results, scale, small)})
       all.insert(all.end(), some.begin(), some.end());
     if (now.elasticity.is_finite())

@@ -1,17 +1,11 @@
 #include <signorini/scene/left_out.h>
 #include <signorini/verdict/checks.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace Signorini
 {
   template <int dim>
   std::vector<Finding>
-  check_left_out(const Scene<dim>            &scene,
-                 const Snapshot<dim>         &now,
-                 const std::vector<Extremes> &extremes,
-                 const double                 largest_force)
+  check_left_out(const Scene<dim> &scene, const bool acts)
   {
     Finding finding;
     finding.check = "left out";
@@ -25,16 +19,6 @@ namespace Signorini
         }
     if (finding.value == 0)
       return {};
-    // Beside rounding.
-    constexpr double rounding = 1e-12;
-    const double     size     = now.elasticity.mesh().size();
-    const bool       moves    = std::any_of(extremes.begin(), extremes.end(), [&](const auto &one) {
-      return one.motion > rounding * size;
-    });
-    double           stiffest = 0;
-    for (const Material &material : now.elasticity.all_materials())
-      stiffest = std::max(stiffest, material.youngs_modulus);
-    const bool acts = moves || largest_force > rounding * stiffest * std::pow(size, dim - 1);
     finding.outcome = acts ? Outcome::warned : Outcome::failed;
     finding.what =
       (acts ? "the scene was imported without " :
@@ -48,7 +32,7 @@ namespace Signorini
 
 
   template std::vector<Finding>
-  check_left_out(const Scene<2> &, const Snapshot<2> &, const std::vector<Extremes> &, double);
+  check_left_out(const Scene<2> &, bool);
   template std::vector<Finding>
-  check_left_out(const Scene<3> &, const Snapshot<3> &, const std::vector<Extremes> &, double);
+  check_left_out(const Scene<3> &, bool);
 } // namespace Signorini

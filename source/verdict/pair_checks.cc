@@ -1,8 +1,12 @@
+#include <signorini/contact/geometry/boundary_faces.h>
 #include <signorini/contact/geometry/reach.h>
+#include <signorini/contact/geometry/search.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/fields/point_values.h>
 #include <signorini/parameters/text.h>
 #include <signorini/verdict/checks.h>
+
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,16 +130,92 @@ namespace Signorini
       return finding;
     }
 
+    /// The gap of an obstacle at the deepest place of a face, downhill from that parameter.
+    template <int dim>
+    double
+    gap_downhill(const Configuration<dim> &configuration,
+                 const Obstacle<dim>      &obstacle,
+                 const RigidPose<dim>     &pose,
+                 const FacePatch<dim>     &face,
+                 Point<dim - 1>            xi)
+    {
+      constexpr unsigned int most  = 40;
+      constexpr double       least = 1e-3; // of the face
+      const auto             at    = [&](const Point<dim - 1> &there) {
+        return configuration.closest(obstacle, pose, face.position(there));
+      };
+      ObstaclePlace<dim> place = at(xi);
+      double             step  = face.diameter();
+      for (unsigned int i = 0; i < most && step > least * face.diameter(); ++i)
+        {
+          const auto                  tangents = face.tangents(xi);
+          SymmetricTensor<2, dim - 1> metric;
+          Tensor<1, dim - 1>          along;
+          for (unsigned int a = 0; a < dim - 1; ++a)
+            {
+              along[a] = -step * (tangents[a] * place.normal);
+              for (unsigned int b = a; b < dim - 1; ++b)
+                metric[a][b] = tangents[a] * tangents[b];
+            }
+          Point<dim - 1> next = xi + invert(metric) * along;
+          for (unsigned int a = 0; a < dim - 1; ++a)
+            next[a] = std::clamp(next[a], 0., 1.);
+          const ObstaclePlace<dim> there = at(next);
+          if (there.gap < place.gap)
+            {
+              xi    = next;
+              place = there;
+            }
+          else
+            step /= 2;
+        }
+      return faces_each_other(face.normal(xi), place.normal) ? place.gap :
+                                                               std::numeric_limits<double>::max();
+    }
+
+    /// An obstacle in a surface.
+    struct Tip
+    {
+      double depth = 0, face = 0; ///< size of the face where it is deepest
+    };
+
+    /// How deep it is. It may be so small that it lies between the points of integration.
+    template <int dim>
+    Tip
+    deepest_tip(const Obstacle<dim> &obstacle, const Snapshot<dim> &s, const std::string &surface)
+    {
+      const Configuration<dim> configuration(s.elasticity, s.displacement);
+      const BoundaryFaces<dim> faces(configuration, surface);
+      const RigidPose<dim>     pose   = configuration.pose(obstacle);
+      const double             length = s.elasticity.lever();
+      const QGauss<dim - 1>    starts(2);
+      Tip                      tip;
+      for (unsigned int i = 0; i < faces.patches.size(); ++i)
+        {
+          const FacePatch<dim> &face = faces.patches[i];
+          if (!obstacle.shape->has_closest_point(faces.rest[i].center(), length) ||
+              configuration.closest(obstacle, pose, face.center()).gap > face.diameter())
+            continue;
+          for (const Point<dim - 1> &xi : starts.get_points())
+            if (const double depth = -gap_downhill(configuration, obstacle, pose, face, xi);
+                depth > tip.depth)
+              tip = {depth, face.diameter() / std::sqrt(dim - 1.)};
+        }
+      const MPI_Comm comm  = s.elasticity.mesh().communicator();
+      const double   depth = Utilities::MPI::max(tip.depth, comm);
+      return {depth, Utilities::MPI::max(tip.depth == depth ? tip.face : 0., comm)};
+    }
+
     /// What touches within a face may be open in the mean of the face, which is all that
     /// multipliers see of it.
     Finding
-    is_pressed(const std::string &name, const Zone &zone, const double face, const double facets)
+    is_pressed(const std::string &name, const Zone &zone, const Tip &tip, const double facets)
     {
-      const double depth   = std::max(0., zone.deepest - facets);
+      const double depth   = std::max(0., tip.depth - facets);
       Finding      finding = finding_of(
         "overlap without pressure / face",
         name,
-        zone.active > 0 || face == 0 ? 0. : depth / face,
+        zone.active > 0 || tip.face == 0 ? 0. : depth / tip.face,
         3e-3,
         "the surfaces overlap by up to " + short_text(depth, 2) +
           " within faces that carry no pressure: the slave is too coarse to see its master",
@@ -202,13 +282,45 @@ namespace Signorini
                         "elements of second order with curved sides");
     }
 
+    /// 1 at nodes that have neighbours all around, 0 at those of the edge of the surface: on
+    /// regular meshes the mean of these lies off the node by at least a third of their mean square
+    /// distance.
+    LA::Vector
+    within_surface(const GapOperator &contact)
+    {
+      constexpr double off = 0.3;
+      LA::Vector       all = contact.zero(), rest = all, offset = all, distance = all;
+      all = 1.;
+      for (LA::Vector x : contact.geometry.position)
+        {
+          x.add(-x.mean_value());
+          LA::Vector squares = x;
+          squares.scale(x);
+          const LA::Vector mean = contact.origin.regions.means_of_neighbours(all, x, rest),
+                           mean_square =
+                             contact.origin.regions.means_of_neighbours(all, squares, rest);
+          for (const auto i : x.locally_owned_elements())
+            {
+              offset(i) += std::pow(mean(i) - x(i), 2);
+              distance(i) += mean_square(i) - 2 * mean(i) * x(i) + x(i) * x(i);
+            }
+        }
+      for (const auto i : all.locally_owned_elements())
+        all(i) = offset(i) < off * distance(i) ? 1. : 0.;
+      all.compress(VectorOperation::insert);
+      return all;
+    }
+
     /// The share of nodes at which the pressure alternates by more than two percent of the largest
     /// one. What a node has more than its neighbours, z, is of the opposite sign at these: of an
     /// amplitude a on a regular mesh z = l a, and they have -r l a in the mean, with l = 2, r = 1
     /// along a line and l = 4/3, r = 1/3 on a surface; so a^2 = -z z_neighbours/(l^2 r). What is
     /// smooth has the same sign there, irregular meshes make any, and at edges, where the pressure
-    /// is singular, it alternates at a few nodes only. Pressures that displacements would leave by
-    /// their rounding alone do not count, and tensions of pairs that never separate do.
+    /// is singular, it alternates at a few nodes only. At the edge of the surface itself all
+    /// neighbours lie on one side: there z is a slope, and says nothing. Open nodes among pressed
+    /// ones alone have a pressure of zero. Steep pressures turn once beside an edge; so the
+    /// neighbours have to alternate too. Pressures that displacements would leave by their rounding
+    /// alone do not count, and tensions of pairs that never separate do.
     template <int dim>
     Finding
     even(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
@@ -224,15 +336,29 @@ namespace Signorini
         if (*which++ != pair)
           active(i) = 0;
       active.compress(VectorOperation::insert);
+      inner = 1.; // ask everywhere
+      const LA::Vector of_pressed =
+        contact.origin.regions.means_of_neighbours(inner, active, innermost);
+      for (const auto i : active.locally_owned_elements())
+        if (of_pressed(i) > 1 - 1e-9)
+          active(i) = 1;
+      active.compress(VectorOperation::insert);
       LA::Vector more = contact.origin.regions.means_of_neighbours(active, s.pressure, inner);
+      inner.scale(within_surface(contact));
       more.sadd(-1, 1, s.pressure);
-      const LA::Vector around = contact.origin.regions.means_of_neighbours(inner, more, innermost);
-      const double     most   = scale * std::pow(little * zone.pressure, 2);
-      double           counts[] = {0, 0};
+      LA::Vector turns   = contact.origin.regions.means_of_neighbours(inner, more, innermost),
+                 ignored = inner;
+      for (const auto i : more.locally_owned_elements())
+        turns(i) *= -more(i);
+      turns.compress(VectorOperation::insert);
+      const LA::Vector around =
+        contact.origin.regions.means_of_neighbours(innermost, turns, ignored);
+      const double most     = scale * std::pow(little * zone.pressure, 2);
+      double       counts[] = {0, 0};
       for (const auto i : more.locally_owned_elements())
         if (innermost(i) > 0)
           {
-            counts[0] += -more(i) * around(i) > most;
+            counts[0] += turns(i) > most && around(i) > 0;
             counts[1] += 1;
           }
       Utilities::MPI::sum(counts, s.elasticity.mesh().communicator(), counts);
@@ -317,9 +443,11 @@ namespace Signorini
 
   template <int dim>
   std::vector<Finding>
-  check_pairs(const Scene<dim>            &scene,
-              const Snapshot<dim>         &now,
-              const std::vector<Extremes> &extremes)
+  check_pairs(const Scene<dim>             &scene,
+              const Snapshot<dim>          &now,
+              const std::vector<Extremes>  &extremes,
+              const nlohmann::ordered_json &results,
+              const double                  scale)
   {
     std::vector<Finding>      findings;
     const std::vector<double> displacements =
@@ -330,16 +458,21 @@ namespace Signorini
         const ContactSurface<dim> &surface  = now.surfaces[i];
         const Obstacle<dim>       *obstacle = scene.obstacle_of(pair);
         const Zone                 zone     = zone_of(now, i);
+        Tip                        tip{zone.deepest, surface.face_size};
+        if (obstacle && zone.active == 0 && !pair.gap_is_given())
+          if (const Tip deepest = deepest_tip(*obstacle, now, pair.slave);
+              deepest.depth > tip.depth)
+            tip = deepest;
         if (!pair.found)
           findings.push_back(acts(pair.name, zone));
         if (pair.separates && pair.interference.value({}, now.time) == 1)
           findings.push_back(is_pressed(
             pair.name,
             zone,
-            surface.face_size,
+            tip,
             std::max(now.elasticity.mesh().facet_height(pair.slave).height,
                      obstacle ? 0. : now.elasticity.mesh().facet_height(pair.master).height)));
-        if (zone.active == 0)
+        if (zone.active == 0 || !counts(results["pairs"][pair.name]["normal_force"], scale))
           continue;
         if (now.contact.at_rest())
           findings.push_back(stays(now, pair, obstacle, displacements));
@@ -382,8 +515,13 @@ namespace Signorini
 
 
 
-  template std::vector<Finding>
-  check_pairs(const Scene<2> &, const Snapshot<2> &, const std::vector<Extremes> &);
-  template std::vector<Finding>
-  check_pairs(const Scene<3> &, const Snapshot<3> &, const std::vector<Extremes> &);
+#define INSTANTIATE(dim)                                                                           \
+  template std::vector<Finding> check_pairs(const Scene<dim> &,                                    \
+                                            const Snapshot<dim> &,                                 \
+                                            const std::vector<Extremes> &,                         \
+                                            const nlohmann::ordered_json &,                        \
+                                            double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -4,7 +4,7 @@ import resource
 import signal
 import subprocess
 
-from case import PRM, SCENES, TESTS, Case
+from case import PRM, SCENES, TESTS, VARIED, Case
 
 
 def starts(words, code, ranks=1, out="", err="", largest_file=None):
@@ -25,6 +25,13 @@ def starts(words, code, ranks=1, out="", err="", largest_file=None):
             if text:
                 test.check(stream.count(text) == 1, f"'{text}' is there {stream.count(text)} times, not once")
     return body
+
+
+def steep(test):
+    """Pressures that rise to an edge do not alternate."""
+    checks = test.results(VARIED / "narrow-block.prm")["verdict"]["checks"]
+    found = [one for one in checks if one["check"] == "alternating pressure"]
+    test.check([one["value"] for one in found] == [0], f"{found}")
 
 
 def cases():
@@ -62,6 +69,7 @@ def cases():
                out="WARNED  rounding / pressure, pair ")
     yield case("obstacle-overlap", [str(TESTS / "varied" / "obstacle-overlap.prm"), *output], 0, out="WARNED  unseen contact: ")
     yield case("alternating", wavy + named, 0, out="WARNED  alternating pressure, pair joint: ")
+    yield Case("program", "steep", steep)
     rubber = [str(SCENES / "nearly-incompressible.prm"), "--set", "Expected results/Names=", *output]
     displacement = ["--set", "Bodies/block/Formulation=displacement"]
     yield case("factorised", rubber + displacement, 0, out="the iterative solver does not converge: the system is factorised from here on")

@@ -30,6 +30,10 @@ namespace Signorini
   std::vector<Extremes>
   extremes_of_bodies(const Snapshot<dim> &now);
 
+  /// A force is more than rounding of those that act in the scene. @param scale a force of these
+  bool
+  counts(double force, double scale);
+
   /// Error bars larger than wanted. @param why they are, in words
   std::vector<Finding>
   check_targets(const Goals &goals, const ErrorControl &control, const std::string &why);
@@ -53,12 +57,15 @@ namespace Signorini
   check_locking(const Scene<dim> &scene, const Snapshot<dim> &now);
 
   /// Pair by pair: those that never act, zones of a few faces, surfaces that move far or are far
-  /// from opposite, overlaps larger than faces, facets, sides, penetration of penalties.
+  /// from opposite, overlaps larger than faces, facets, sides, penetration of penalties. Of pairs
+  /// whose force does not count beside the scale, those that never act alone.
   template <int dim>
   std::vector<Finding>
-  check_pairs(const Scene<dim>            &scene,
-              const Snapshot<dim>         &now,
-              const std::vector<Extremes> &extremes);
+  check_pairs(const Scene<dim>             &scene,
+              const Snapshot<dim>          &now,
+              const std::vector<Extremes>  &extremes,
+              const nlohmann::ordered_json &results,
+              double                        scale);
 
   /// Surfaces that go through each other where no pair looks for contact, through an obstacle, or
   /// through a plane of symmetry of their body; and places of a surface that touches itself which
@@ -76,12 +83,10 @@ namespace Signorini
 
   /// What acts on bodies or bears them and an import has left out: warned of, and no answer where
   /// nothing acts without it. Nothing if there is none.
+  /// @param acts something does
   template <int dim>
   std::vector<Finding>
-  check_left_out(const Scene<dim>            &scene,
-                 const Snapshot<dim>         &now,
-                 const std::vector<Extremes> &extremes,
-                 double                       largest_force);
+  check_left_out(const Scene<dim> &scene, bool acts);
 
   /// Forces and moments in balance.
   /// @param scale a force beside which they are to be small
