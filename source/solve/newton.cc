@@ -9,6 +9,19 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Surfaces that just touch press on each other.
+    bool
+    has_last_pressure(const ContactLaw &law, const LA::Vector &p)
+    {
+      const LA::Vector nothing = law.gap_operator().zero();
+      return law.trial({nothing, nothing, p}).linfty_norm() > 0;
+    }
+  } // namespace
+
+
+
   Newton::Newton(const NewtonSettings &settings,
                  Bodies               &bodies,
                  ContactLaw           &law,
@@ -170,7 +183,7 @@ namespace Signorini
                                                strategy.reduction();
     // Surfaces that come back to where they touch have the last pressure there at once, though next
     // to none may be left in balance: a search would stop before that, again and again.
-    const bool comes_back = law.augments() && step.active == 0;
+    const bool comes_back = law.augments() && step.active == 0 && has_last_pressure(law, p);
     const bool is_searched =
       bodies.is_nonlinear() && !step.withholds && !step.follows && !comes_back;
     linearise(u);
