@@ -40,20 +40,6 @@ namespace Signorini
     }
 
     template <int dim>
-    bool
-    same_nodes(const ContactPoint<dim> &a, const ContactPoint<dim> &b)
-    {
-      const auto same = [](const auto &of_a, const auto &of_b) {
-        return std::equal(of_a.begin(),
-                          of_a.end(),
-                          of_b.begin(),
-                          of_b.end(),
-                          [](const auto &x, const auto &y) { return x.node == y.node; });
-      };
-      return same(a.slave, b.slave) && same(a.master, b.master);
-    }
-
-    template <int dim>
     FaceMatrix
     face_matrix(const ContactSurface<dim>             &surface,
                 const std::vector<std::vector<Share>> &shares,
@@ -66,11 +52,16 @@ namespace Signorini
         {
           for (const Share &share : shares[q])
             matrix.rows.push_back(share.row);
-          for_each_entry(surface.points[q], components, [&](const auto column, double) {
-            matrix.columns.push_back(column);
-          });
-          for (const auto &entry : surface.points[q].stress)
-            matrix.columns.push_back(entry.first);
+          const ContactPoint<dim> &point = surface.points[q];
+          if (q == first || !same_nodes(surface.points[q - 1], point))
+            for (const auto *functions : {&point.slave, &point.master})
+              for (const NodeFunction<dim> &function : *functions)
+                for (unsigned int d = 0; d < dim; ++d)
+                  if (components[d])
+                    matrix.columns.push_back(function.node + d);
+          for (const auto *entries : {&point.rigid, &point.stress})
+            for (const auto &entry : *entries)
+              matrix.columns.push_back(entry.first);
         }
       sort_and_unite(matrix.rows);
       sort_and_unite(matrix.columns);

@@ -253,12 +253,15 @@ namespace Signorini
       dofs(const types::global_dof_index n_dofs) const
       {
         std::vector<types::global_dof_index> indices;
+        const PressedPoint<dim>             *before = nullptr;
         for (const PressedPoint<dim> &point : points)
           {
-            for (const auto *functions : {&point.slave, &point.master})
-              for (const NodeFunction<dim> &function : *functions)
-                for (unsigned int d = 0; d < dim; ++d)
-                  indices.push_back(function.node + d);
+            if (before == nullptr || !same_nodes(*before, point))
+              for (const auto *functions : {&point.slave, &point.master})
+                for (const NodeFunction<dim> &function : *functions)
+                  for (unsigned int d = 0; d < dim; ++d)
+                    indices.push_back(function.node + d);
+            before = &point;
             for (const SparseRow &row : point.bend.rigid)
               for (const auto &entry : row)
                 indices.push_back(entry.first);

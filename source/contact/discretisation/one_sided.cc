@@ -110,17 +110,12 @@ namespace Signorini
     void
     set_drift(const LA::Vector &u, std::vector<ContactPoint<dim>> &points)
     {
-      std::vector<SparseRow>         rows;
-      std::vector<const SparseRow *> pointers;
-      rows.reserve(points.size());
+      std::vector<const ContactPoint<dim> *> pointers;
       for (const ContactPoint<dim> &point : points)
-        {
-          rows.push_back(point.row());
-          pointers.push_back(&rows.back());
-        }
-      const std::vector<double> moved = row_values(pointers, u);
+        pointers.push_back(&point);
+      const std::vector<double> opened = openings(pointers, u);
       for (std::size_t i = 0; i < points.size(); ++i)
-        points[i].drift = -points[i].closing - moved[i];
+        points[i].drift = -points[i].closing - opened[i];
     }
 
     template <int dim>

@@ -49,11 +49,14 @@ namespace Signorini
   openings(const std::vector<const ContactPoint<dim> *> &points, const LA::Vector &u)
   {
     std::vector<types::global_dof_index> indices;
+    const ContactPoint<dim>             *before = nullptr;
     for (const ContactPoint<dim> *point : points)
       {
-        for (const auto *functions : {&point->slave, &point->master})
-          for (const NodeFunction<dim> &function : *functions)
-            indices.push_back(function.node);
+        if (before == nullptr || !same_nodes(*before, *point))
+          for (const auto *functions : {&point->slave, &point->master})
+            for (const NodeFunction<dim> &function : *functions)
+              indices.push_back(function.node);
+        before = point;
         for (const auto &entry : point->rigid)
           indices.push_back(entry.first);
       }
@@ -71,22 +74,6 @@ namespace Signorini
       result.push_back((value_at(point->slave, value) - value_at(point->master, value)) *
                          point->direction -
                        value(point->rigid));
-    return result;
-  }
-
-
-
-  std::vector<double>
-  row_values(const std::vector<const SparseRow *> &rows, const LA::Vector &u)
-  {
-    std::vector<types::global_dof_index> indices;
-    for (const SparseRow *row : rows)
-      for (const auto &entry : *row)
-        indices.push_back(entry.first);
-    const ValuesAt      value(u, std::move(indices));
-    std::vector<double> result;
-    for (const SparseRow *row : rows)
-      result.push_back(value(*row));
     return result;
   }
 

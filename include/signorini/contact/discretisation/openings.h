@@ -32,8 +32,4 @@ namespace Signorini
   template <int dim>
   std::vector<double>
   openings(const std::vector<const ContactPoint<dim> *> &points, const LA::Vector &u);
-
-  /// row . u of obstacles' rows. Collective.
-  std::vector<double>
-  row_values(const std::vector<const SparseRow *> &rows, const LA::Vector &u);
 } // namespace Signorini

@@ -8,6 +8,7 @@
 #include <signorini/contact/pair.h>
 #include <signorini/elasticity/elasticity.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -97,6 +98,22 @@ namespace Signorini
               add(function.node + d, sign * function.value * point.direction[d]);
     for (const auto &[column, value] : point.rigid)
       add(column, -value);
+  }
+
+  /// Are their functions those of the same nodes? Points one after the other are between the same
+  /// two faces, most of the time.
+  template <typename Point>
+  bool
+  same_nodes(const Point &a, const Point &b)
+  {
+    const auto same = [](const auto &of_a, const auto &of_b) {
+      return std::equal(of_a.begin(),
+                        of_a.end(),
+                        of_b.begin(),
+                        of_b.end(),
+                        [](const auto &x, const auto &y) { return x.node == y.node; });
+    };
+    return same(a.slave, b.slave) && same(a.master, b.master);
   }
 
   /// The nodes of a slave face, lexicographic in its parameter; hanging ones as they are.
