@@ -5,6 +5,8 @@
 #include <signorini/solve/zone_solver.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <tuple>
 
 namespace Signorini
@@ -13,10 +15,10 @@ namespace Signorini
 
   namespace
   {
-    /// What points of this rank touch, if they count. @param counts of the number of a point
-    template <typename Counts>
+    /// Marks columns. @param mark of a row, its number and the marks of columns on this rank
+    template <typename Mark>
     LA::Vector
-    touched_by(const ContactSystem &system, const Counts &counts)
+    marked_by(const ContactSystem &system, const Mark &mark)
     {
       LA::Vector marker;
       marker.reinit(system.zero().block(0));
@@ -24,19 +26,27 @@ namespace Signorini
         return marker;
       const LA::SparseMatrix  &B = system.gap_operator().B_free;
       const LA::ColumnExchange columns(B);
-      std::vector<double>      touched(columns.size(), 0.);
+      std::vector<double>      marks(columns.size(), 0.);
       int                      row = 0;
       for (const auto i : system.gap_operator().weight.locally_owned_elements())
-        {
-          const LA::RowView view(B, row++);
-          if (counts(i))
-            for (int k = 0; k < view.size; ++k)
-              if (view.values[k] != 0)
-                touched[view.columns[k]] = 1;
-        }
+        mark(LA::RowView(B, row++), i, marks);
       // Columns may belong to other ranks: tell them.
-      columns.enlarge(touched.data(), marker);
+      columns.enlarge(marks.data(), marker);
       return marker;
+    }
+
+    void
+    mark_entries(const LA::RowView &row, std::vector<double> &marks)
+    {
+      for (int k = 0; k < row.size; ++k)
+        if (row.values[k] != 0)
+          marks[row.columns[k]] = 1;
+    }
+
+    bool
+    presses(const ContactSystem &system, const types::global_dof_index i)
+    {
+      return system.spring()(i) != 0 || system.coupling()(i) != 0;
     }
   } // namespace
 
@@ -45,8 +55,37 @@ namespace Signorini
   LA::Vector
   contact_zone(const ContactSystem &system)
   {
-    return touched_by(system, [&](const types::global_dof_index i) {
-      return system.spring()(i) != 0 || system.coupling()(i) != 0;
+    return marked_by(system, [&](const LA::RowView &row, const auto i, auto &marks) {
+      if (presses(system, i))
+        mark_entries(row, marks);
+    });
+  }
+
+
+
+  LA::Vector
+  contact_core(const ContactSystem &system, const unsigned int n_components)
+  {
+    constexpr double                     little = 0.2; // of the node's largest entry
+    std::vector<types::global_dof_index> nodes;
+    if (!system.gap_operator().empty())
+      nodes = LA::global_columns(system.gap_operator().B_free);
+    for (auto &node : nodes)
+      node /= n_components;
+    std::map<types::global_dof_index, double> largest;
+    return marked_by(system, [&](const LA::RowView &row, const auto i, auto &marks) {
+      if (!presses(system, i))
+        return;
+      largest.clear();
+      for (int k = 0; k < row.size; ++k)
+        {
+          double &of_node = largest[nodes[row.columns[k]]];
+          of_node         = std::max(of_node, std::abs(row.values[k]));
+        }
+      for (int k = 0; k < row.size; ++k)
+        if (const double size = std::abs(row.values[k]);
+            size > 0 && size >= little * largest[nodes[row.columns[k]]])
+          marks[row.columns[k]] = 1;
     });
   }
 
@@ -55,7 +94,9 @@ namespace Signorini
   LA::Vector
   contact_reach(const ContactSystem &system)
   {
-    return touched_by(system, [](const types::global_dof_index) { return true; });
+    return marked_by(system, [](const LA::RowView &row, const auto, auto &marks) {
+      mark_entries(row, marks);
+    });
   }
 
 

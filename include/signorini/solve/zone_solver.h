@@ -15,6 +15,13 @@ namespace Signorini
   LA::Vector
   contact_zone(const ContactSystem &system);
 
+  /// At those along which a node moves where the gaps of these points open. A surface that has
+  /// moved has a normal with all components, but to let its nodes move along the largest one is
+  /// enough for any gap, and the others make the zone thrice as large.
+  /// @param n_components of a node
+  LA::Vector
+  contact_core(const ContactSystem &system, unsigned int n_components);
+
   /// At those that any contact points touch.
   LA::Vector
   contact_reach(const ContactSystem &system);

@@ -29,6 +29,7 @@ namespace Signorini
                                const bool              zone_turns)
     : system(system)
     , amg(hierarchy, &system.gap_operator())
+    , n_components(hierarchy.n_components())
     , direct_solver(direct_solver)
     , zone_turns(zone_turns)
   {
@@ -42,7 +43,12 @@ namespace Signorini
   ContactFilter::update()
   {
     amg.set_springs(springs(system));
-    zone = std::make_unique<ZoneSolver>(system, contact_zone(system), direct_solver, zone_turns);
+    // Forces that turn push nodes along all components.
+    zone = std::make_unique<ZoneSolver>(system,
+                                        zone_turns ? contact_zone(system) :
+                                                     contact_core(system, n_components),
+                                        direct_solver,
+                                        zone_turns);
     if (zone->size() > 0)
       zone->update();
   }

@@ -10,6 +10,7 @@ namespace Signorini
     : fine(stiffness)
     , coarse(std::move(spaces))
     , n_spaces(coarse.size())
+    , my_n_components(n_components)
     , coarsest(coarse.empty() ? &stiffness.matrix() : coarse.back().matrix.get())
   {
     for (LA::CoarseLevel &level : LA::smoothed_aggregation(*coarsest, modes, n_components))

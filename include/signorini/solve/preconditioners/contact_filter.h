@@ -70,6 +70,7 @@ namespace Signorini
 
     const ContactSystem        &system;
     AMG                         amg;
+    const unsigned int          n_components; ///< of a node
     const LA::DirectLibrary     direct_solver;
     const bool                  zone_turns;
     std::unique_ptr<ZoneSolver> zone; ///< what active contact touches

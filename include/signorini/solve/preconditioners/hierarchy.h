@@ -42,6 +42,13 @@ namespace Signorini
       return level == 0 ? fine.rounded() : *coarse[level - 1].stiffness;
     }
 
+    /// Unknowns of a node.
+    unsigned int
+    n_components() const
+    {
+      return my_n_components;
+    }
+
     const LA::SparseMatrix &
     coarsest_matrix() const
     {
@@ -75,7 +82,7 @@ namespace Signorini
   private:
     const Stiffness        &fine;
     std::vector<Level>      coarse;
-    const unsigned int      n_spaces;
+    const unsigned int      n_spaces, my_n_components;
     const LA::SparseMatrix *coarsest;
   };
 } // namespace Signorini
