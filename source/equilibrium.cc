@@ -313,9 +313,14 @@ namespace Signorini
       }
     else if (contact.is_outdated())
       in_place.find_contact(false);
-    if (!solve_in_place(t, first_goal(tolerance, start.has_value())))
+    NewtonGoal goal = first_goal(tolerance, start.has_value());
+    if (!my_follows && scene.contact.geometry == ContactGeometry::automatic)
+      goal.is_enough = [this, was_asked = false]() mutable {
+        return !std::exchange(was_asked, true) && leaves_place(false);
+      };
+    if (!solve_in_place(t, goal))
       return false;
-    return my_follows || leaves_place() ? follow_surfaces(t, tolerance, false) : true;
+    return leaves_place(true) ? follow_surfaces(t, tolerance, false) : true;
   }
 
 
@@ -327,7 +332,7 @@ namespace Signorini
     // What the surfaces will change anyway need not be known to the last digit.
     const double enough = is_predicted                                                     ? 1e-1 :
                           elasticity.is_finite()                                           ? 1e-2 :
-                          my_follows || scene.contact.geometry == ContactGeometry::updated ? 1e-5 :
+                          my_follows || scene.contact.geometry == ContactGeometry::updated ? 1e-3 :
                                                                                              0;
     return {std::max(tolerance, enough)};
   }
@@ -338,11 +343,10 @@ namespace Signorini
   NewtonGoal
   Equilibrium<dim>::next_goal(const double tolerance, const double before) const
   {
-    if (!elasticity.is_finite())
-      return {tolerance};
     // Augmentations take several steps each.
     if (scene.contact.chosen().predictor() == Predictor::last_pressure)
-      return {std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4)};
+      return {elasticity.is_finite() ? std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4) :
+                                       tolerance};
     return {tolerance, 1};
   }
 
@@ -350,20 +354,28 @@ namespace Signorini
 
   template <int dim>
   bool
-  Equilibrium<dim>::leaves_place()
+  Equilibrium<dim>::leaves_place(const bool is_solution)
   {
     const ContactGeometry wanted = scene.contact.geometry;
+    if (my_follows)
+      return true;
     if (wanted == ContactGeometry::automatic)
       {
         TimerOutput::Scope scope(timer, "contact geometry");
         if (const std::string unknown = contact.unknown_elsewhere(); !unknown.empty())
-          out << "  contact geometry: that of surfaces at rest, since the Gap of '" << unknown
-              << "' says nothing of other places" << std::endl;
+          {
+            if (is_solution)
+              out << "  contact geometry: that of surfaces at rest, since the Gap of '" << unknown
+                  << "' says nothing of other places" << std::endl;
+          }
         else
           {
-            const double change =
-              contact.neglected(state.displacement, in_place.pressure()).pressure;
-            my_follows   = change > scene.contact.geometry_share;
+            LA::Vector u = state.displacement;
+            elasticity.distribute(u);
+            const double change = contact.neglected(u, in_place.pressure()).pressure;
+            my_follows          = change > scene.contact.geometry_share;
+            if (!my_follows && !is_solution)
+              return false;
             my_neglected = change;
             out << "  contact geometry: surfaces as they are now change the pressure by about "
                 << short_text(100 * change, 2) << " %"
@@ -390,12 +402,13 @@ namespace Signorini
     unsigned int           in_vain = 0;                                  // placements since then
     for (unsigned int n = 1; n <= most && in_vain < patience; ++n)
       {
+        bool keeps_points = false;
         if (n > 1 || !is_placed)
           {
             // With small strain, points of integration stay where they are before long. With large
             // deformation results must not know from where they were reached: only if there is
             // nothing else, since points may go to and fro over kinks and rims.
-            const bool keeps_points =
+            keeps_points =
               n > 1 && (is_finite ? in_vain > patience / 2 :
                                     n > most_rules || contact.has_settled(state.displacement));
             in_place.place(state.displacement);
@@ -406,13 +419,23 @@ namespace Signorini
           return false;
         const NewtonStep &first = my_report.steps[steps_before.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
-        // What is left after this solution is less than at the rate of the last two placements,
-        // since it falls by second order; forces of bodies feel up to ten times as much of it.
-        // Large deformation may move the rims of two bodies past each other, which no tangent sees.
-        const bool is_foreseen =
-          !is_finite && now <= 0.1 * before && now * now <= 0.1 * enough * before;
+        // What is left after this solution is less than at the rate of the last two placements:
+        // between the same points of integration it falls by second order, of which an order of
+        // 1.5 is counted on; forces of bodies feel up to ten times as much of it. Large deformation
+        // may move the rims of two bodies past each other, which no tangent sees.
+        const double rate      = before > 0 ? now / before : 1,
+                     left      = now * (keeps_points ? std::pow(rate, 1.5) : rate);
+        const bool is_foreseen = !is_finite && rate <= 0.1 && left <= 0.1 * enough;
         if (now <= enough || is_foreseen)
-          return !is_finite || solve_in_place(t, {tolerance}, true);
+          {
+            const NewtonStep &last = my_report.steps.back();
+            if (!is_finite &&
+                std::max({last.residual, last.residual_of_bodies, last.gap_residual}) <= tolerance)
+              return true;
+            if (!is_finite)
+              steps_before = my_report.steps;
+            return solve_in_place(t, {tolerance}, true);
+          }
         before  = now;
         in_vain = now < least ? 0 : in_vain + 1;
         least   = std::min(least, now);

@@ -156,8 +156,9 @@ namespace Signorini
     NewtonGoal
     next_goal(double tolerance, double before) const;
     /// Do the surfaces move so far that contact has to be looked for where they are now?
+    /// @param is_solution else displacements are near one, which is silent unless they do
     bool
-    leaves_place();
+    leaves_place(bool is_solution);
     /// Place the surfaces where they are, and solve, until they stay: Newton's method for the
     /// dependence of gaps and normals on the displacement, of second order near the end.
     /// @param is_placed they are where they are

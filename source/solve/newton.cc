@@ -139,10 +139,14 @@ namespace Signorini
             return;
           }
       }
+    const bool stays     = step.changes == 0 && !step.follows && !step.withholds && !law.is_soft();
+    const auto is_enough = [&] {
+      return goal.is_enough && n > 0 && !report.converged && !law.augments() &&
+             std::max(step.residual, step.gap_residual) <= 1e-3 && goal.is_enough();
+    };
     if (!std::isfinite(step.residual + step.gap_residual))
       report.reason = "the residual is not a number: loads, supports or the mesh are invalid";
-    else if (n >= goal.enough_steps && step.changes == 0 && !step.follows && !step.withholds &&
-             !law.is_soft())
+    else if (stays && (n >= goal.enough_steps || is_enough()))
       report.converged = true;
     else if (!report.converged && n == settings.maximum_steps)
       report.reason = "Newton's method did not converge in " + std::to_string(n) +

@@ -6,6 +6,8 @@
 #include <signorini/solve/newton_settings.h>
 #include <signorini/solve/set_strategy.h>
 
+#include <functional>
+
 namespace Signorini
 {
   /// How far Newton's method goes.
@@ -16,6 +18,10 @@ namespace Signorini
     /// where surfaces will be placed anew in any case. Then linear solves find no more digits than
     /// a step of Newton's method.
     unsigned int enough_steps = dealii::numbers::invalid_unsigned_int;
+
+    /// Asked where the active set stays, once not even a thousandth is out of balance: is that
+    /// enough?
+    std::function<bool()> is_enough;
 
     bool
     is_rough() const
