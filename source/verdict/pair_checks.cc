@@ -437,6 +437,25 @@ namespace Signorini
         "refine there (Mesh/Contact refinements, Zones) to 5 faces or more, nodes with degree 2";
       return finding;
     }
+
+    /// Zones of several faces have their edges in few of them. Where most faces are in contact in
+    /// part only, zones are narrower than faces, or the pressure oscillates from face to face.
+    Finding
+    is_patchy(const std::string &name, const Zone &zone)
+    {
+      constexpr unsigned int few = 4; // then the number of faces tells
+      Finding                finding;
+      finding.check = "contact / faces in contact";
+      finding.where = "pair " + name;
+      finding.over  = Finding::Over::last;
+      finding.value = zone.n_touched > few ? zone.active / zone.touched_faces : 1.;
+      finding.limit = 0.5;
+      finding.outcome = finding.value < finding.limit ? Outcome::warned : Outcome::passed;
+      finding.what =
+        "contact is in patches within faces: areas and largest pressures may be off by a multiple";
+      finding.cure = "refine there, take Degree = 2, exchange Slave and Master, or take another method";
+      return finding;
+    }
   } // namespace
 
 
@@ -477,6 +496,7 @@ namespace Signorini
         if (now.contact.at_rest())
           findings.push_back(stays(now, pair, obstacle, displacements));
         findings.push_back(resolved<dim>(pair.name, scene.degree_of(pair.slave), zone));
+        findings.push_back(is_patchy(pair.name, zone));
         findings.push_back(finding_of("overlap / face",
                                       pair.name,
                                       std::max(0., -zone.smallest_rest_gap) / surface.face_size,

