@@ -35,8 +35,9 @@ namespace Signorini
   CellMapping<dim>::Hanging::Hanging(const Triangulation<dim> &triangulation)
     : vertices(triangulation.n_vertices(), false)
     , lines(triangulation.n_raw_lines(), false)
-    , quads(triangulation.n_raw_quads(), false)
   {
+    if constexpr (dim == 3)
+      quads.resize(triangulation.n_raw_quads(), false);
     for (const auto &cell : triangulation.active_cell_iterators())
       {
         if (cell->is_artificial())
