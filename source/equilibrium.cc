@@ -419,15 +419,16 @@ namespace Signorini
           return false;
         const NewtonStep &first = my_report.steps[steps_before.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
-        // What is left after this solution is less than at the rate of the last two placements:
-        // between the same points of integration it falls by second order, of which an order of
-        // 1.5 is counted on; forces of bodies feel up to ten times as much of it. Forces of pairs
-        // are told with the normals of this placement, and so to what was out of balance at it.
+        // What is left after this solution is less than at the rate of the last two placements,
+        // since it falls by second order, of which between the same points of integration an order
+        // of 1.5 is counted on; forces of bodies feel up to ten times as much of it. Then forces of
+        // pairs are told with the normals of this placement, to what was out of balance at it.
         // Large deformation may move the rims of two bodies past each other, which no tangent sees.
-        const double rate      = before > 0 ? now / before : 1,
-                     left      = now * (keeps_points ? std::pow(rate, 1.5) : rate);
-        const bool is_foreseen =
-          !is_finite && rate <= 0.1 && left <= 0.1 * enough && now <= 100 * enough;
+        const double rate = before > 0 ? now / before : 1;
+        const bool   is_foreseen =
+          !is_finite && rate <= 0.1 &&
+          (now * rate <= 0.1 * enough ||
+           (keeps_points && now <= 100 * enough && now * std::pow(rate, 1.5) <= 0.1 * enough));
         if (now <= enough || is_foreseen)
           {
             const NewtonStep &last = my_report.steps.back();

@@ -445,15 +445,16 @@ namespace Signorini
     {
       constexpr unsigned int few = 4; // then the number of faces tells
       Finding                finding;
-      finding.check = "contact / faces in contact";
-      finding.where = "pair " + name;
-      finding.over  = Finding::Over::last;
-      finding.value = zone.n_touched > few ? zone.active / zone.touched_faces : 1.;
-      finding.limit = 0.5;
+      finding.check   = "contact / faces in contact";
+      finding.where   = "pair " + name;
+      finding.over    = Finding::Over::last;
+      finding.value   = zone.n_touched > few ? zone.active / zone.touched_faces : 1.;
+      finding.limit   = 0.5;
       finding.outcome = finding.value < finding.limit ? Outcome::warned : Outcome::passed;
       finding.what =
         "contact is in patches within faces: areas and largest pressures may be off by a multiple";
-      finding.cure = "refine there, take Degree = 2, exchange Slave and Master, or take another method";
+      finding.cure =
+        "refine there, take Degree = 2, exchange Slave and Master, or take another method";
       return finding;
     }
   } // namespace
