@@ -15,6 +15,14 @@ namespace Signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// As a share of the scene: as exact as places of nodes are in files.
+    constexpr double touching = 1e-6;
+  } // namespace
+
+
+
   template <int dim>
   ContactSetup<dim>::ContactSetup(Scene<dim>            &scene,
                                   const Elasticity<dim> &elasticity,
@@ -25,8 +33,7 @@ namespace Signorini
     , timer(timer)
     , out(out)
   {
-    constexpr double touching = 1e-6; // of the scene: as exact as places of nodes are in files
-    const double     closing =
+    const double closing =
       std::max(largest_closing(scene, elasticity.mesh()), touching * elasticity.mesh().size());
     reach.assign(scene.pairs.size(),
                  elasticity.has_free_motions() ? std::max(closing, elasticity.mesh().size() / 10) :
@@ -143,7 +150,9 @@ namespace Signorini
             continue;
           }
         if (built_near && !my_surfaces.empty())
-          nearby[i] = std::max(nearby[i], my_surfaces[i].face_size / 2);
+          nearby[i] = std::max({nearby[i],
+                                my_surfaces[i].face_size / 2, // 0 where nothing is in reach
+                                touching * elasticity.mesh().size()});
         const ContactPair<dim> &pair     = scene.pairs[i];
         const bool              is_other = gap_varies(pair) && elasticity.time() != built_for;
         double                  limit    = search_limit(elasticity, pair, reach[i]);
