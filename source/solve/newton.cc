@@ -213,8 +213,8 @@ namespace Signorini
       }
     if (contact.tied)
       bodies.constraints().distribute(u);
-    if (n > 0 && step.krylov_iterations == 0 && step.residual == report.steps.back().residual &&
-        !step.withholds && report.reason.empty())
+    if (n > 0 && step.changes == 0 && step.krylov_iterations == 0 &&
+        step.residual == report.steps.back().residual && !step.withholds && report.reason.empty())
       report.reason = "Newton's method stagnates above its tolerance: the linear solver cannot "
                       "reduce the residual further; loosen Newton/Tolerance";
   }
