@@ -292,13 +292,13 @@ namespace Signorini
 
   template <int dim>
   void
-  ContactSetup<dim>::turn_forces(const LA::Vector &pressure)
+  ContactSetup<dim>::turn_forces(const PointVectors &traction)
   {
     if (contact->at_rest())
       return;
     TimerOutput::Scope scope(timer, "contact");
     contact->moved.place = built_at;
-    contact->moved.G     = geometric_stiffness(elasticity, my_surfaces, *rows, pressure);
+    contact->moved.G     = geometric_stiffness(elasticity, my_surfaces, *rows, traction);
   }
 
 

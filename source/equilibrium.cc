@@ -70,11 +70,11 @@ namespace Signorini
 
   template <int dim>
   Snapshot<dim>
-  Equilibrium<dim>::snapshot(const State       &at,
-                             const LA::Vector  &gap,
-                             const LA::Vector  &pressure,
-                             const LA::Vector  &active,
-                             const unsigned int step) const
+  Equilibrium<dim>::snapshot(const State        &at,
+                             const LA::Vector   &gap,
+                             const ContactState &contact_state,
+                             const LA::Vector   &active,
+                             const unsigned int  step) const
   {
     return {elasticity,
             scene.pairs,
@@ -82,8 +82,9 @@ namespace Signorini
             contact.gap_operator(),
             at.displacement,
             gap,
-            pressure,
+            contact_state.pressure(),
             active,
+            contact_state,
             at.time,
             step};
   }
@@ -94,7 +95,7 @@ namespace Signorini
   Snapshot<dim>
   Equilibrium<dim>::snapshot(const unsigned int step) const
   {
-    return snapshot(state, gap, in_place.pressure(), in_place.active(), step);
+    return snapshot(state, gap, in_place.contact_state(), active, step);
   }
 
 
@@ -103,11 +104,11 @@ namespace Signorini
   std::optional<Snapshot<dim>>
   Equilibrium<dim>::failure(const unsigned int step) const
   {
-    if (!my_failure ||
-        !std::isfinite(my_failure->state.displacement.l2_norm() + my_failure->pressure.l2_norm()))
+    if (!my_failure || !std::isfinite(my_failure->state.displacement.l2_norm() +
+                                      my_failure->contact.pressure().l2_norm()))
       return {};
     return snapshot(
-      my_failure->state, my_failure->gap, my_failure->pressure, my_failure->active, step);
+      my_failure->state, my_failure->gap, my_failure->contact, my_failure->active, step);
   }
 
 
@@ -183,6 +184,11 @@ namespace Signorini
                                const double                     tolerance)
   {
     const State before = state;
+    if (t > state.time && scene.contact.chosen().is_path_dependent())
+      {
+        state.start = {state.displacement, state.contact};
+        in_place.start_step();
+      }
     try
       {
         if (solve_from_start(start, t, tolerance))
@@ -190,14 +196,15 @@ namespace Signorini
             state.time = t;
             if (elasticity.is_finite())
               {
-                contact.check_passed(state.displacement, in_place.pressure());
+                contact.check_passed(state.displacement, in_place.contact_state().pressure());
                 my_report.curves_down = in_place.curves_down(state.displacement);
                 my_report.jump        = jump_since(before);
                 earlier.reset();
                 if (t > before.time && my_report.jump == 0)
                   earlier = Earlier{before.displacement, before.time};
               }
-            gap = contact.gap_operator().gap(state.displacement);
+            gap    = contact.gap_operator().gap(state.displacement);
+            active = closed_points(in_place.contact_state().status);
             return true;
           }
       }
@@ -205,7 +212,7 @@ namespace Signorini
       {
         my_report        = NewtonReport();
         my_report.reason = failure.what();
-        my_report.reason += contact.pressed_twice(in_place.active());
+        my_report.reason += contact.pressed_twice(closed_points(in_place.contact_state().status));
       }
     my_report.curves_down =
       elasticity.is_finite() && (in_place.has_curved_down() || curves_down_since(before));
@@ -274,12 +281,13 @@ namespace Signorini
   {
     my_failure                   = Failure{state,
                          contact.gap_operator().gap(state.displacement),
-                         in_place.pressure(),
-                         in_place.active()};
+                         in_place.contact_state(),
+                         closed_points(in_place.contact_state().status)};
     my_failure->state.time       = t;
     const LA::Vector &chattering = my_report.chattering;
     for (const auto i : chattering.locally_owned_elements())
-      my_failure->active(i) = chattering(i) > 0 ? 2 : in_place.active()(i);
+      if (chattering(i) > 0)
+        my_failure->active(i) = 2;
     my_failure->active.compress(VectorOperation::insert);
   }
 
@@ -372,8 +380,9 @@ namespace Signorini
           {
             LA::Vector u = state.displacement;
             elasticity.distribute(u);
-            const double change = contact.neglected(u, in_place.pressure()).pressure;
-            my_follows          = change > scene.contact.geometry_share;
+            const double change =
+              contact.neglected(u, in_place.contact_state().pressure()).pressure;
+            my_follows = change > scene.contact.geometry_share;
             if (!my_follows && !is_solution)
               return false;
             my_neglected = change;

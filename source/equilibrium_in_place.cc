@@ -1,3 +1,4 @@
+#include <signorini/contact/law/contact_law.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/equilibrium_in_place.h>
@@ -35,12 +36,14 @@ namespace Signorini
   {
     forget_solver();
     clock.start();
-    contact.build(placed.size() > 0 ? Configuration<dim>(elasticity, placed) :
-                                      Configuration<dim>(elasticity),
-                  is_near,
-                  keeps_points);
-    rows_of_places(state.contact, contact.gap_operator(), my_pressure, my_active);
-    my_active = contact.gap_operator().zero(); // the law finds it better: there may be more points
+    Configuration<dim> configuration =
+      placed.size() > 0 ? Configuration<dim>(elasticity, placed) : Configuration<dim>(elasticity);
+    if (placed.size() > 0 && scene.contact.chosen().needs_slip())
+      configuration.set_start(state.start.displacement.size() > 0 ? state.start.displacement :
+                                                                    placed);
+    contact.build(configuration, is_near, keeps_points);
+    recall_active_set();
+    my_contact.status = contact.gap_operator().zero(); // the law finds it better: there may be more
     clock.stop();
   }
 
@@ -50,7 +53,23 @@ namespace Signorini
   void
   EquilibriumInPlace<dim>::recall_active_set()
   {
-    rows_of_places(state.contact, contact.gap_operator(), my_pressure, my_active);
+    my_contact = rows_of_places(state.contact, contact.gap_operator(), {});
+    start_step();
+  }
+
+
+
+  template <int dim>
+  void
+  EquilibriumInPlace<dim>::start_step()
+  {
+    GapOperator   &points = contact.gap_operator();
+    InternalFields fields = scene.contact.chosen().make_law(points)->initial_fields();
+    if (!fields.empty())
+      fields = rows_of_places(state.start.contact, points, fields).internal;
+    my_contact.internal = std::move(fields);
+    if (state.start.displacement.size() > 0)
+      points.set_start(state.start.displacement);
   }
 
 
@@ -91,9 +110,11 @@ namespace Signorini
     }
     elasticity.distribute(state.displacement);
     contact.set_time(t);
-    my_report = solver->solve(state.displacement, my_pressure, my_active, watch());
+    my_report = solver->solve(state.displacement, my_contact, watch());
     elasticity.distribute(state.displacement);
-    state.contact     = places_of_rows(contact.gap_operator(), my_pressure, my_active, dim);
+    ContactState now  = my_contact;
+    now.internal      = solver->internal(state.displacement, my_contact);
+    state.contact     = places_of_rows(contact.gap_operator(), now, dim);
     state.bulk_stress = elasticity.bulk_stress().coefficients();
     clock.stop();
   }
@@ -110,7 +131,7 @@ namespace Signorini
     clock.start();
     if (!hierarchies)
       hierarchies.emplace(scene.solver, bodies->stiffness(), elasticity);
-    contact.turn_forces(my_pressure);
+    contact.turn_forces(my_contact.traction);
     solver = std::make_unique<ContactSolver>(scene.newton,
                                              scene.solver,
                                              scene.contact.chosen(),
@@ -183,8 +204,7 @@ namespace Signorini
     TimerOutput::Scope scope(timer, "dual");
     clock.start();
     const DualSolution result = solver->dual(state.displacement,
-                                             my_pressure,
-                                             my_active,
+                                             my_contact,
                                              functional.of_displacement,
                                              functional.of_pressure,
                                              reduction);

@@ -241,15 +241,16 @@ namespace Signorini
     check_probes(*elasticity, scene.pairs, scene.output.probes, is_final ? probe_tolerance : 0.5);
     if (scene.expected.empty())
       return;
-    const LA::Vector nothing = contact->gap_operator().zero(),
-                     gap     = contact->gap_operator().gap(state.displacement);
+    const ContactState  nothing = open_contact(contact->gap_operator());
+    const LA::Vector    gap     = contact->gap_operator().gap(state.displacement);
     const Snapshot<dim> start{*elasticity,
                               scene.pairs,
                               contact->surfaces(),
                               contact->gap_operator(),
                               state.displacement,
                               gap,
-                              nothing,
+                              nothing.pressure(),
+                              nothing.status,
                               nothing,
                               scene.load_steps.ends().front(),
                               0};

@@ -86,7 +86,10 @@ namespace Signorini
     equilibrium->release();
     if (next_quadratic.empty())
       {
-        refine(*mesh, *elasticity, {&state.displacement});
+        std::vector<LA::Vector *> displacements = {&state.displacement};
+        if (state.start.displacement.size() > 0)
+          displacements.push_back(&state.start.displacement);
+        refine(*mesh, *elasticity, displacements);
         equilibrium->forget_mesh();
       }
     else
@@ -159,6 +162,8 @@ namespace Signorini
     State carried        = state;
     carried.bulk_stress  = LA::Vector();
     carried.displacement = enriched(*elasticity, state.displacement, *richer);
+    if (state.start.displacement.size() > 0)
+      carried.start.displacement = enriched(*elasticity, state.start.displacement, *richer);
     replace_elasticity(std::move(richer), carried, equilibrium->follows(), contact->memory());
   }
 

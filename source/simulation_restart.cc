@@ -5,7 +5,6 @@
 #include <signorini/simulation.h>
 
 #include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace Signorini
@@ -14,19 +13,44 @@ namespace Signorini
 
   namespace
   {
-    /// What each rank writes for itself.
+    using Places = std::vector<std::pair<FaceId, std::vector<PlaceValue>>>;
+
+    /// What each rank writes for itself: the state, and the start of its load step, if contact
+    /// depends on that.
     struct Part
     {
-      std::vector<CellValues>                                 displacement;
-      std::vector<std::pair<FaceId, std::vector<PlaceValue>>> contact;
+      std::vector<CellValues> displacement, start_displacement;
+      Places                  contact, start_contact;
 
       template <class Archive>
       void
       serialize(Archive &ar, const unsigned int)
       {
-        ar &displacement &contact;
+        ar &displacement &contact &start_displacement &start_contact;
       }
     };
+
+    template <typename T>
+    void
+    append(const std::vector<T> &from, std::vector<T> &to)
+    {
+      to.insert(to.end(), from.begin(), from.end());
+    }
+
+    Places
+    places_of(const SurfaceField &field)
+    {
+      return {field.values().begin(), field.values().end()};
+    }
+
+    SurfaceField
+    field_of(const Places &places, const unsigned int dim)
+    {
+      SurfaceField result(dim);
+      for (const auto &[face, values] : places)
+        result.set(face, values);
+      return result;
+    }
 
     /// All that some ranks have written.
     Part
@@ -36,11 +60,11 @@ namespace Signorini
       for (const std::string &text : texts)
         {
           const std::vector<char> bytes(text.begin(), text.end());
-          Part                    part = Utilities::unpack<Part>(bytes, false);
-          std::move(part.displacement.begin(),
-                    part.displacement.end(),
-                    std::back_inserter(result.displacement));
-          std::move(part.contact.begin(), part.contact.end(), std::back_inserter(result.contact));
+          const Part              part = Utilities::unpack<Part>(bytes, false);
+          append(part.displacement, result.displacement);
+          append(part.contact, result.contact);
+          append(part.start_displacement, result.start_displacement);
+          append(part.start_contact, result.start_contact);
         }
       return result;
     }
@@ -137,14 +161,19 @@ namespace Signorini
     const Json &head = former->head;
     const Part  part = joined(former->parts);
     contact->remember(head.at("pairs"));
-    const std::vector<double> rigid = head.at("rigid_motion");
-    State                     there;
-    there.displacement = vector_of_cells(*elasticity, part.displacement);
-    elasticity->set_rigid_motion(rigid, there.displacement);
-    there.contact = SurfaceField(dim);
-    for (const auto &[face, values] : part.contact)
-      there.contact.set(face, values);
-    there.time = head.at("state_time");
+    const auto displacement = [&](const std::vector<CellValues> &cells, const char *rigid_motion) {
+      const std::vector<double> rigid  = head.at(rigid_motion);
+      LA::Vector                result = vector_of_cells(*elasticity, cells);
+      elasticity->set_rigid_motion(rigid, result);
+      return result;
+    };
+    State there;
+    there.displacement = displacement(part.displacement, "rigid_motion");
+    there.contact      = field_of(part.contact, dim);
+    there.time         = head.at("state_time");
+    if (head.contains("rigid_motion_at_start"))
+      there.start = {displacement(part.start_displacement, "rigid_motion_at_start"),
+                     field_of(part.start_contact, dim)};
     equilibrium->set_state(there, head.at("follows"));
     former_cycles  = head.at("multigrid_cycles");
     former_seconds = head.at("mesh_seconds");
@@ -188,7 +217,9 @@ namespace Signorini
                  {"multigrid_cycles", multigrid_cycles()},
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
                  {"pairs", contact->memory()}};
-    reached   = Reached{state, head};
+    if (state.start.displacement.size() > 0)
+      head["rigid_motion_at_start"] = elasticity->rigid_motion(state.start.displacement);
+    reached = Reached{state, head};
     if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_over())
       return; // nothing to lose
 
@@ -216,9 +247,15 @@ namespace Signorini
     head["mesh_seconds"]    = mesh_seconds();
     head["mesh"]            = mark_of_mesh(*mesh);
     head["results"]         = recorder->memory();
-    Part part{values_of_cells(*elasticity, reached->state.displacement), {}};
-    part.contact.assign(reached->state.contact.values().begin(),
-                        reached->state.contact.values().end());
+    const State &now        = reached->state;
+    Part         part;
+    part.displacement = values_of_cells(*elasticity, now.displacement);
+    part.contact      = places_of(now.contact);
+    if (now.start.displacement.size() > 0)
+      {
+        part.start_displacement = values_of_cells(*elasticity, now.start.displacement);
+        part.start_contact      = places_of(now.start.contact);
+      }
     const std::vector<char> bytes = Utilities::pack(part, false);
     if (checkpoints->write(head, {bytes.begin(), bytes.end()}))
       out << "  checkpoint after load step " << head["step"] << ": "

@@ -83,10 +83,10 @@ namespace Signorini
     void
     check_passed(const LA::Vector &u, const LA::Vector &pressure) const;
 
-    /// Where surfaces have moved: let forces of such pressures turn with them, by
+    /// Where surfaces have moved: let forces of such tractions turn with them, by
     /// geometric_stiffness(). Collective.
     void
-    turn_forces(const LA::Vector &pressure);
+    turn_forces(const PointVectors &traction);
 
     /// An obstacle of which nobody knows where it is beside surfaces that have moved, see
     /// ObstacleShape::has_closest_point(); empty if there is none. Collective.

@@ -165,11 +165,11 @@ namespace Signorini
     bool
     follow_surfaces(double t, double tolerance, bool is_placed);
     Snapshot<dim>
-    snapshot(const State      &state,
-             const LA::Vector &gap,
-             const LA::Vector &pressure,
-             const LA::Vector &active,
-             unsigned int      step) const;
+    snapshot(const State        &state,
+             const LA::Vector   &gap,
+             const ContactState &contact_state,
+             const LA::Vector   &active,
+             unsigned int        step) const;
 
     const Scene<dim>           &scene;
     Elasticity<dim>            &elasticity;
@@ -179,7 +179,7 @@ namespace Signorini
     dealii::ConditionalOStream &out;
 
     EquilibriumInPlace<dim> in_place;
-    LA::Vector              gap; ///< at the rows of the gap operator
+    LA::Vector              gap, active; ///< at the contact points; 1 or 0: closed or open
     bool                    my_follows = false;
     std::optional<double>   my_neglected;
     NewtonReport            my_report;
@@ -198,8 +198,10 @@ namespace Signorini
 
     struct Failure
     {
-      State      state;
-      LA::Vector gap, pressure, active;
+      State        state;
+      LA::Vector   gap;
+      ContactState contact;
+      LA::Vector   active;
     };
     std::optional<Failure> my_failure;
   };

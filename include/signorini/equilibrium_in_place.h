@@ -51,6 +51,11 @@ namespace Signorini
     void
     recall_active_set();
 
+    /// A load step starts: slip and internal variables of contact count from the start that the
+    /// state has.
+    void
+    start_step();
+
     /// Bodies go on from there, where the next solution begins. @param u satisfies the supports of
     /// that solution
     void
@@ -82,25 +87,17 @@ namespace Signorini
       return my_report;
     }
 
-    /// At the rows of the gap operator.
-    const LA::Vector &
-    pressure() const
+    const ContactState &
+    contact_state() const
     {
-      return my_pressure;
-    }
-
-    /// Likewise, 1 or 0.
-    const LA::Vector &
-    active() const
-    {
-      return my_active;
+      return my_contact;
     }
 
     /// See Newton::curves_down(); false if there is no contact yet. Collective.
     bool
     curves_down(const LA::Vector &u)
     {
-      return solver && solver->curves_down(u);
+      return solver && solver->curves_down(u, my_contact);
     }
 
     /// So was one on the way, since go_on_from().
@@ -148,9 +145,9 @@ namespace Signorini
     dealii::TimerOutput               &timer;
     const std::function<StepVisitor()> watch;
 
-    LA::Vector placed; ///< displacement of surfaces; empty: at rest
-    LA::Vector left;   ///< the last solution, until the next has begun
-    LA::Vector my_pressure, my_active;
+    LA::Vector   placed; ///< displacement of surfaces; empty: at rest
+    LA::Vector   left;   ///< the last solution, until the next has begun
+    ContactState my_contact;
 
     // On this mesh:
     std::unique_ptr<Bodies>        bodies; ///< once they are assembled

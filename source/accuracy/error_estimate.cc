@@ -97,7 +97,7 @@ namespace Signorini
         one.absolute       = Utilities::MPI::sum(absolute, comm);
         one.parts.geometry = Utilities::MPI::sum(geometry, comm);
         if (!is_consistent)
-          one.parts.enforcement = of_open_gaps(snapshot, duals[i].zeta);
+          one.parts.enforcement = of_open_gaps(snapshot, duals[i].zeta[0]);
         one.parts.nonlinear = of_tension(snapshot, displacements[i]);
         one.parts.algebraic = duals[i].remainder;
         one.parts.model     = neglected * std::abs(one.value);

@@ -360,8 +360,9 @@ namespace Signorini
     results["dofs"]         = elasticity.dof_handler().n_dofs();
     for (unsigned int body = 0; body < scene.bodies.size(); ++body)
       results["degrees"][scene.bodies[body].name] = scene.degrees()[body];
-    results["multiplier_dofs"] = scene.contact.chosen().has_multipliers() ? gaps.weight.size() : 0;
-    results["left_out"]        = contact.left_out();
+    results["multiplier_dofs"] =
+      scene.contact.chosen().has_multipliers() ? gaps.n_components() * gaps.weight.size() : 0;
+    results["left_out"] = contact.left_out();
     unsigned int faces = 0, candidates = 0;
     for (const ContactSurface<dim> &surface : contact.surfaces())
       {

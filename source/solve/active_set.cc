@@ -11,11 +11,14 @@ namespace Signorini
 
   namespace
   {
-    /// Of entries 1, -1 and 0.
+    /// Points that are not open. Collective.
     unsigned int
-    count(const LA::Vector &set)
+    count(const LA::Vector &status)
     {
-      return static_cast<unsigned int>(set.l1_norm() + 0.5);
+      unsigned int n = 0;
+      for (const double value : status)
+        n += is_closed(value);
+      return Utilities::MPI::sum(n, status.get_mpi_communicator());
     }
   } // namespace
 
@@ -41,12 +44,12 @@ namespace Signorini
 
 
   bool
-  ActiveSet::set(const LA::Vector &values)
+  ActiveSet::set(const LA::Vector &status)
   {
     unsigned int n_changes = 0;
     for (const auto i : now.locally_owned_elements())
       {
-        const double value = contact.coefficients.permanent(i) > 0 || values(i) > 0 ? 1. : 0.;
+        const double value = std::max(contact.coefficients.permanent(i), status(i));
         n_changes += value != now(i);
         now(i) = value;
       }
@@ -57,10 +60,10 @@ namespace Signorini
 
 
   void
-  ActiveSet::update(const LA::Vector &pushes)
+  ActiveSet::update(const LA::Vector &status)
   {
     last = now;
-    now  = pushes;
+    now  = status;
   }
 
 
@@ -94,11 +97,11 @@ namespace Signorini
 
 
   bool
-  ActiveSet::take_if_empty(const LA::Vector &pushes)
+  ActiveSet::take_if_empty(const LA::Vector &status)
   {
     if (size_of_separating() > 0)
       return false;
-    now = pushes;
+    now = status;
     return size_of_separating() > 0;
   }
 
@@ -107,12 +110,15 @@ namespace Signorini
   unsigned int
   ActiveSet::count_changes()
   {
-    LA::Vector difference = now;
-    difference -= last;
-    for (const auto i : difference.locally_owned_elements())
-      changes(i) += std::abs(difference(i));
+    unsigned int n = 0;
+    for (const auto i : now.locally_owned_elements())
+      if (now(i) != last(i))
+        {
+          changes(i) += 1;
+          ++n;
+        }
     changes.compress(VectorOperation::add);
-    return count(difference);
+    return Utilities::MPI::sum(n, now.get_mpi_communicator());
   }
 
 
@@ -139,16 +145,16 @@ namespace Signorini
     Utilities::MPI::min(deepest, comm, deepest);
 
     const auto stays = [&](const auto i, const unsigned int pair) {
-      return last(i) > 0 || contact.coefficients.permanent(i) > 0 || deepest[pair] >= -rounding ||
-             gap(i) <= share[pair] * deepest[pair];
+      return is_closed(last(i)) || contact.coefficients.permanent(i) > 0 ||
+             deepest[pair] >= -rounding || gap(i) <= share[pair] * deepest[pair];
     };
     constexpr unsigned int most_trials = 10;
     for (unsigned int trial = 0; step_by_step && trial < most_trials; ++trial)
       {
         std::vector<unsigned int> counts(2 * n, 0); // before and now
         visit([&](const auto i, const unsigned int pair) {
-          counts[pair] += last(i) > 0;
-          counts[n + pair] += now(i) > 0 && stays(i, pair);
+          counts[pair] += is_closed(last(i));
+          counts[n + pair] += is_closed(now(i)) && stays(i, pair);
         });
         Utilities::MPI::sum(counts, comm, counts);
         bool is_too_large = false;
@@ -180,13 +186,13 @@ namespace Signorini
     for (const auto i : now.locally_owned_elements())
       {
         either(i) = std::max(now(i), last(i));
-        force(i)  = last(i) * contact.weight(i) * trial(i);
+        force(i)  = is_closed(last(i)) ? contact.weight(i) * trial(i) : 0.;
       }
     either.compress(VectorOperation::insert);
     force.compress(VectorOperation::insert);
     const LA::Vector sums    = contact.origin.regions.sums(either, force);
     const auto       is_left = [&](const auto i) {
-      return now(i) > 0 && (sums(i) >= 0 || contact.coefficients.permanent(i) > 0);
+      return is_closed(now(i)) && (sums(i) >= 0 || contact.coefficients.permanent(i) > 0);
     };
     std::vector<unsigned int> left(contact.n_pairs(), 0);
     auto                      pair = contact.origin.pair.begin();
@@ -249,8 +255,8 @@ namespace Signorini
   {
     const double rounding = coordinate_rounding();
     for (const auto i : gap.locally_owned_elements())
-      if (gap(i) <= rounding)
-        now(i) = 1;
+      if (gap(i) <= rounding && !is_closed(now(i)))
+        now(i) = static_cast<double>(ContactStatus::slip);
     now.compress(VectorOperation::insert);
     return count(now);
   }
@@ -278,13 +284,15 @@ namespace Signorini
   bool
   ActiveSet::seen_before()
   {
-    // A sum of well-mixed numbers, one an active point: independent of order and ranks.
-    uint64_t hash = 0;
+    // A sum of well-mixed numbers, one a closed point: independent of order and ranks.
+    uint64_t   hash  = 0;
+    const auto n_all = now.size();
     for (const auto i : now.locally_owned_elements())
-      if (now(i) > 0)
+      if (is_closed(now(i)))
         {
-          uint64_t z = (i + 1) * 0x9e3779b97f4a7c15ULL;
-          z          = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+          const auto kind = static_cast<uint64_t>(now(i)) - 1;
+          uint64_t   z    = (i + 1 + kind * n_all) * 0x9e3779b97f4a7c15ULL;
+          z               = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
           hash += z ^ (z >> 27);
         }
     hash                  = Utilities::MPI::sum(hash, now.get_mpi_communicator());

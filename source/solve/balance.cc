@@ -31,17 +31,14 @@ namespace Signorini
 
 
   LA::Vector
-  Balance::residual(const LA::Vector &u,
-                    const LA::Vector &p,
-                    const LA::Vector &stress,
-                    const LA::Vector &active)
+  Balance::residual(const LA::Vector &u, const LawInputs &in, const LA::Vector &status)
   {
     LA::Vector r       = bodies.residual(u);
     double     largest = bodies.load_size();
     at_work.assign(n_bodies, largest);
     if (!contact.empty())
       {
-        const LA::Vector force = contact.force(p, stress);
+        const LA::Vector force = contact.force(in.traction, in.stress[0]);
         r += force;
         contact.add_moved_force(r, u);
         largest = std::max(largest, force.l2_norm());
@@ -59,7 +56,8 @@ namespace Signorini
     // rounding is all that they leave behind.
     largest_force = std::max(largest_force, largest);
     // What that leaves is an answer only if it is little.
-    force_rounding = std::max(1e-15 * largest_force, std::min(rounding(u, active), 1e-4 * largest));
+    force_rounding =
+      std::max(1e-15 * largest_force, std::min(rounding(u, in, status), 1e-4 * largest));
     return r;
   }
 
@@ -133,7 +131,7 @@ namespace Signorini
 
 
   double
-  Balance::rounding(const LA::Vector &u, const LA::Vector &active) const
+  Balance::rounding(const LA::Vector &u, const LawInputs &in, const LA::Vector &status) const
   {
     // The terms of K u cancel where bodies move far and are strained little, as in bending.
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -146,18 +144,12 @@ namespace Signorini
     terms.scale(u);
     bodies.constraints().set_zero(terms);
     const double of_bodies = 2 * epsilon * terms.l2_norm();
-    if (contact.empty() || law.is_mixed())
+    if (contact.empty() || law.has_multiplier())
       return of_bodies;
-    LA::Vector         springs = contact.zero();
-    const IndexSet     rows    = springs.locally_owned_elements();
-    const unsigned int n       = law.n_components();
-    for (auto row = rows.begin(); row != rows.end();)
-      {
-        const auto      i     = *row;
-        const LawMatrix dp_dg = law.response(i, {}, active(i) > 0).dp_dg;
-        for (unsigned int a = 0; a < n; ++a, ++row)
-          springs(*row) = contact.weight(*row) * dp_dg[a][a];
-      }
+    LA::Vector springs = contact.zero();
+    for (const auto i : springs.locally_owned_elements())
+      springs(i) =
+        contact.weight(i) * law.response(i, in.at(i), status_of(status(i))).by_gap.norm();
     springs.compress(VectorOperation::insert);
     const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
     return of_bodies + epsilon * length * springs.l2_norm();

@@ -21,15 +21,17 @@ namespace Signorini
     , law(law)
     , contact(law.gap_operator())
     , my_bulk(bulk)
-    , saddle(law.is_mixed())
+    , saddle(law.has_multiplier())
     , symmetric_bodies(symmetric_bodies)
     , motions(std::move(free_motions))
-    , D(law.n_components(), contact.zero())
+    , D(law.n_components(), contact.zeros())
     , X(D)
     , Y(D)
-    , D_diagonal(contact.zero())
+    , Z(D)
+    , C(D)
+    , I(D)
+    , diagonal_of_D(contact.zeros())
     , A(contact.zero())
-    , I(contact.zero())
   {
     if (!saddle && !contact.empty())
       make_surface_pattern();
@@ -65,44 +67,39 @@ namespace Signorini
   {
     /// What has changed since `before`, which becomes what is now.
     std::vector<std::vector<double>>
-    changes(const std::vector<LA::Vector> &now, std::vector<std::vector<double>> &before)
+    changes(const ContactSystem::Blocks &now, std::vector<std::vector<double>> &before)
     {
-      std::vector<std::vector<double>> result(now.size());
-      before.resize(now.size());
-      for (unsigned int b = 0; b < now.size(); ++b)
-        {
-          const double *const values = LA::values_of(now[b]);
-          const unsigned int  n      = now[b].locally_owned_size();
-          before[b].resize(n, 0.);
-          result[b].resize(n);
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              result[b][i] = values[i] - before[b][i];
-              before[b][i] = values[i];
-            }
-        }
+      std::vector<std::vector<double>> result;
+      before.resize(now.size() * now.size());
+      for (const PointVectors &row : now)
+        for (const LA::Vector &block : row)
+          {
+            std::vector<double> &last   = before[result.size()];
+            const double *const  values = LA::values_of(block);
+            const unsigned int   n      = block.locally_owned_size();
+            last.resize(n, 0.);
+            result.emplace_back(n);
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                result.back()[i] = values[i] - last[i];
+                last[i]          = values[i];
+              }
+          }
       return result;
     }
 
-    /// Springs between the components a (left) and b (right) of a point.
-    struct PointSprings
+    /// Stiffness between the components a (left) and b (right) of a point.
+    struct PointStiffness
     {
-      double d, x, y, theta;
+      double d, x, y, z; ///< see ContactSystem; y and z times theta
 
       bool
-      are_zero() const
+      is_zero() const
       {
-        return d == 0 && x == 0 && y == 0;
+        return d == 0 && x == 0 && y == 0 && z == 0;
       }
 
-      void
-      add_to(FullMatrix<double> &block, const double *B_a, const double *B_b) const
-      {
-        for (unsigned int k = 0; k < block.m(); ++k)
-          for (unsigned int l = 0; l < block.n(); ++l)
-            block(k, l) += d * B_a[k] * B_b[l];
-      }
-
+      /// @param S_a, S_b null: no stress of that component takes part
       void
       add_to(FullMatrix<double> &block,
              const double       *B_a,
@@ -110,10 +107,15 @@ namespace Signorini
              const double       *B_b,
              const double       *S_b) const
       {
-        for (unsigned int k = 0; k < block.m(); ++k)
-          for (unsigned int l = 0; l < block.n(); ++l)
-            block(k, l) +=
-              B_a[k] * (d * B_b[l] - x * S_b[l]) - theta * S_a[k] * (x * B_b[l] + y * S_b[l]);
+        const unsigned int n = block.m();
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int l = 0; l < n; ++l)
+            {
+              double sum = B_a[k] * (S_b ? d * B_b[l] - x * S_b[l] : d * B_b[l]);
+              if (S_a)
+                sum -= S_a[k] * (S_b ? z * B_b[l] + y * S_b[l] : z * B_b[l]);
+              block(k, l) += sum;
+            }
       }
     };
   } // namespace
@@ -133,17 +135,20 @@ namespace Signorini
         surface = 0;
         sums    = Sums();
       }
-    const Sums         change{changes(D, sums.D), changes(X, sums.X), changes(Y, sums.Y)};
-    const int          n_rows = contact.weight.locally_owned_size();
-    FullMatrix<double> block; // sum over points between the same two faces
+    const Sums                           change{changes(D, sums.D),
+                      changes(X, sums.X),
+                      changes(Y, sums.Y),
+                      changes(Z, sums.Z)};
+    const int                            n_points = contact.weight.locally_owned_size();
+    FullMatrix<double>                   block; // sum over points between the same two faces
     std::vector<types::global_dof_index> indices;
-    for (int first = 0, last = 0; first < n_rows; first = last)
+    for (int first = 0, last = 0; first < n_points; first = last)
       {
         const LA::RowView columns(contact.B_free, first);
         block.reinit(columns.size, columns.size);
         bool any = false;
-        for (; last < n_rows && LA::RowView(contact.B_free, last).has_columns_of(columns); ++last)
-          any |= add_row(block, last, change);
+        for (; last < n_points && LA::RowView(contact.B_free, last).has_columns_of(columns); ++last)
+          any |= add_point(block, last, change);
         if (!any)
           continue;
         indices.assign(columns.columns, columns.columns + columns.size);
@@ -154,75 +159,108 @@ namespace Signorini
 
 
   bool
-  ContactSystem::add_row(FullMatrix<double> &block, const int row, const Sums &of) const
+  ContactSystem::add_point(FullMatrix<double> &block, const int point, const Sums &of) const
   {
-    const int         n = law.n_components(), first = row - row % n;
-    const LA::RowView B(contact.B_free, row);
-    bool              any = false;
-    for (int b = 0; b < n; ++b)
-      {
-        const PointSprings springs{of.D[b][row], of.X[b][row], of.Y[b][row], contact.theta};
-        if (springs.are_zero())
-          continue;
-        any = true;
-        const LA::RowView B_b(contact.B_free, first + b);
-        if (!contact.has_stress())
-          springs.add_to(block, B.values, B_b.values);
-        else
-          springs.add_to(block,
-                         B.values,
-                         LA::RowView(contact.S_free, row).values,
-                         B_b.values,
-                         LA::RowView(contact.S_free, first + b).values);
-      }
+    const unsigned int n        = law.n_components();
+    const auto         row_of_S = [&](const unsigned int a) -> const double         *{
+      return a == 0 && contact.has_stress() ? LA::RowView(contact.S_free, point).values : nullptr;
+    };
+    bool any = false;
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          const unsigned int   ab = a * n + b;
+          const PointStiffness stiffness{of.D[ab][point],
+                                         of.X[ab][point],
+                                         contact.theta * of.Y[ab][point],
+                                         contact.theta * of.Z[ab][point]};
+          if (stiffness.is_zero())
+            continue;
+          any = true;
+          stiffness.add_to(block,
+                           LA::RowView(contact.free_rows(a), point).values,
+                           row_of_S(a),
+                           LA::RowView(contact.free_rows(b), point).values,
+                           row_of_S(b));
+        }
     return any;
   }
 
 
 
   void
-  ContactSystem::set_active(const LA::Vector &active)
+  ContactSystem::set_status(const LA::Vector &status)
   {
-    const unsigned int n    = law.n_components();
-    const IndexSet     rows = active.locally_owned_elements();
-    for (auto row = rows.begin(); row != rows.end();)
+    Assert(law.has_constant_derivatives(), ExcInternalError());
+    const PointVectors   nothing  = contact.zeros();
+    const InternalFields internal = law.initial_fields();
+    linearise({nothing, nothing, nothing, internal}, status);
+  }
+
+
+
+  void
+  ContactSystem::linearise(const LawInputs &in, const LA::Vector &status)
+  {
+    for (const auto i : status.locally_owned_elements())
       {
-        const auto        first    = *row;
-        const bool        touches  = active(first) > 0;
-        const LawResponse response = law.response(first, {}, touches);
-        for (unsigned int a = 0; a < n; ++a)
-          linearise(*row++, a, response, touches);
+        const ContactStatus now = status_of(status(i));
+        linearise(i, law.response(i, in.at(i), now), now);
       }
-    for (auto *blocks : {&D, &X, &Y})
-      for (LA::Vector &v : *blocks)
-        v.compress(VectorOperation::insert);
-    for (LA::Vector *v : {&D_diagonal, &A, &I})
-      v->compress(VectorOperation::insert);
+    for (Blocks *blocks : {&D, &X, &Y, &Z, &C, &I})
+      for (PointVectors &row : *blocks)
+        for (LA::Vector &block : row)
+          block.compress(VectorOperation::insert);
+    for (LA::Vector &component : diagonal_of_D)
+      component.compress(VectorOperation::insert);
+    A.compress(VectorOperation::insert);
     if (!saddle && !contact.empty())
       sum_up_surface_stiffness();
-    motions.set_active(active);
+    motions.set_status(status);
   }
 
 
 
   void
   ContactSystem::linearise(const types::global_dof_index i,
-                           const unsigned int            a,
                            const LawResponse            &response,
-                           const bool                    touches)
+                           const ContactStatus           status)
   {
-    const double W = contact.weight(i), k = contact.coefficients.stiffness(i);
-    for (unsigned int b = 0; b < law.n_components(); ++b)
-      {
-        D[b](i) = -response.dp_dg[a][b] * W;
-        X[b](i) = response.dp_ds[a][b] * W;
-        Y[b](i) = contact.has_stress() ? ((a == b ? 1 : 0) - response.dp_ds[a][b]) /
-                                           contact.coefficients.epsilon(i) * W :
-                                         0.;
-      }
-    D_diagonal(i) = -response.dp_dg[a][a] * W;
-    A(i)          = saddle && touches ? k * W : 0.;
-    I(i)          = !saddle ? 0. : touches ? k * k * response.compliance[a] * W : k * W;
+    const double       W = contact.weight(i), k = contact.coefficients.stiffness(i);
+    const bool         closed = status != ContactStatus::open;
+    const unsigned int n      = law.n_components();
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          const double unit = a == b ? 1 : 0, by_gap = response.by_gap[a][b],
+                       by_stress = response.by_stress[a][b];
+          D[a][b](i)             = -by_gap * W;
+          X[a][b](i)             = by_stress * W;
+          if (contact.has_stress() && a == 0)
+            {
+              const double epsilon = contact.coefficients.epsilon(i);
+              Y[a][b](i)           = (unit - by_stress) / epsilon * W;
+              Z[a][b](i)           = -by_gap / epsilon * W;
+            }
+          if (!saddle)
+            continue;
+          C[a][b](i) = k * W * response.residual_by_gap[a][b];
+          I[a][b](i) = closed ? k * k * response.residual_by_traction[a][b] * W : unit * k * W;
+        }
+    for (unsigned int a = 0; a < n; ++a)
+      diagonal_of_D[a](i) = D[a][a](i);
+    A(i) = saddle && closed ? k * W : 0.;
+  }
+
+
+
+  bool
+  ContactSystem::presses(const types::global_dof_index point) const
+  {
+    return A(point) != 0 ||
+           std::any_of(diagonal_of_D.begin(), diagonal_of_D.end(), [&](const LA::Vector &spring) {
+             return spring(point) != 0;
+           });
   }
 
 
@@ -230,8 +268,9 @@ namespace Signorini
   LA::BlockVector
   ContactSystem::zero() const
   {
-    std::vector<IndexSet> blocks = {K.owned(),
-                                    saddle ? contact.weight.locally_owned_elements() : IndexSet(0)};
+    std::vector<IndexSet> blocks = {K.owned()};
+    blocks.resize(1 + n_multiplier_blocks(),
+                  saddle ? contact.weight.locally_owned_elements() : IndexSet(0));
     if (my_bulk)
       blocks.push_back(my_bulk->compliance.locally_owned_elements());
     return LA::BlockVector(blocks, K.communicator());
@@ -260,12 +299,13 @@ namespace Signorini
   void
   ContactSystem::add_bulk(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
-    my_bulk->B.Tvmult_add(dst.block(0), src.block(2));
-    LA::Vector volume = src.block(2);
+    const unsigned int m = bulk_block();
+    my_bulk->B.Tvmult_add(dst.block(0), src.block(m));
+    LA::Vector volume = src.block(m);
     volume.scale(my_bulk->compliance);
     volume *= -1;
     my_bulk->B.vmult_add(volume, src.block(0));
-    dst.block(2) += volume;
+    dst.block(m) += volume;
     if (contact.has_bulk_stress())
       add_bulk_at_contact(dst, src);
   }
@@ -276,23 +316,27 @@ namespace Signorini
   ContactSystem::add_bulk_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
     Assert(!transposed, dealii::StandardExceptions::ExcNotImplemented());
-    // The law has one component where there is a normal stress alone.
-    const auto product = [](const Blocks &block, const LA::Vector &v, const double factor) {
+    const auto product = [](const LA::Vector &block, const LA::Vector &v, const double factor) {
       LA::Vector result = v;
-      result.scale(block[0]);
+      result.scale(block);
       result *= factor;
       return result;
     };
-    LA::Vector gap = contact.zero(), stress = gap, of_bulk = gap;
-    contact.B_free.vmult(gap, src.block(0));
+    const unsigned int m     = bulk_block();
+    const double       theta = contact.theta;
+    LA::Vector         gap = contact.zero(), stress = gap, of_bulk = gap;
     contact.S_free.vmult(stress, src.block(0));
-    contact.S_bulk.vmult(of_bulk, src.block(2));
-    contact.B_free.Tvmult_add(dst.block(0), product(X, of_bulk, -1));
-    contact.S_free.Tvmult_add(dst.block(0), product(Y, of_bulk, -contact.theta));
+    contact.S_bulk.vmult(of_bulk, src.block(m));
+    contact.S_free.Tvmult_add(dst.block(0), product(Y[0][0], of_bulk, -theta));
     stress += of_bulk;
-    LA::Vector sum = product(X, gap, -contact.theta);
-    sum += product(Y, stress, -contact.theta);
-    contact.S_bulk.Tvmult_add(dst.block(2), sum);
+    LA::Vector sum = product(Y[0][0], stress, -theta);
+    for (unsigned int a = 0; a < law.n_components(); ++a)
+      {
+        contact.free_rows(a).Tvmult_add(dst.block(0), product(X[a][0], of_bulk, -1));
+        contact.free_rows(a).vmult(gap, src.block(0));
+        sum += product(Z[0][a], gap, -theta);
+      }
+    contact.S_bulk.Tvmult_add(dst.block(m), sum);
   }
 
 
@@ -314,23 +358,54 @@ namespace Signorini
     dst = 0;
     if (contact.empty())
       return;
-    if (!saddle)
+    if (saddle)
+      add_multipliers(dst, src);
+    else
+      add_surface_forces(dst.block(0), src.block(0));
+  }
+
+
+
+  void
+  ContactSystem::add_multipliers(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    const unsigned int n           = law.n_components();
+    const auto         minus_scale = [](LA::Vector &v, const LA::Vector &block) {
+      v.scale(block);
+      v *= -1;
+    };
+    LA::Vector term = contact.zero();
+    for (unsigned int b = 0; b < n; ++b)
       {
-        add_surface_forces(dst.block(0), src.block(0));
-        return;
+        // Of the matrix: -C_ab B_b u; of the transposed one: -A B_b u.
+        LA::Vector gap = contact.zero();
+        contact.free_rows(b).vmult(gap, src.block(0));
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            if (transposed && a != b)
+              continue;
+            term = gap;
+            minus_scale(term, transposed ? A : C[a][b]);
+            dst.block(1 + a) += term;
+          }
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            term = src.block(1 + b);
+            minus_scale(term, transposed ? I[b][a] : I[a][b]);
+            dst.block(1 + a) += term;
+          }
+        // The forces, -B_b^T A q_b; of the transposed matrix -B_b^T sum_a C_ab q_a.
+        LA::Vector force = contact.zero();
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            if (!transposed && a != b)
+              continue;
+            term = src.block(1 + a);
+            minus_scale(term, transposed ? C[a][b] : A);
+            force += term;
+          }
+        contact.free_rows(b).Tvmult_add(dst.block(0), force);
       }
-    LA::Vector gap = contact.zero();
-    contact.B_free.vmult(gap, src.block(0));
-    dst.block(1) = gap;
-    dst.block(1).scale(A);
-    dst.block(1) *= -1;
-    gap = src.block(1);
-    gap.scale(I);
-    dst.block(1) -= gap;
-    gap = src.block(1);
-    gap.scale(A);
-    gap *= -1;
-    contact.B_free.Tvmult_add(dst.block(0), gap);
   }
 
 

@@ -6,80 +6,92 @@ namespace Signorini
 
   namespace
   {
-    /// What dependent pressures do: of_pressure times their derivative by gap or stress, on rows.
+    /// What tractions do that follow: of_traction times their derivatives, which `derivative` takes
+    /// from the response of the law.
     template <typename Derivative>
-    LA::Vector
-    through_law(const ContactLaw &law,
-                const LA::Vector &active,
-                const LA::Vector &of_pressure,
-                const Derivative &derivative)
+    PointVectors
+    through_law(const ContactLaw   &law,
+                const LawInputs    &in,
+                const LA::Vector   &status,
+                const PointVectors &of_traction,
+                const Derivative   &derivative)
     {
-      const unsigned int n      = law.n_components();
-      LA::Vector         result = law.gap_operator().zero();
-      const IndexSet     rows   = result.locally_owned_elements();
-      for (auto row = rows.begin(); row != rows.end();)
+      PointVectors result = law.gap_operator().zeros();
+      for (const auto i : status.locally_owned_elements())
         {
-          const auto      first = *row;
-          const LawMatrix by    = derivative(law.response(first, {}, active(first) > 0));
-          for (unsigned int b = 0; b < n; ++b, ++row)
+          const LawMatrix by = derivative(law.response(i, in.at(i), status_of(status(i))));
+          for (unsigned int b = 0; b < result.size(); ++b)
             {
               double sum = 0;
-              for (unsigned int a = 0; a < n; ++a)
-                sum += of_pressure(first + a) * by[a][b];
-              result(*row) = sum;
+              for (unsigned int a = 0; a < result.size(); ++a)
+                sum += of_traction[a](i) * by[a][b];
+              result[b](i) = sum;
             }
         }
-      result.compress(VectorOperation::insert);
+      for (LA::Vector &component : result)
+        component.compress(VectorOperation::insert);
       return result;
     }
 
-    LA::Vector
-    by_gap(const ContactLaw &law, const LA::Vector &active, const LA::Vector &of_pressure)
+    LawMatrix
+    by_gap(const LawResponse &response)
     {
-      return through_law(law, active, of_pressure, [](const LawResponse &response) {
-        return response.dp_dg;
-      });
+      return response.by_gap;
     }
 
-    LA::Vector
-    by_stress(const ContactLaw &law, const LA::Vector &active, const LA::Vector &of_pressure)
+    LawMatrix
+    by_stress(const LawResponse &response)
     {
-      return through_law(law, active, of_pressure, [](const LawResponse &response) {
-        return response.dp_ds;
-      });
+      return response.by_stress;
     }
   } // namespace
 
 
 
   DualSolution
-  Newton::dual(const LA::Vector &u,
-               const LA::Vector &p,
-               const LA::Vector &active,
-               const LA::Vector &of_displacement,
-               const LA::Vector &of_pressure,
-               const double      reduction)
+  Newton::dual(const LA::Vector   &u,
+               const ContactState &state,
+               const LA::Vector   &of_displacement,
+               const LA::Vector   &of_pressure,
+               const double        reduction)
   {
-    linearise(u);
+    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.bulk_stress())};
+    const LawInputs    in{gaps, s, state.traction, state.internal};
+    const unsigned int n_q = system.is_saddle_point() ? law.n_components() : 0;
+    linearise(u, in);
     LA::BlockVector rhs = system.zero(), left = system.zero();
-    rhs.block(0)         = of_displacement;
-    const LA::Vector gap = contact.gap(u), s = contact.stress(u, bodies.bulk_stress());
-    left.block(0) = balance.residual(u, p, s, active);
+    rhs.block(0)  = of_displacement;
+    left.block(0) = balance.residual(u, in, state.status);
     if (bodies.bulk())
-      left.block(2) = bodies.bulk()->residual(u);
+      left.block(system.bulk_block()) = bodies.bulk()->residual(u);
+    PointVectors of_traction = contact.zeros();
+    of_traction[0]           = of_pressure;
+    // The unknowns q are tractions over the stiffness of the points, see ContactSystem.
+    const auto to_unknown = [&](LA::Vector &v) {
+      v.scale(contact.coefficients.stiffness);
+      for (const auto i : v.locally_owned_elements())
+        if (!is_closed(state.status(i)))
+          v(i) = 0;
+      v.compress(VectorOperation::insert);
+    };
     if (system.is_saddle_point())
       {
-        // The second unknown is p over the stiffness of the points, see ContactSystem.
-        rhs.block(1) = of_pressure;
-        rhs.block(1).scale(contact.coefficients.stiffness);
-        rhs.block(1).scale(active);
-        left.block(1) = law.defect({gap, s, p}, active);
+        const PointVectors residual = law.residual(in, state.status);
+        for (unsigned int a = 0; a < n_q; ++a)
+          {
+            rhs.block(1 + a) = of_traction[a];
+            to_unknown(rhs.block(1 + a));
+            left.block(1 + a) = residual[a];
+          }
       }
     else if (!contact.empty())
       {
-        contact.B_free.Tvmult_add(rhs.block(0), by_gap(law, active, of_pressure));
+        const PointVectors by = through_law(law, in, state.status, of_traction, by_gap);
+        for (unsigned int a = 0; a < by.size(); ++a)
+          contact.free_rows(a).Tvmult_add(rhs.block(0), by[a]);
         if (contact.has_stress())
-          contact.S_free.Tvmult_add(rhs.block(0), by_stress(law, active, of_pressure));
+          contact.S_free.Tvmult_add(rhs.block(0),
+                                    through_law(law, in, state.status, of_traction, by_stress)[0]);
       }
     bodies.constraints().set_zero(rhs.block(0));
 
@@ -99,24 +111,28 @@ namespace Signorini
     bodies.constraints().distribute(result.z);
     result.z -= prescribed;
 
-    result.zeta = contact.zero();
-    if (system.is_saddle_point())
+    result.zeta = contact.zeros();
+    for (unsigned int a = 0; a < n_q; ++a)
       {
-        result.zeta = dual.block(1);
-        result.zeta.scale(contact.coefficients.stiffness);
-        result.zeta.scale(active);
+        result.zeta[a] = dual.block(1 + a);
+        to_unknown(result.zeta[a]);
       }
-    else if (!contact.empty())
+    if (system.is_saddle_point() || contact.empty())
+      return result;
+    // By gaps that are not closed the traction changes, and the forces with it.
+    for (unsigned int a = 0; a < result.zeta.size(); ++a)
       {
-        // By gaps that are not closed the pressure changes, and the forces with it.
-        contact.B_free.vmult(result.zeta, result.z);
-        result.zeta.scale(contact.weight);
-        result.zeta += of_pressure;
-        result.zeta = by_gap(law, active, result.zeta);
-        for (const auto i : result.zeta.locally_owned_elements())
+        contact.free_rows(a).vmult(result.zeta[a], result.z);
+        result.zeta[a].scale(contact.weight);
+        result.zeta[a] += of_traction[a];
+      }
+    result.zeta = through_law(law, in, state.status, result.zeta, by_gap);
+    for (LA::Vector &component : result.zeta)
+      {
+        for (const auto i : component.locally_owned_elements())
           if (contact.weight(i) > 0)
-            result.zeta(i) /= contact.weight(i);
-        result.zeta.compress(VectorOperation::insert);
+            component(i) /= contact.weight(i);
+        component.compress(VectorOperation::insert);
       }
     return result;
   }

@@ -55,36 +55,41 @@ namespace Signorini
   {
     orthonormalise(motions, springs);
     LA::Vector every_point = contact.zero();
-    every_point            = 1.;
+    every_point            = static_cast<double>(ContactStatus::stick);
+    approach.resize(contact.n_components());
     for (const FreeMotion &one : motions)
       {
         amplitude.push_back(one.motion.linfty_norm());
-        approach.push_back(contact.zero());
-        if (!contact.empty())
-          contact.B_free.vmult(approach.back(), one.motion);
+        for (unsigned int a = 0; a < approach.size(); ++a)
+          {
+            approach[a].push_back(contact.zero());
+            if (!contact.empty())
+              contact.free_rows(a).vmult(approach[a].back(), one.motion);
+          }
       }
-    set_active(every_point);
+    set_status(every_point);
     hopeless = loose();
   }
 
 
 
   LA::Vector
-  FreeMotions::shares_of_pairs(const LA::Vector &active) const
+  FreeMotions::shares_of_pairs(const LA::Vector &status, const ContactStatus least) const
   {
-    const MPI_Comm      comm = springs.get_mpi_communicator();
-    const auto         &pair = contact->origin.pair;
+    const auto     counts = [&](const auto i) { return status(i) >= static_cast<double>(least); };
+    const MPI_Comm comm   = springs.get_mpi_communicator();
+    const auto    &pair   = contact->origin.pair;
     std::vector<double> area(contact->n_pairs(), 0.);
     auto                which = pair.begin();
-    for (const auto i : active.locally_owned_elements())
-      area[*which++] += active(i) * contact->weight(i);
+    for (const auto i : status.locally_owned_elements())
+      area[*which++] += counts(i) ? contact->weight(i) : 0.;
     Utilities::MPI::sum(area, comm, area);
     LA::Vector shares = contact->zero();
     which             = pair.begin();
-    for (const auto i : active.locally_owned_elements())
+    for (const auto i : status.locally_owned_elements())
       {
         const double whole = area[*which++];
-        shares(i)          = whole > 0 ? active(i) * contact->weight(i) / whole : 0.;
+        shares(i)          = counts(i) && whole > 0 ? contact->weight(i) / whole : 0.;
       }
     shares.compress(VectorOperation::insert);
     return shares;
@@ -93,7 +98,7 @@ namespace Signorini
 
 
   void
-  FreeMotions::set_active(const LA::Vector &active)
+  FreeMotions::set_status(const LA::Vector &status)
   {
     // Contact stops a motion if it is not along the surface everywhere: of discretised round bodies
     // that turn, normals are a little off. The square of the angle, or of the width of the contact
@@ -103,7 +108,10 @@ namespace Signorini
     const unsigned int n = motions.size();
     if (n == 0)
       return;
-    Eigen::MatrixXd stiffness = stiffness_against(approach, shares_of_pairs(active));
+    Eigen::MatrixXd stiffness =
+      stiffness_against(approach[0], shares_of_pairs(status, ContactStatus::slip));
+    for (unsigned int a = 1; a < approach.size(); ++a)
+      stiffness += stiffness_against(approach[a], shares_of_pairs(status, ContactStatus::stick));
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = 0; b < n; ++b)
         stiffness(a, b) /= amplitude[a] * amplitude[b];
@@ -220,27 +228,31 @@ namespace Signorini
 
 
   double
-  FreeMotions::hold(LA::Vector &r, const LA::Vector &p, const LA::Vector &stress) const
+  FreeMotions::hold(LA::Vector &r, const PointVectors &p, const LA::Vector &stress) const
   {
     constexpr double little = 0.01;
     if (loose_motions.empty())
       return 0;
-    // The pressures that push, then those of each pair that never separates.
-    std::vector<LA::Vector> pressures = {p};
-    pressures[0] -= product(p, contact->coefficients.permanent);
+    // The tractions of pairs that push, then those of each pair that never separates.
+    std::vector<PointVectors> tractions = {p};
+    for (LA::Vector &component : tractions[0])
+      component -= product(component, contact->coefficients.permanent);
     const bool         any     = contact->coefficients.permanent.linfty_norm() > 0;
     const unsigned int n_pairs = any ? contact->n_pairs() : 0;
     for (unsigned int k = 0; k < n_pairs; ++k)
       {
-        pressures.push_back(contact->zero());
-        auto which = contact->origin.pair.begin();
-        for (const auto i : p.locally_owned_elements())
-          if (*which++ == k)
-            pressures.back()(i) = contact->coefficients.permanent(i) * p(i);
-        pressures.back().compress(VectorOperation::insert);
+        tractions.push_back(contact->zeros());
+        for (unsigned int a = 0; a < p.size(); ++a)
+          {
+            auto which = contact->origin.pair.begin();
+            for (const auto i : p[a].locally_owned_elements())
+              if (*which++ == k)
+                tractions.back()[a](i) = contact->coefficients.permanent(i) * p[a](i);
+            tractions.back()[a].compress(VectorOperation::insert);
+          }
       }
     std::vector<LA::Vector> forces;
-    for (const LA::Vector &some : pressures)
+    for (const PointVectors &some : tractions)
       forces.push_back(contact->force(some, stress));
 
     const unsigned int dim     = contact->geometry.position.size();

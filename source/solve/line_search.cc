@@ -36,9 +36,9 @@ namespace Signorini
       }
 
     private:
-      /// At a, of the point whose first row is i.
+      /// Of the point, at a.
       LawVector
-      pressure(ContactLaw::Index i, double a) const;
+      traction(ContactLaw::Index i, double a) const;
 
       /// What contact takes off at a, by the points of this rank.
       double
@@ -47,7 +47,8 @@ namespace Signorini
       const ContactLaw  &law;
       const GapOperator &contact;
       const LawInputs   &in;
-      LA::Vector         B_du, S_du;
+      PointVectors       B_du;
+      LA::Vector         S_du;
       double             start, curvature; ///< phi'(0), and du.K du
     };
 
@@ -61,7 +62,7 @@ namespace Signorini
       : law(law)
       , contact(law.gap_operator())
       , in(in)
-      , B_du(contact.zero())
+      , B_du(contact.zeros())
       , S_du(contact.zero())
       , start(-(r * du))
     {
@@ -69,7 +70,8 @@ namespace Signorini
       K_du.reinit(du);
       system.internal_force(K_du, du);
       curvature = K_du * du;
-      contact.B_free.vmult(B_du, du);
+      for (unsigned int k = 0; k < B_du.size(); ++k)
+        contact.free_rows(k).vmult(B_du[k], du);
       if (contact.has_stress())
         contact.S_free.vmult(S_du, du);
     }
@@ -80,22 +82,19 @@ namespace Signorini
     Slope::operator()(const double a) const
     {
       return start + a * curvature -
-             Utilities::MPI::sum(of_contact(a), B_du.get_mpi_communicator());
+             Utilities::MPI::sum(of_contact(a), contact.weight.get_mpi_communicator());
     }
 
 
 
     LawVector
-    Slope::pressure(const ContactLaw::Index i, const double a) const
+    Slope::traction(const ContactLaw::Index i, const double a) const
     {
-      const unsigned int n     = law.n_components();
-      LawInput           there = in.at(i, n);
-      for (unsigned int k = 0; k < n; ++k)
-        {
-          there.gap[k] += a * B_du(i + k);
-          there.stress[k] += a * S_du(i + k);
-        }
-      return law.response(i, there, law.pushes(i, law.trial(i, there))).pressure;
+      LawInput there = in.at(i);
+      for (unsigned int k = 0; k < B_du.size(); ++k)
+        there.gap[k] += a * B_du[k](i);
+      there.stress[0] += a * S_du(i);
+      return law.response(i, there, law.status(i, law.trial(i, there))).traction;
     }
 
 
@@ -103,19 +102,16 @@ namespace Signorini
     double
     Slope::of_contact(const double a) const
     {
-      const unsigned int n    = law.n_components();
-      const IndexSet     rows = B_du.locally_owned_elements();
-      double             sum  = 0;
-      for (auto row = rows.begin(); row != rows.end();)
+      double sum = 0;
+      for (const auto i : S_du.locally_owned_elements())
         {
-          const ContactLaw::Index i = *row;
-          const LawVector         p = pressure(i, a);
-          for (unsigned int k = 0; k < n; ++k, ++row)
+          const LawVector p = traction(i, a);
+          for (unsigned int k = 0; k < B_du.size(); ++k)
             {
-              const double dp = p[k] - in.pressure(i + k), db = B_du(i + k), ds = S_du(i + k);
-              sum += contact.weight(i + k) *
-                     (dp * db +
-                      contact.theta / contact.coefficients.epsilon(i + k) * ds * (a * ds - dp));
+              const double dp = p[k] - in.traction[k](i), ds = k == 0 ? double(S_du(i)) : 0.;
+              sum += contact.weight(i) *
+                     (dp * B_du[k](i) +
+                      contact.theta / contact.coefficients.epsilon(i) * ds * (a * ds - dp));
             }
         }
       return sum;

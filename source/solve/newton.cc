@@ -13,10 +13,22 @@ namespace Signorini
   {
     /// Surfaces that just touch press on each other.
     bool
-    has_last_pressure(const ContactLaw &law, const LA::Vector &p)
+    has_last_pressure(const ContactLaw &law, const ContactState &state)
     {
-      const LA::Vector nothing = law.gap_operator().zero();
-      return law.trial({nothing, nothing, p}).linfty_norm() > 0;
+      const PointVectors nothing = law.gap_operator().zeros();
+      return law.trial({nothing, nothing, state.traction, state.internal})[0].linfty_norm() > 0;
+    }
+
+    /// The norm of all components.
+    double
+    norm(const PointVectors &vectors)
+    {
+      if (vectors.size() == 1)
+        return vectors[0].l2_norm();
+      double square = 0;
+      for (const LA::Vector &component : vectors)
+        square += component.norm_sqr();
+      return std::sqrt(square);
     }
   } // namespace
 
@@ -42,13 +54,13 @@ namespace Signorini
 
 
   NewtonReport
-  Newton::solve(LA::Vector &u, LA::Vector &p, LA::Vector &active, const StepVisitor &visit)
+  Newton::solve(LA::Vector &u, ContactState &state, const StepVisitor &visit)
   {
-    if (strategy.start(p, active))
+    if (strategy.start(state.pressure(), state.status))
       is_same = false;
     balance.restart();
     if (law.augments())
-      law.augment(p);
+      law.augment(state.traction);
 
     NewtonReport report;
     Stage        stage;
@@ -57,10 +69,10 @@ namespace Signorini
       {
         stage.step         = NewtonStep();
         stage.step.damping = stage.damping;
-        evaluate(u, p, active, report, stage);
-        judge(p, report, stage);
+        evaluate(u, state, report, stage);
+        judge(state, report, stage);
         if (!report.is_over() && !stage.step.augments)
-          advance(u, p, report, stage);
+          advance(u, state, report, stage);
         visit(stage.step);
         report.steps.push_back(stage.step);
       }
@@ -71,60 +83,60 @@ namespace Signorini
 
 
   void
-  Newton::evaluate(
-    const LA::Vector &u, LA::Vector &p, LA::Vector &active, NewtonReport &report, Stage &stage)
+  Newton::evaluate(const LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage)
   {
-    NewtonStep &step    = stage.step;
-    stage.gap           = contact.gap(u);
-    stage.stress        = contact.stress(u, bodies.bulk_stress());
-    const bool was_soft = law.is_soft();
+    NewtonStep &step         = stage.step;
+    stage.gap                = contact.gaps(u);
+    stage.stress             = {contact.stress(u, bodies.bulk_stress())};
+    const bool      was_soft = law.is_soft();
+    const LawInputs in{stage.gap, stage.stress, state.traction, state.internal};
     if (!contact.empty())
       {
-        const LawInputs    in{stage.gap, stage.stress, p};
         const unsigned int n        = report.steps.size();
         const bool         was_idle = n > 0 && report.steps.back().krylov_iterations == 0;
         if (strategy.update(in, n, was_idle, step))
           is_same = false;
-        active = strategy.values();
-        p      = law.pressure(in, active);
+        state.status   = strategy.status();
+        state.traction = law.traction(in, state.status);
       }
     stage.softness_changed = law.is_soft() != was_soft;
 
     LA::Vector &r = stage.rhs.block(0);
-    r             = balance.residual(u, p, stage.stress, active);
-    LA::Vector defect;
+    r             = balance.residual(u, in, state.status);
+    PointVectors gap_residual;
     if (system.is_saddle_point() || law.augments())
       {
-        defect = law.defect({stage.gap, stage.stress, p}, active);
-        balance.set_forces_of_gaps(defect.l2_norm());
+        gap_residual = law.residual(in, state.status);
+        balance.set_forces_of_gaps(norm(gap_residual));
       }
     if (!is_same)
-      system.find_loose_motions(active);
+      system.find_loose_motions(state.status);
     if (settings.undetermined == Undetermined::hold)
-      report.holding_force = system.free_motions().hold(r, p, stage.stress);
+      report.holding_force = system.free_motions().hold(r, state.traction, stage.stress[0]);
     step.residual           = r.l2_norm() / balance.scale();
     step.residual_of_bodies = balance.residual_of_bodies(r);
     if (bodies.bulk())
       {
-        stage.rhs.block(2) = bodies.bulk()->residual(u);
+        LA::Vector &m = stage.rhs.block(system.bulk_block());
+        m             = bodies.bulk()->residual(u);
         if (contact.has_bulk_stress())
-          stage.rhs.block(2) += contact.force_on_bulk(p, stage.stress);
-        const double volume     = stage.rhs.block(2).l2_norm();
+          m += contact.force_on_bulk(state.traction, stage.stress[0]);
+        const double volume     = m.l2_norm();
         step.residual           = std::hypot(step.residual, volume / balance.scale());
         step.residual_of_bodies = std::max(step.residual_of_bodies, volume / balance.least());
       }
     if (system.is_saddle_point() || law.augments())
       {
-        step.gap_residual = defect.l2_norm() / balance.least();
-        if (system.is_saddle_point())
-          stage.rhs.block(1) = defect;
+        step.gap_residual = norm(gap_residual) / balance.least();
+        for (unsigned int a = 0; a < gap_residual.size() && system.is_saddle_point(); ++a)
+          stage.rhs.block(1 + a) = gap_residual[a];
       }
   }
 
 
 
   void
-  Newton::judge(const LA::Vector &p, NewtonReport &report, Stage &stage)
+  Newton::judge(const ContactState &state, NewtonReport &report, Stage &stage)
   {
     NewtonStep        &step = stage.step;
     const unsigned int n    = report.steps.size();
@@ -133,7 +145,7 @@ namespace Signorini
         report.converged = balance.is_closed(step);
         if (!report.converged && law.augments() && n < settings.maximum_steps)
           {
-            law.augment(p);
+            law.augment(state.traction);
             strategy.restart();
             step.augments = true;
             return;
@@ -172,7 +184,7 @@ namespace Signorini
 
 
   void
-  Newton::advance(LA::Vector &u, LA::Vector &p, NewtonReport &report, Stage &stage)
+  Newton::advance(LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage)
   {
     NewtonStep        &step = stage.step;
     const LA::Vector  &r    = stage.rhs.block(0);
@@ -187,23 +199,24 @@ namespace Signorini
                                                strategy.reduction();
     // Surfaces that come back to where they touch have the last pressure there at once, though next
     // to none may be left in balance: a search would stop before that, again and again.
-    const bool comes_back = law.augments() && step.active == 0 && has_last_pressure(law, p);
+    const bool comes_back = law.augments() && step.active == 0 && has_last_pressure(law, state);
     const bool is_searched =
       bodies.is_nonlinear() && !step.withholds && !step.follows && !comes_back;
-    linearise(u);
+    const LawInputs in{stage.gap, stage.stress, state.traction, state.internal};
+    linearise(u, in);
     solve_linear(stage.rhs, reduction, 0.5 * goal.tolerance * balance.least(), step);
     if (bodies.bulk())
-      bodies.bulk()->add(1, x.block(2));
+      bodies.bulk()->add(1, x.block(system.bulk_block()));
     stage.damping = bodies.longest_step(u, x.block(0));
     if (is_searched)
-      stage.damping = descending_step({bodies, system, law, u, p, r}, x, stage.damping);
+      stage.damping = descending_step({bodies, system, law, u, state, r}, x, stage.damping);
     else if (strategy.is_cautious() && has_energy(system))
-      stage.damping *= best_step(system, law, r, {stage.gap, stage.stress, p}, x.block(0));
+      stage.damping *= best_step(system, law, r, in, x.block(0));
     u.add(stage.damping, x.block(0));
-    if (system.is_saddle_point())
-      p.add(stage.damping, x.block(1));
+    for (unsigned int a = 0; a < state.traction.size() && system.is_saddle_point(); ++a)
+      state.traction[a].add(stage.damping, x.block(1 + a));
     if (bodies.bulk() && stage.damping != 1)
-      bodies.bulk()->add(stage.damping - 1, x.block(2));
+      bodies.bulk()->add(stage.damping - 1, x.block(system.bulk_block()));
     const auto driven = system.free_motions().driven(r, 1e-8 * balance.scale());
     if (!driven.empty() && !system.free_motions().close(u, r))
       {
@@ -221,13 +234,25 @@ namespace Signorini
 
 
 
+  InternalFields
+  Newton::internal(const LA::Vector &u, const ContactState &state) const
+  {
+    if (state.internal.empty())
+      return {};
+    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.bulk_stress())};
+    return law.internal({gaps, s, state.traction, state.internal}, state.status);
+  }
+
+
+
   bool
-  Newton::curves_down(const LA::Vector &u)
+  Newton::curves_down(const LA::Vector &u, const ContactState &state)
   {
     constexpr double enough = 1e-8; // each iteration sees more
     try
       {
-        linearise(u);
+        const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.bulk_stress())};
+        linearise(u, {gaps, s, state.traction, state.internal});
       }
     catch (const SolverFailure &)
       {
@@ -288,15 +313,15 @@ namespace Signorini
 
 
   void
-  Newton::linearise(const LA::Vector &u)
+  Newton::linearise(const LA::Vector &u, const LawInputs &in)
   {
     bodies.linearise(u);
-    is_same = is_same && system.turns_forces();
+    is_same = is_same && system.turns_forces() && law.has_constant_derivatives();
     system.turn_forces(true);
     if (is_same && version == bodies.stiffness().version())
       return;
     if (!is_same)
-      system.set_active(strategy.values());
+      system.linearise(in, strategy.status());
     linear_solver.update();
     is_same = true;
     version = bodies.stiffness().version();
@@ -340,10 +365,15 @@ namespace Signorini
     step.gives_up          = iterates && linear_solver.has_given_up();
     // Constrained ones are unknowns of their own to the linear solver, zero up to its tolerance.
     bodies.constraints().set_zero(x.block(0));
-    if (system.is_saddle_point())
+    // From lengths to tractions; those of open points are zero.
+    for (unsigned int a = 0; a < law.n_components() && system.is_saddle_point(); ++a)
       {
-        x.block(1).scale(contact.coefficients.stiffness);
-        x.block(1).scale(strategy.values());
+        LA::Vector &q = x.block(1 + a);
+        q.scale(contact.coefficients.stiffness);
+        for (const auto i : q.locally_owned_elements())
+          if (!is_closed(strategy.status()(i)))
+            q(i) = 0;
+        q.compress(VectorOperation::insert);
       }
   }
 } // namespace Signorini

@@ -28,12 +28,12 @@ namespace Signorini
 
 
   bool
-  SetStrategy::start(const LA::Vector &p, const LA::Vector &active)
+  SetStrategy::start(const LA::Vector &p, const LA::Vector &status)
   {
     restart();
     my_reduction              = first_reduction;
     is_cold                   = has_no_pressure(p);
-    const bool is_another_set = active_set.set(active);
+    const bool is_another_set = active_set.set(status);
     const bool is_stiffer     = law.soften(is_cold ? law.softest() : 1);
     return is_another_set || is_stiffer;
   }
@@ -68,23 +68,24 @@ namespace Signorini
                       const bool         was_idle,
                       NewtonStep        &step)
   {
-    const LA::Vector   trial  = n == 0 && !is_cold ? law.trial_from_pressure(in) : law.trial(in);
+    const PointVectors trial  = n == 0 && !is_cold ? law.trial_from_traction(in) : law.trial(in);
+    const LA::Vector  &gap    = in.gap[0];
     const unsigned int before = active_set.size();
-    active_set.update(law.pushes(trial));
+    active_set.update(law.status(trial));
     const unsigned int all = active_set.size();
     // From a zone that is too small bodies overlap far around it, until they rest on it.
     const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before && !was_idle;
     if (is_cold && (n <= 1 || grows))
       {
         const bool         falls  = n == 0 && !system.free_motions().empty();
-        const bool         stands = falls && touches_where_it_can(in.gap);
-        const unsigned int kept   = stands ? active_set.add_touching(in.gap) :
-                                    falls  ? active_set.drop_touching(in.gap) :
-                                             active_set.keep_deepest(in.gap, grows);
+        const bool         stands = falls && touches_where_it_can(gap);
+        const unsigned int kept   = stands ? active_set.add_touching(gap) :
+                                    falls  ? active_set.drop_touching(gap) :
+                                             active_set.keep_deepest(gap, grows);
         step.withholds            = kept < all;
       }
     if (!cautious && n > 0)
-      active_set.open_pulling_regions(trial);
+      active_set.open_pulling_regions(trial[0]);
     // The linear solves may have been too rough to tell where there is pressure. Those of thin
     // bodies, which bend before they are compressed, are so rough that sets wander without end, and
     // none comes up again.
@@ -99,11 +100,11 @@ namespace Signorini
         n_changes = 0;
         active_set.restart();
       }
-    if (cautious && law.is_mixed())
-      active_set.keep_all_but_the_worst(trial);
+    if (cautious && law.has_multiplier())
+      active_set.keep_all_but_the_worst(trial[0]);
     // An obstacle that retreats has lost all contact before the bodies follow: let them first.
     step.follows = n == 0 && (active_set.keep_last_if_any() ||
-                              (!is_cold && active_set.take_if_empty(law.pushes(in.pressure))));
+                              (!is_cold && active_set.take_if_empty(law.status(in.traction))));
     step.active  = active_set.size();
     step.changes = active_set.count_changes();
     n_changes += step.changes > 0;

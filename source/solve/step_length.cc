@@ -31,9 +31,16 @@ namespace Signorini
       at_start() const;
 
     private:
-      /// What the law says; unknown ones as of the augmented Lagrangian, (p - c g)+.
+      /// What the law says; unknown pressures as of the augmented Lagrangian, (p - c g)+.
+      PointVectors
+      traction(const LA::Vector &u, const PointVectors &unknown) const;
+
+      /// Normal ones, of the bodies.
       LA::Vector
-      pressure(const LawInputs &in) const;
+      stress(const LA::Vector &u) const
+      {
+        return contact.stress(u, start.bodies.bulk_stress());
+      }
 
       const StepStart       &start;
       const GapOperator     &contact;
@@ -52,12 +59,10 @@ namespace Signorini
       LA::Vector force = start.bodies.residual(at);
       if (!contact.empty())
         {
-          LA::Vector p = start.p;
-          if (start.system.is_saddle_point())
-            p.add(a, step.block(1));
-          const LA::Vector gap = contact.gap(at),
-                           s   = contact.stress(at, start.bodies.bulk_stress());
-          force += contact.force(pressure({gap, s, p}), s);
+          PointVectors p = start.contact.traction;
+          for (unsigned int k = 0; k < p.size() && start.system.is_saddle_point(); ++k)
+            p[k].add(a, step.block(1 + k));
+          force += contact.force(traction(at, p), stress(at));
           contact.add_moved_force(force, at);
         }
       start.bodies.constraints().set_zero(force);
@@ -72,41 +77,38 @@ namespace Signorini
       double result = -(start.r * du);
       if (start.system.is_saddle_point())
         {
-          const LA::Vector gap = contact.gap(start.u),
-                           s   = contact.stress(start.u, start.bodies.bulk_stress());
-          LA::Vector more      = pressure({gap, s, start.p});
-          more -= start.p;
-          LA::Vector force = contact.force(more, s);
+          PointVectors more = traction(start.u, start.contact.traction);
+          for (unsigned int k = 0; k < more.size(); ++k)
+            more[k] -= start.contact.traction[k];
+          LA::Vector force = contact.force(more, stress(start.u));
           start.bodies.constraints().set_zero(force);
           result -= force * du;
         }
       if (start.system.bulk())
         {
-          LA::Vector volume = step.block(2);
+          const LA::Vector &m      = step.block(start.system.bulk_block());
+          LA::Vector        volume = m;
           start.system.bulk()->B.vmult(volume, du);
-          result += volume * step.block(2);
+          result += volume * m;
         }
       return result;
     }
 
 
 
-    LA::Vector
-    Resistance::pressure(const LawInputs &in) const
+    PointVectors
+    Resistance::traction(const LA::Vector &u, const PointVectors &unknown) const
     {
-      const LA::Vector trial = start.law.trial(in), pushes = start.law.pushes(trial);
-      LA::Vector       result = start.law.pressure(in, pushes);
+      const PointVectors gaps = contact.gaps(u), s = {stress(u)};
+      const LawInputs    in{gaps, s, unknown, start.contact.internal};
+      const PointVectors trial  = start.law.trial(in);
+      const LA::Vector   status = start.law.status(trial);
+      PointVectors       result = start.law.traction(in, status);
       if (!start.system.is_saddle_point())
         return result;
-      const IndexSet     rows = result.locally_owned_elements();
-      const unsigned int n    = start.law.n_components();
-      for (auto row = rows.begin(); row != rows.end();)
-        {
-          result(*row) = pushes(*row) > 0 ? trial(*row) : 0.;
-          for (unsigned int k = 0; k < n; ++k)
-            ++row;
-        }
-      result.compress(VectorOperation::insert);
+      for (const auto i : status.locally_owned_elements())
+        result[0](i) = is_closed(status(i)) ? trial[0](i) : 0.;
+      result[0].compress(VectorOperation::insert);
       return result;
     }
   } // namespace

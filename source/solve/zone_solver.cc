@@ -15,7 +15,7 @@ namespace Signorini
 
   namespace
   {
-    /// Marks columns. @param mark of a row, its number and the marks of columns on this rank
+    /// Marks columns. @param mark of a row, its point and the marks of columns on this rank
     template <typename Mark>
     LA::Vector
     marked_by(const ContactSystem &system, const Mark &mark)
@@ -24,12 +24,15 @@ namespace Signorini
       marker.reinit(system.zero().block(0));
       if (system.gap_operator().empty())
         return marker;
-      const LA::SparseMatrix  &B = system.gap_operator().B_free;
-      const LA::ColumnExchange columns(B);
+      const GapOperator       &contact = system.gap_operator();
+      const LA::ColumnExchange columns(contact.B_free);
       std::vector<double>      marks(columns.size(), 0.);
-      int                      row = 0;
-      for (const auto i : system.gap_operator().weight.locally_owned_elements())
-        mark(LA::RowView(B, row++), i, marks);
+      for (unsigned int a = 0; a < contact.n_components(); ++a)
+        {
+          int row = 0;
+          for (const auto i : contact.weight.locally_owned_elements())
+            mark(LA::RowView(contact.free_rows(a), row++), i, marks);
+        }
       // Columns may belong to other ranks: tell them.
       columns.enlarge(marks.data(), marker);
       return marker;
@@ -43,11 +46,6 @@ namespace Signorini
           marks[row.columns[k]] = 1;
     }
 
-    bool
-    presses(const ContactSystem &system, const types::global_dof_index i)
-    {
-      return system.spring()(i) != 0 || system.coupling()(i) != 0;
-    }
   } // namespace
 
 
@@ -56,7 +54,7 @@ namespace Signorini
   contact_zone(const ContactSystem &system)
   {
     return marked_by(system, [&](const LA::RowView &row, const auto i, auto &marks) {
-      if (presses(system, i))
+      if (system.presses(i))
         mark_entries(row, marks);
     });
   }
@@ -74,7 +72,7 @@ namespace Signorini
       node /= n_components;
     std::map<types::global_dof_index, double> largest;
     return marked_by(system, [&](const LA::RowView &row, const auto i, auto &marks) {
-      if (!presses(system, i))
+      if (!system.presses(i))
         return;
       largest.clear();
       for (int k = 0; k < row.size; ++k)
@@ -189,7 +187,9 @@ namespace Signorini
       if (marks[i] != 0)
         dofs.emplace_back(i, 0);
     const unsigned int n_rows =
-      system.is_saddle_point() ? system.gap_operator().origin.pair.size() : 0;
+      system.is_saddle_point() ?
+        system.n_multiplier_blocks() * system.gap_operator().weight.locally_owned_size() :
+        0;
     const MPI_Comm comm = marker.get_mpi_communicator();
     owned               = LA::contiguous_partition(dofs.size() + n_rows, comm);
     number.reinit(marker);
@@ -262,19 +262,28 @@ namespace Signorini
   void
   ZoneSolver::collect_multipliers(Entries &entries) const
   {
-    const int n_rows = system.gap_operator().weight.locally_owned_size();
-    for (int i = 0; i < n_rows; ++i)
-      {
-        const LA::RowView row(system.gap_operator().B_free, i);
-        const double      coupling = LA::values_of(system.coupling())[i];
-        for (int k = 0; k < row.size; ++k)
-          if (const double column = number_in_B[row.columns[k]]; column >= 0 && coupling != 0)
-            {
-              entries.add(column, first_row + i, -coupling * row.values[k]);
-              entries.add(first_row + i, column, -coupling * row.values[k]);
-            }
-        entries.add(first_row + i, first_row + i, -LA::values_of(system.identity())[i]);
-      }
+    const GapOperator &contact  = system.gap_operator();
+    const int          n        = system.n_multiplier_blocks();
+    const int          n_points = contact.weight.locally_owned_size();
+    for (int i = 0; i < n_points; ++i)
+      for (int a = 0; a < n; ++a)
+        {
+          const LA::RowView row(contact.free_rows(a), i);
+          const double      coupling = LA::values_of(system.coupling())[i];
+          const auto        own      = first_row + n * i;
+          for (int k = 0; k < row.size; ++k)
+            if (const double column = number_in_B[row.columns[k]]; column >= 0)
+              {
+                if (coupling != 0)
+                  entries.add(column, own + a, -coupling * row.values[k]);
+                for (int b = 0; b < n; ++b)
+                  if (const double C = LA::values_of(system.constraint()[b][a])[i]; C != 0)
+                    entries.add(own + b, column, -C * row.values[k]);
+              }
+          for (int b = 0; b < n; ++b)
+            if (const double I = LA::values_of(system.identity()[a][b])[i]; I != 0 || a == b)
+              entries.add(own + a, own + b, -I);
+        }
   }
 
 
@@ -296,14 +305,29 @@ namespace Signorini
 
 
 
+  template <typename Action>
+  void
+  ZoneSolver::for_each_multiplier(const Action &act) const
+  {
+    if (!system.is_saddle_point())
+      return;
+    const unsigned int n_points = system.gap_operator().weight.locally_owned_size();
+    for (unsigned int i = 0; i < n_points; ++i)
+      for (unsigned int a = 0; a < system.n_multiplier_blocks(); ++a)
+        act(1 + a, i);
+  }
+
+
+
   void
   ZoneSolver::add_correction(LA::BlockVector &x, const LA::BlockVector &r) const
   {
     double *at = LA::values_of(right);
     for (const auto &entry : dofs)
       *at++ = LA::values_of(r.block(0))[entry.first];
-    if (system.is_saddle_point())
-      std::copy_n(LA::values_of(r.block(1)), r.block(1).locally_owned_size(), at);
+    for_each_multiplier([&](const unsigned int block, const unsigned int i) {
+      *at++ = LA::values_of(r.block(block))[i];
+    });
     add_solution(x);
   }
 
@@ -326,9 +350,9 @@ namespace Signorini
           force += row.values[k] * x_of_K[row.columns[k]];
         *at++ = LA::values_of(r.block(0))[dof] - force;
       }
-    if (system.is_saddle_point())
-      for (unsigned int i = 0; i < r.block(1).locally_owned_size(); ++i)
-        *at++ = LA::values_of(r.block(1))[i] - LA::values_of(contact_terms.block(1))[i];
+    for_each_multiplier([&](const unsigned int block, const unsigned int i) {
+      *at++ = LA::values_of(r.block(block))[i] - LA::values_of(contact_terms.block(block))[i];
+    });
     add_solution(x);
   }
 
@@ -342,8 +366,8 @@ namespace Signorini
     const double *from = LA::values_of(left);
     for (const auto &entry : dofs)
       LA::values_of(x.block(0))[entry.first] += *from++;
-    if (system.is_saddle_point())
-      for (unsigned int i = 0; i < x.block(1).locally_owned_size(); ++i)
-        LA::values_of(x.block(1))[i] += *from++;
+    for_each_multiplier([&](const unsigned int block, const unsigned int i) {
+      LA::values_of(x.block(block))[i] += *from++;
+    });
   }
 } // namespace Signorini

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Cholesky>
 
@@ -94,9 +95,19 @@ namespace Signorini
       return n - 1;
     }
 
+    /// A number of a place that is interpolated: the pressure, then the history.
+    double
+    entry(const PlaceValue &value, const unsigned int k)
+    {
+      return k == 0 ? value.pressure : value.history[k - 1];
+    }
+
     template <int dim>
     double
-    polynomial(const Values &values, const unsigned int degree, const FacePlace &place)
+    polynomial(const Values      &values,
+               const unsigned int degree,
+               const FacePlace   &place,
+               const unsigned int k)
     {
       Point<dim - 1> xi;
       for (unsigned int d = 0; d < dim - 1; ++d)
@@ -104,14 +115,14 @@ namespace Signorini
       const LagrangePolynomials<dim - 1> functions(degree, xi);
       double                             sum = 0;
       for (unsigned int i = 0; i < values.size(); ++i)
-        sum += values[i].pressure * functions.value(i);
+        sum += entry(values[i], k) * functions.value(i);
       return sum;
     }
 
     /// The value at the place of the plane that fits best near there (moving least squares,
     /// Lancaster, Salkauskas, Math. Comp. 37 (1981) 141); a mean where places have no plane.
     double
-    plane(const Values &values, const FacePlace &place)
+    plane(const Values &values, const FacePlace &place, const unsigned int k)
     {
       Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
       Eigen::Vector3d b = Eigen::Vector3d::Zero();
@@ -121,7 +132,7 @@ namespace Signorini
           const double          weight = 1 / (square * square);
           const Eigen::Vector3d terms(1, value.place[0] - place[0], value.place[1] - place[1]);
           A += weight * terms * terms.transpose();
-          b += weight * value.pressure * terms;
+          b += weight * entry(value, k) * terms;
         }
       // What the places do not tell has no slope.
       const double least = 1e-12 * (A(1, 1) + A(2, 2)) + 1e-15 * A(0, 0);
@@ -141,10 +152,25 @@ namespace Signorini
       if (values.empty())
         return result;
       const unsigned int degree = degree_of_lattice(values, dim);
-      result.pressure           = degree == 0 ? plane(values, place) :
-                                  dim == 2    ? polynomial<2>(values, degree, place) :
-                                                polynomial<3>(values, degree, place);
-      result.active             = result.pressure > 0 ? 1. : 0.;
+      const auto         at     = [&](const unsigned int k) {
+        return degree == 0 ? plane(values, place, k) :
+                           dim == 2    ? polynomial<2>(values, degree, place, k) :
+                                         polynomial<3>(values, degree, place, k);
+      };
+      result.pressure = at(0);
+      for (unsigned int k = 0; k < values.front().history.size(); ++k)
+        result.history.push_back(at(k + 1));
+      // Closed where there is pressure, and then as the closest place that is.
+      double closest = std::numeric_limits<double>::max();
+      for (const PlaceValue &value : values)
+        if (const double distance = distance_square(value.place, place);
+            result.pressure > 0 && value.status > 0 && distance < closest)
+          {
+            closest       = distance;
+            result.status = value.status;
+          }
+      if (result.pressure > 0 && result.status == 0)
+        result.status = 1;
       return result;
     }
 

@@ -45,11 +45,11 @@ namespace
     LinearBodies       bodies = problem.bodies();
     BodiesHierarchy    hierarchies(bodies.stiffness(), 1);
     ContactSolver      solver({}, direct, *method, bodies, problem.contact, {}, hierarchies, timer);
-    LA::Vector         u = problem.load, p = problem.contact.zero();
+    LA::Vector         u      = problem.load;
+    ContactState       state  = open_contact(problem.contact);
     u                         = 0.;
-    p                         = 1e-3; // not a cold start, which would choose a better first set
-    LA::Vector         active = problem.contact.zero();
-    const NewtonReport report = solver.solve(u, p, active, print_steps(out));
+    state.traction[0]         = 1e-3; // not a cold start, which would choose a better first set
+    const NewtonReport report = solver.solve(u, state, print_steps(out));
     CAPTURE(log.str());
     CHECK(report.converged);
     CHECK(report.steps.size() > 3);

@@ -77,15 +77,15 @@ namespace
   {
     const LA::Vector none = contact.zero();
     return NormalContact(*ContactMethod::create("Lagrange multiplier"), contact)
-      .trial({gap, none, p});
+      .trial({{gap}, {none}, {p}, {}})[0];
   }
 
-  /// The set where that pushes.
+  /// The statuses where that presses.
   LA::Vector
-  pushes(const GapOperator &contact, const LA::Vector &gap, const LA::Vector &p)
+  status(const GapOperator &contact, const LA::Vector &gap, const LA::Vector &p)
   {
     return NormalContact(*ContactMethod::create("Lagrange multiplier"), contact)
-      .pushes(trial(contact, gap, p));
+      .status({trial(contact, gap, p)});
   }
 
   Values
@@ -103,20 +103,20 @@ TEST_CASE("the law: p^ - eps g where that pushes, at permanent points always")
   points.contact.coefficients.permanent = points.vector({0, 0, 0, 0, 1, 1});
   const LA::Vector gap                  = points.vector({-1, 1, 1, -1, 1, -1}),
                    p                    = points.vector({0, 0, 11, -11, 5, 5});
-  CHECK(everywhere(pushes(points.contact, gap, p)) == Values({1, 0, 1, 0, 1, 1}));
+  CHECK(everywhere(status(points.contact, gap, p)) == Values({1, 0, 1, 0, 1, 1}));
 
   // A node without area is never active.
   points.contact.weight = points.vector({0, 2, 2, 2, 2, 2});
-  CHECK(everywhere(pushes(points.contact, gap, p)) == Values({0, 0, 1, 0, 1, 1}));
+  CHECK(everywhere(status(points.contact, gap, p)) == Values({0, 0, 1, 0, 1, 1}));
 
   const LA::Vector active = points.vector({1, 0, 1, 0, 1, 1}),
                    sevens = points.vector({7, 7, 7, 7, 7, 7}), none = points.contact.zero();
-  const LawInputs     in{gap, none, sevens};
+  const LawInputs     in{{gap}, {none}, {sevens}, {}};
   const NormalContact multiplier(*ContactMethod::create("Lagrange multiplier"), points.contact);
-  CHECK(everywhere(multiplier.pressure(in, active)) == Values({7, 0, 7, 0, 7, 7}));
+  CHECK(everywhere(multiplier.traction(in, active)[0]) == Values({7, 0, 7, 0, 7, 7}));
   NormalContact augmented(*ContactMethod::create("augmented Lagrangian"), points.contact);
-  augmented.augment(p);
-  CHECK(everywhere(augmented.pressure(in, active)) == Values({10, 0, 1, 0, -5, 15}));
+  augmented.augment({p});
+  CHECK(everywhere(augmented.traction(in, active)[0]) == Values({10, 0, 1, 0, -5, 15}));
 }
 
 
@@ -140,13 +140,13 @@ TEST_CASE("of overlapping points the deepest half of each pair comes first")
   const Points     points({-1, -0.4, -8, -5, -3, 1});
   ActiveSet        set(points.contact);
   const LA::Vector gap = points.contact.initial_gap;
-  set.update(pushes(points.contact, gap, points.contact.zero()));
+  set.update(status(points.contact, gap, points.contact.zero()));
   CHECK(set.size() == 5);
   CHECK(set.keep_deepest(gap) == 4);
   CHECK(values_of(set) == Values({1, 0, 1, 1, 1, 0}));
   CHECK(set.count_changes() == 4);
   // What was active stays.
-  set.update(pushes(points.contact, gap, points.contact.zero()));
+  set.update(status(points.contact, gap, points.contact.zero()));
   CHECK(set.keep_deepest(gap) == 4);
   CHECK(set.count_changes() == 0);
 }
@@ -158,7 +158,7 @@ TEST_CASE("points that only touch do not count at first, those that never separa
   Points points({0, -1e-13, 3, 0, 0, 0});
   points.contact.coefficients.permanent = points.vector({0, 0, 0, 0, 1, 1});
   ActiveSet set(points.contact);
-  set.update(pushes(points.contact, points.contact.initial_gap, points.contact.zero()));
+  set.update(status(points.contact, points.contact.initial_gap, points.contact.zero()));
   CHECK(set.size() == 3);
   CHECK(set.drop_touching(points.contact.initial_gap) == 2);
   CHECK(set.size_of_separating() == 0);
@@ -177,7 +177,7 @@ TEST_CASE("one at a time: the point that violates the law most")
   // Two pull, one overlaps; the law: p - 10 g.
   const LA::Vector gap = points.vector({0, 0, 0, -0.3, 0.1, 0}),
                    p   = points.vector({-2, -1, 4, 0, 0, 0});
-  set.update(pushes(points.contact, gap, p));
+  set.update(status(points.contact, gap, p));
   CHECK(values_of(set) == Values({0, 0, 1, 1, 0, 0}));
   set.keep_all_but_the_worst(trial(points.contact, gap, p));
   CHECK(values_of(set) == Values({1, 1, 1, 1, 0, 0}));
@@ -191,7 +191,7 @@ TEST_CASE("sets that come up again are seen, but not those that stay")
   const Points points({0, 0, 0, 0, 0, 0});
   ActiveSet    set(points.contact);
   const auto   seen = [&](const Values &gap) {
-    set.update(pushes(points.contact, points.vector(gap), points.contact.zero()));
+    set.update(status(points.contact, points.vector(gap), points.contact.zero()));
     return set.seen_before();
   };
   CHECK(!seen({-1, 1, 1, 1, 1, 1}));
@@ -210,7 +210,7 @@ TEST_CASE("a set that is left at the first step is kept for one more")
   const Points points({0, 0, 0, 0, 0, 0});
   ActiveSet    set(points.contact);
   set.set(points.vector({1, 1, 0, 0, 0, 0}));
-  set.update(pushes(points.contact, points.vector({1, 1, 1, 1, 1, 1}), points.contact.zero()));
+  set.update(status(points.contact, points.vector({1, 1, 1, 1, 1, 1}), points.contact.zero()));
   CHECK(set.size() == 0);
   CHECK(set.keep_last_if_any());
   CHECK(values_of(set) == Values({1, 1, 0, 0, 0, 0}));
@@ -238,7 +238,7 @@ TEST_CASE("what active points leave loose has springs, what they stop has none")
   const LA::Vector springs = points.vector({4, 4, 0, 0, 1, 3});
   FreeMotions      motions = two_motions(points, springs);
   CHECK(motions.never_held().empty());
-  motions.set_active(points.vector({0, 1, 0, 0, 0, 0}));
+  motions.set_status(points.vector({0, 1, 0, 0, 0, 0}));
   CHECK(motions.loose() == std::vector<std::string>{"right"});
 
   // K - S + S z (S z)^T with z.S z = 1: along z it is K again.
@@ -276,14 +276,14 @@ TEST_CASE("a loose motion is held where that takes little force")
   const Points     points({0, 0, 0, 0, 0, 0});
   const LA::Vector springs = points.vector({4, 4, 0, 0, 1, 3});
   FreeMotions      motions = two_motions(points, springs);
-  motions.set_active(points.vector({1, 1, 0, 0, 0, 0}));
+  motions.set_status(points.vector({1, 1, 0, 0, 0, 0}));
   // Contact pushes with 2 times 3 on what moves.
   const LA::Vector p = points.vector({0, 0, 0, 0, 3, 0});
   LA::Vector       r = points.vector({1, 1, 1, 1, 0.02, 0.02});
-  CHECK(motions.hold(r, p, points.contact.zero()) == doctest::Approx(0.04));
+  CHECK(motions.hold(r, {p}, points.contact.zero()) == doctest::Approx(0.04));
   CHECK(std::abs(everywhere(r)[4] + everywhere(r)[5]) < 1e-15);
   CHECK(everywhere(r)[0] == 1);
   r = points.vector({1, 1, 1, 1, 0.2, 0.2});
-  CHECK(motions.hold(r, p, points.contact.zero()) == 0);
+  CHECK(motions.hold(r, {p}, points.contact.zero()) == 0);
   CHECK(everywhere(r)[4] == 0.2);
 }

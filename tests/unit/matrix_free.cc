@@ -306,7 +306,7 @@ namespace
         AMG             amg(hierarchy, &scene.gap_operator());
         LA::Vector      springs = scene.gap_operator().weight;
         springs *= 100;
-        amg.set_springs(springs);
+        amg.set_springs({springs});
         const LA::Vector x = scene.rough_field(1, 0.3), y = scene.rough_field(1, 1.1);
         LA::Vector       Vx = x, Vy = y;
         amg.vmult(Vx, x);

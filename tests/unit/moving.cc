@@ -277,14 +277,14 @@ namespace
       scene.contact->build(Configuration<dim>(elasticity, there, u), false, keeps_points);
       LA::Vector p = scene.gap_operator().zero();
       p            = 1.;
-      return scene.gap_operator().force(p, p);
+      return scene.gap_operator().force({p}, p);
     };
     scene.contact->build(Configuration<dim>(elasticity, u));
     const LA::Vector force = force_at(0);
     LA::Vector       p     = scene.gap_operator().zero(), expected;
     p                      = 1.;
     expected.reinit(force);
-    scene.contact->turn_forces(p);
+    scene.contact->turn_forces({p});
     scene.gap_operator().subtract_geometric(expected, v);
     expected *= -1;
     check_entries(scene.gap_operator(), v, expected);

@@ -38,7 +38,7 @@ namespace
     AMG                      amg(hierarchy, scene.contact.get());
     LA::Vector               D = every_other(*scene.contact);
     D *= spring;
-    amg.set_springs(D);
+    amg.set_springs({D});
 
     const LA::Vector x = scene.field(1, 0.3), y = scene.field(1, 1.1);
     LA::Vector       Vx = x, Vy = y;
@@ -63,7 +63,7 @@ namespace
     ContactSystem            system(K, law);
     LA::Vector               active = scene.contact->zero();
     active                          = 1.;
-    system.set_active(active);
+    system.set_status(active);
     ContactFilter filter(system,
                          hierarchy,
                          Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ?

@@ -128,7 +128,7 @@ TEST_CASE("a contact pressure exerts balanced forces")
     p(i) = 1 + std::sin(i);
   p.compress(VectorOperation::insert);
   // All components of all forces together: action and reaction.
-  CHECK(std::abs(scene.contact->total_force(p, scene.contact->zero()).mean_value()) < 1e-14);
+  CHECK(std::abs(scene.contact->total_force({p}, scene.contact->zero()).mean_value()) < 1e-14);
   // The gap does not change in rigid motions, so that the forces do no work: no moment either.
   for (const std::vector<double> &mode : rigid_body_modes(scene.elasticity))
     {

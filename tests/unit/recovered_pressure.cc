@@ -57,7 +57,8 @@ namespace
         }
     for (LA::Vector *v : {&value, &area})
       v->compress(VectorOperation::add);
-    LA::Vector     pressure = contact.zero(), active = contact.zero();
+    ContactState   state    = open_contact(contact);
+    LA::Vector    &pressure = state.traction[0], &active = state.status;
     const IndexSet rows = active.locally_owned_elements();
     auto           row  = rows.begin();
     for (const auto node : contact.origin.node)
@@ -77,6 +78,7 @@ namespace
                                  gap,
                                  pressure,
                                  active,
+                                 state,
                                  1.,
                                  1};
     const LA::Vector    field   = scene.elasticity->with_ghosts(recovered_pressure(snapshot, 0));

@@ -182,9 +182,11 @@ TEST_CASE("a region that pulls as a whole is opened, with what overlaps beside i
   });
   const NormalContact law(*ContactMethod::create("penalty"), *surface.contact);
   const LA::Vector    none  = surface.contact->zero();
-  const auto          trial = [&](const LA::Vector &gaps) { return law.trial({gaps, none, none}); };
-  set.update(law.pushes(trial(gap)));
-  set.open_pulling_regions(trial(gap));
+  const auto          trial = [&](const LA::Vector &gaps) {
+    return law.trial({{gaps}, {none}, {none}, {}});
+  };
+  set.update(law.status(trial(gap)));
+  set.open_pulling_regions(trial(gap)[0]);
   const LA::Vector expected =
     surface.vector([&](double x, double y) { return radius(x, y) < 0.16 ? 1. : 0.; });
   for (const auto i : gap.locally_owned_elements())
@@ -195,9 +197,9 @@ TEST_CASE("a region that pulls as a whole is opened, with what overlaps beside i
   alone.set(surface.vector([&](double x, double y) { return radius(x, y) < 0.3 ? 1. : 0.; }));
   const LA::Vector pulls =
     surface.vector([&](double x, double y) { return radius(x, y) < 0.1 ? -0.1 : 1.; });
-  alone.update(law.pushes(trial(pulls)));
+  alone.update(law.status(trial(pulls)));
   const unsigned int before = alone.size();
-  alone.open_pulling_regions(trial(pulls));
+  alone.open_pulling_regions(trial(pulls)[0]);
   CHECK(before > 0);
   CHECK(alone.size() == before);
 }

@@ -100,9 +100,9 @@ namespace TestScene
                          timer);
     u = elasticity->zero_vector();
     elasticity->distribute(u);
-    p                         = gap_operator().zero();
-    LA::Vector         active = p;
-    const NewtonReport report = solver.solve(u, p, active, [](const NewtonStep &) {});
+    ContactState       state  = open_contact(gap_operator());
+    const NewtonReport report = solver.solve(u, state, [](const NewtonStep &) {});
+    p                         = state.pressure();
     elasticity->distribute(u);
     return report;
   }

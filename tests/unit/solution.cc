@@ -41,7 +41,7 @@ namespace
                  stress    = reference.stress(all_u);
     const LA::Vector w     = scene.rough_field(1, 1.9);
     const Values     all_w = distributed_change(*scene.elasticity, w);
-    const LA::Vector force = scene.gap_operator().force(p, scene.gap_operator().stress(u));
+    const LA::Vector force = scene.gap_operator().force({p}, scene.gap_operator().stress(u));
     const double     scale = std::max(force.l2_norm(), scene.elasticity->load().l2_norm());
     CHECK(force.l2_norm() > 0);
 
@@ -112,16 +112,16 @@ namespace
     const NormalContact      law(scene.method(), contact);
     const AssembledStiffness K(scene.elasticity->stiffness());
     ContactSystem            system(K, law);
-    system.set_active(active);
+    system.set_status(active);
     LA::BlockVector  right = system.zero(), x = system.zero();
     const LA::Vector gap = contact.gap(u), none = contact.zero(),
-                     pressure = law.pressure({gap, none, p}, active);
+                     pressure = law.traction({{gap}, {none}, {p}, {}}, active)[0];
     scene.elasticity->stiffness().vmult(right.block(0), u);
     right.block(0).sadd(-1, 1, scene.elasticity->load());
-    right.block(0) += contact.force(pressure, contact.zero());
+    right.block(0) += contact.force({pressure}, contact.zero());
     scene.elasticity->constraints().set_zero(right.block(0));
     if (system.is_saddle_point())
-      right.block(1) = law.defect({gap, none, pressure}, active);
+      right.block(1) = law.residual({{gap}, {none}, {pressure}, {}}, active)[0];
     right.compress(VectorOperation::insert);
     Direct solver(system,
                   Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? LA::DirectLibrary::KLU :
@@ -153,7 +153,7 @@ namespace
                    "perturbed Lagrangian/Form=" + form});
         const NormalContact law(scene.method(), scene.gap_operator());
         const LA::Vector    gap = scene.gap_operator().gap(u), none = scene.gap_operator().zero(),
-                         active = law.pushes(law.trial({gap, none, none})),
+                         active = law.status(law.trial({{gap}, {none}, {none}, {}})),
                          p      = active; // any pressure: the system is linear in it
         results.push_back(direction(scene, u, p, active));
       }

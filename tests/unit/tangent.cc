@@ -145,10 +145,10 @@ namespace
     const LA::Vector gap = contact.gap(state.u), stress = contact.stress(state.u);
     const LA::Vector none = contact.zero();
     NormalContact    contact_law(scene.method(), contact);
-    contact_law.augment(predicted);
-    const LawInputs  in{gap, stress, none};
-    const LA::Vector active     = contact_law.pushes(contact_law.trial(in)),
-                     p          = contact_law.pressure(in, active);
+    contact_law.augment({predicted});
+    const LawInputs  in{{gap}, {stress}, {none}, {}};
+    const LA::Vector active     = contact_law.status(contact_law.trial(in)),
+                     p          = contact_law.traction(in, active)[0];
     const unsigned int n_active = active.l1_norm() + 0.5;
     CHECK(size_of(sum(everywhere(p), -1, start.pressure)) < 1e-12 * size_of(start.pressure));
     if (scene.scene.pairs[0].separates)
@@ -157,7 +157,7 @@ namespace
         CHECK(n_active < start.gap.size());
       }
     const double work  = reference.work(start.pressure, start.stress, state.all_w);
-    const auto   force = contact.force(p, stress);
+    const auto   force = contact.force({p}, stress);
     const double size  = force.l2_norm() * state.w.l2_norm();
     CHECK(std::abs(force * state.w + work) < 1e-13 * size);
 
@@ -166,7 +166,7 @@ namespace
     ContactSystem            system(K, contact_law, scene.free_motions());
     LA::BlockVector direction = system.zero(), change = system.zero(), whole = system.zero();
     REQUIRE(!system.is_saddle_point());
-    system.set_active(active);
+    system.set_status(active);
     direction.block(0) = state.du;
     system.contact_terms(change, direction);
     const double derivative = change.block(0) * state.w;
@@ -207,11 +207,11 @@ namespace
     ContactSystem            system(K, contact_law, scene.free_motions());
     REQUIRE(system.is_saddle_point());
     const LA::Vector gap = contact.gap(state.u), none = contact.zero();
-    const LA::Vector active    = contact_law.pushes(contact_law.trial({gap, none, p}));
+    const LA::Vector active    = contact_law.status(contact_law.trial({{gap}, {none}, {p}, {}}));
     const Values     is_active = everywhere(active);
     for (unsigned int i = 0; i < is_active.size(); ++i)
       CHECK((is_active[i] > 0) == (start.argument[i] > 0 || !scene.scene.pairs[0].separates));
-    system.set_active(active);
+    system.set_status(active);
 
     LA::BlockVector direction = system.zero(), change = system.zero();
     direction.block(0) = state.du;

@@ -440,14 +440,14 @@ namespace
     for (const auto i : s.locally_owned_elements())
       CHECK(std::abs(s(i) - p) < 1e-12 * p); // the difference of stresses ten times as large
     LA::Vector active = scene.contact->zero(), r = scene.elasticity.zero_vector();
-    active               = 1.;
-    const LA::Vector gap = scene.contact->gap(u),
-                     pressure =
-                       NormalContact(*method, *scene.contact).pressure({gap, s, s}, active);
+    active                    = 1.;
+    const LA::Vector gap      = scene.contact->gap(u),
+                     pressure = NormalContact(*method, *scene.contact)
+                                  .traction({{gap}, {s}, {s}, {}}, active)[0];
     scene.elasticity.stiffness().vmult(r, u);
     const LA::Vector f = scene.elasticity.load();
     r -= f;
-    r -= scene.contact->force(pressure, s);
+    r -= scene.contact->force({pressure}, s);
     scene.elasticity.constraints().set_zero(r);
     CHECK(r.l2_norm() < 1e-13 * f.l2_norm());
   }

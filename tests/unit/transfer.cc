@@ -314,24 +314,24 @@ namespace
     SmallScene<dim> scene(which.lines +
                           Lines{"Dimension=" + std::to_string(dim), "Mesh/Degree=" + degree});
     scene.use(method);
-    const LA::Vector   pressure = linear_pressure<dim>(scene.gap_operator());
-    LA::Vector         active   = scene.gap_operator().zero();
-    const SurfaceField field    = places_of_rows(scene.gap_operator(), pressure, active, dim);
-    const auto         n        = scene.mesh->triangulation().n_global_active_cells();
+    const LA::Vector pressure = linear_pressure<dim>(scene.gap_operator());
+    ContactState     state    = open_contact(scene.gap_operator());
+    state.traction[0]         = pressure;
+    const SurfaceField field  = places_of_rows(scene.gap_operator(), state, dim);
+    const auto         n      = scene.mesh->triangulation().n_global_active_cells();
 
     // What is asked for again is what was given, to the last digit.
-    LA::Vector p;
-    rows_of_places(field, scene.gap_operator(), p, active);
-    CHECK(difference<dim>(p, pressure) < 1e-15);
+    state = rows_of_places(field, scene.gap_operator(), {});
+    CHECK(difference<dim>(state.pressure(), pressure) < 1e-15);
 
     LA::Vector u = scene.rough_field(1, 0.4);
     mark_by_estimate(*scene.mesh, *scene.elasticity, u);
     refine(*scene.mesh, *scene.elasticity, {&u});
     scene.use(method);
     CHECK(scene.mesh->triangulation().n_global_active_cells() != n);
-    rows_of_places(field, scene.gap_operator(), p, active);
-    CHECK(difference<dim>(p, linear_pressure<dim>(scene.gap_operator())) < 1e-8);
-    CHECK(active.linfty_norm() == 1);
+    state = rows_of_places(field, scene.gap_operator(), {});
+    CHECK(difference<dim>(state.pressure(), linear_pressure<dim>(scene.gap_operator())) < 1e-8);
+    CHECK(state.status.linfty_norm() == 1);
   }
 } // namespace
 

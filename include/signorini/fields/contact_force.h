@@ -10,7 +10,7 @@ namespace Signorini
   LA::Vector
   contact_force(const Snapshot<dim> &s)
   {
-    return s.contact.total_force(s.pressure,
+    return s.contact.total_force(s.contact_state.traction,
                                  s.contact.stress(s.displacement,
                                                   s.elasticity.bulk_stress().coefficients()));
   }

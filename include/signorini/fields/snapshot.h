@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/law/contact_state.h>
 
 #include <vector>
 
@@ -15,10 +15,11 @@ namespace Signorini
     const std::vector<ContactSurface<dim>> &surfaces; ///< pair by pair
     const GapOperator                      &contact;
     const LA::Vector                       &displacement; ///< owned, satisfies its constraints
-    /// On the rows of the gap operator: gap positive when open, pressure positive in compression,
-    /// active 1 or 0, or 2 where it changes to and fro, of a load step that was not solved.
-    const LA::Vector &gap, &pressure, &active;
-    double            time;
-    unsigned int      step;
+    /// At the contact points: gap positive when open, pressure positive in compression, active 1 or
+    /// 0, or 2 where it changes to and fro, of a load step that was not solved.
+    const LA::Vector   &gap, &pressure, &active;
+    const ContactState &contact_state;
+    double              time;
+    unsigned int        step;
   };
 } // namespace Signorini

@@ -1,27 +1,29 @@
 #pragma once
 
 #include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/law/contact_status.h>
 
 #include <set>
 #include <string>
 
 namespace Signorini
 {
-  /// The contact points where the law has a pressure, among them always those of pairs that never
-  /// separate; and what Newton's method remembers of them: the set of the step before, those that
-  /// were, and how often points have changed.
+  /// The statuses of the contact points. Closed are those where the law has a pressure, among them
+  /// always those of pairs that never separate. With them goes what Newton's method remembers: the
+  /// statuses of the step before, sets that were, and how often points have changed.
   class ActiveSet
   {
   public:
     explicit ActiveSet(const GapOperator &contact);
 
-    /// 1 where active, else 0.
+    /// Values of ContactStatus.
     const LA::Vector &
     values() const
     {
       return now;
     }
 
+    /// Number of closed points.
     unsigned int
     size() const;
 
@@ -33,13 +35,13 @@ namespace Signorini
     void
     restart();
 
-    /// Start from that set, and what is always in it. True if it is another one. Collective.
+    /// Start from these statuses, and what is always closed. True if they are others. Collective.
     bool
-    set(const LA::Vector &values);
+    set(const LA::Vector &status);
 
-    /// The set that the contact law asks for; what was the present one becomes the last one.
+    /// The statuses that the contact law asks for; the present ones become the last ones.
     void
-    update(const LA::Vector &pushes);
+    update(const LA::Vector &status);
 
     /// Where smooth bodies overlap, they are pushed apart on a part of that area only: Hertz' is
     /// where they are at least half as deep as at the deepest point. Of each pair no other points
@@ -51,7 +53,7 @@ namespace Signorini
     /// A region of points that pulls as a whole does not stay, nor do the points beside it that
     /// overlap because it was turned about: left to themselves, they would wander along a lever
     /// that lifts off, a point a step. Of each pair something must be left.
-    /// @param trial of the law: the pressure that points would have
+    /// @param trial normal component of that of the law: the pressure that points would have
     void
     open_pulling_regions(const LA::Vector &trial);
 
@@ -66,6 +68,7 @@ namespace Signorini
     drop_touching(const LA::Vector &gap);
 
     /// Of all changes, make the one that violates the law most.
+    /// @param trial normal component of that of the law
     void
     keep_all_but_the_worst(const LA::Vector &trial);
 
@@ -76,13 +79,13 @@ namespace Signorini
 
     /// Instead of a set without points that may separate. Returns true if it has some then.
     bool
-    take_if_empty(const LA::Vector &pushes);
+    take_if_empty(const LA::Vector &status);
 
     /// True if the set is one of those since restart(), but not the last one.
     bool
     seen_before();
 
-    /// Number of points that are not as in the last set.
+    /// Number of points whose status is not the last one.
     unsigned int
     count_changes();
 

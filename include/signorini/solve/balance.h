@@ -26,15 +26,13 @@ namespace Signorini
     restart();
 
     /// Forces of the bodies and of contact, zero where the displacement is prescribed.
+    /// @param in at u, with the traction that counts
     LA::Vector
-    residual(const LA::Vector &u,
-             const LA::Vector &p,
-             const LA::Vector &stress,
-             const LA::Vector &active);
+    residual(const LA::Vector &u, const LawInputs &in, const LA::Vector &status);
 
     // Of the last one:
 
-    /// The forces that gaps ask for, see ContactLaw::defect(). Where surfaces overlap before
+    /// The forces that gaps ask for, see ContactLaw::residual(). Where surfaces overlap before
     /// anything else acts, they are all that tells what is small.
     void
     set_forces_of_gaps(const double forces)
@@ -83,7 +81,7 @@ namespace Signorini
     /// Of the bodies' forces, and of penalties, which multiply that of the gap; in the norm of the
     /// residual.
     double
-    rounding(const LA::Vector &u, const LA::Vector &active) const;
+    rounding(const LA::Vector &u, const LawInputs &in, const LA::Vector &status) const;
 
     const Bodies       &bodies;
     const ContactLaw   &law;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/contact/law/normal_contact.h>
+#include <signorini/contact/methods/method.h>
 #include <signorini/solve/newton.h>
 
 namespace Signorini
@@ -19,21 +19,28 @@ namespace Signorini
                   FreeMotions                 free_motions,
                   BodiesHierarchy            &hierarchies,
                   dealii::TimerOutput        &timer)
-      : law(method, contact)
+      : law(method.make_law(contact))
       , system(bodies.stiffness(),
-               law,
+               *law,
                std::move(free_motions),
                bodies.bulk() ? &bodies.bulk()->coupling() : nullptr,
                bodies.is_symmetric())
       , linear_solver(linear_settings, system, hierarchies, timer)
-      , newton(newton_settings, bodies, law, system, linear_solver)
+      , newton(newton_settings, bodies, *law, system, linear_solver)
     {}
 
     /// See Newton::solve().
     NewtonReport
-    solve(LA::Vector &u, LA::Vector &p, LA::Vector &active, const StepVisitor &visit)
+    solve(LA::Vector &u, ContactState &contact, const StepVisitor &visit)
     {
-      return newton.solve(u, p, active, visit);
+      return newton.solve(u, contact, visit);
+    }
+
+    /// See Newton::internal().
+    InternalFields
+    internal(const LA::Vector &u, const ContactState &contact) const
+    {
+      return newton.internal(u, contact);
     }
 
     /// Of Newton's method, from then on.
@@ -45,21 +52,20 @@ namespace Signorini
 
     /// See Newton::dual().
     DualSolution
-    dual(const LA::Vector &u,
-         const LA::Vector &p,
-         const LA::Vector &active,
-         const LA::Vector &of_displacement,
-         const LA::Vector &of_pressure,
-         const double      reduction)
+    dual(const LA::Vector   &u,
+         const ContactState &contact,
+         const LA::Vector   &of_displacement,
+         const LA::Vector   &of_pressure,
+         const double        reduction)
     {
-      return newton.dual(u, p, active, of_displacement, of_pressure, reduction);
+      return newton.dual(u, contact, of_displacement, of_pressure, reduction);
     }
 
     /// See Newton::curves_down().
     bool
-    curves_down(const LA::Vector &u)
+    curves_down(const LA::Vector &u, const ContactState &contact)
     {
-      return newton.curves_down(u);
+      return newton.curves_down(u, contact);
     }
 
     /// See LinearSolver::has_curved_down().
@@ -76,9 +82,9 @@ namespace Signorini
     }
 
   private:
-    NormalContact law;
-    ContactSystem system;
-    LinearSolver  linear_solver;
-    Newton        newton;
+    std::unique_ptr<ContactLaw> law;
+    ContactSystem               system;
+    LinearSolver                linear_solver;
+    Newton                      newton;
   };
 } // namespace Signorini

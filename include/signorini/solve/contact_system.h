@@ -15,35 +15,39 @@
 
 namespace Signorini
 {
-  /// The linear system of one Newton step, for a given active set, in two forms.
+  /// The linear system of one Newton step, for given statuses of the contact points, in two forms.
+  /// Indices a, b are the components of a point, normal and tangential ones, see PointVectors; p is
+  /// the traction, g the gap with the slip, all blocks are diagonal matrices of the points.
   ///
-  /// Condensed (the pressure follows from the gap): (K + B^T D B) du = r, D = -dp/dg W, which is
-  /// eps W on the active points. With Nitsche's method also the normal stress S u of the points
-  /// takes part:
+  /// Condensed (the traction follows from the gap): (K + sum_ab B_a^T D_ab B_b) du = r with
+  /// D_ab = -dp_a/dg_b W, which is eps W on closed points without friction. With Nitsche's method
+  /// also the stress S u of the points takes part:
   ///
-  ///     K + [B; S]^T [ D   -X             ] [B; S],   X = W on active points,
-  ///                  [ -theta X  -theta Y ]           Y = W/eps on inactive ones.
+  ///     K + [B; S]^T [ D          -X       ] [B; S],   X = dp/ds W,
+  ///                  [ -theta Z   -theta Y ]           Y = (1 - dp/ds) W/eps,   Z = D/eps.
   ///
-  /// Saddle point (the pressure is unknown), thesis (49):
-  ///     [  K      -B^T A ] [du]   [ r   ]
-  ///     [ -A B     -I    ] [q ] = [ A g ],   dp = k q,
-  /// A = k W on active points, I = k W on inactive ones and (k^2/eps) W on active ones where the
-  /// law is g + p/eps = 0 (else zero, and the right-hand side as well). The scaling with k = E/h
-  /// makes q a length and both residuals forces: nothing depends on the units of the scene.
+  /// Saddle point (the traction is unknown), thesis (49):
+  ///     [  K      -B^T A ] [du]   [  r   ]
+  ///     [ -C B     -I    ] [q ] = [ k W d ],   dp = k q,
+  /// with the residual d of the constraint, zero at open points, A = k W on closed points,
+  /// C = k W dd/dg, I = k^2 W dd/dp there, and I = k W on open ones. Without friction C = A, and I
+  /// on closed points is (k^2/eps) W where the law is g + p/eps = 0, else zero. The scaling with
+  /// k = E/h makes q a length and both residuals forces: nothing depends on the units of the scene.
   ///
-  /// Points of laws with several components have as many rows of B and S, one after the other, and
-  /// blocks in D, X, Y instead of numbers. Where surfaces move, K - G takes the place of K, see
-  /// MovedContact.
+  /// Where surfaces move, K - G takes the place of K, see MovedContact.
   ///
-  /// Bodies that are mixed have a third row and column in either form, those of the bulk stress,
+  /// Bodies that are mixed have one more row and column in either form, those of the bulk stress,
   /// see BulkCoupling; contact touches them with Nitsche's method alone, where S is [S T].
   ///
-  /// Vectors are blocks (u, q), and with mixed bodies (u, q, m); q is empty in the condensed form.
-  /// K belongs to the bodies and is never touched; what changes with the active set are vectors on
-  /// the contact surface.
+  /// Vectors are blocks (u, q), q with a block a component, and with mixed bodies (u, q, m); q is
+  /// one empty block in the condensed form. K belongs to the bodies and is never touched; what
+  /// changes with the statuses are vectors on the contact surface.
   class ContactSystem
   {
   public:
+    /// A diagonal matrix of the points for each two components, [a][b].
+    using Blocks = std::vector<PointVectors>;
+
     /// Refers to all but the free motions, which must live as long.
     /// @param bulk null: no body is mixed
     /// @param symmetric_bodies see Bodies::is_symmetric()
@@ -53,9 +57,13 @@ namespace Signorini
                   const BulkCoupling *bulk             = nullptr,
                   bool                symmetric_bodies = true);
 
-    /// Linearise the law, whose derivatives are constant where it is active.
+    /// Linearise the law at these inputs, with these statuses.
     void
-    set_active(const LA::Vector &active);
+    linearise(const LawInputs &in, const LA::Vector &status);
+
+    /// The same of laws whose derivatives do not depend on the inputs.
+    void
+    set_status(const LA::Vector &status);
 
     /// vmult() is that of the transposed matrix from then on, until this is taken back: another one
     /// if is_symmetric() says no.
@@ -98,11 +106,11 @@ namespace Signorini
       return motions;
     }
 
-    /// Find the loose ones of a set, without the system for it.
+    /// Find the loose ones of these statuses, without the system for it.
     void
-    find_loose_motions(const LA::Vector &active)
+    find_loose_motions(const LA::Vector &status)
     {
-      motions.set_active(active);
+      motions.set_status(status);
     }
 
     /// The same without K and the bulk stress, which get zero.
@@ -113,6 +121,20 @@ namespace Signorini
     LA::BlockVector
     zero() const;
 
+    /// The number of blocks of q; the first of them is block 1.
+    unsigned int
+    n_multiplier_blocks() const
+    {
+      return saddle ? law.n_components() : 1;
+    }
+
+    /// The block of the bulk stress, if there is one.
+    unsigned int
+    bulk_block() const
+    {
+      return 1 + n_multiplier_blocks();
+    }
+
     bool
     is_saddle_point() const
     {
@@ -122,7 +144,8 @@ namespace Signorini
     bool
     is_symmetric() const
     {
-      return symmetric_bodies && (!contact.has_stress() || contact.theta == 1);
+      return symmetric_bodies && law.is_symmetric() &&
+             (!contact.has_stress() || contact.theta == 1);
     }
 
     /// K, with springs against free motions: that is what preconditioners are built of.
@@ -145,12 +168,16 @@ namespace Signorini
       return contact;
     }
 
-    /// The diagonal of D.
-    const LA::Vector &
-    spring() const
+    /// The diagonals of D_aa.
+    const PointVectors &
+    springs() const
     {
-      return D_diagonal;
+      return diagonal_of_D;
     }
+
+    /// Is the point closed, in the condensed form with any stiffness?
+    bool
+    presses(dealii::types::global_dof_index point) const;
 
     /// What the points of this rank add to K in the condensed form: a matrix on the local columns
     /// of GapOperator::B_free. Empty in the saddle point form, and without points.
@@ -161,30 +188,34 @@ namespace Signorini
     }
 
     const LA::Vector &
-    coupling() const ///< A
+    coupling() const ///< A, of each component
     {
       return A;
     }
 
-    const LA::Vector &
+    const Blocks &
+    constraint() const ///< C
+    {
+      return C;
+    }
+
+    const Blocks &
     identity() const ///< I
     {
       return I;
     }
 
   private:
-    /// D, X, Y at the rows of this rank.
+    /// The blocks at the points of this rank, [a * n_components + b].
     struct Sums
     {
-      std::vector<std::vector<double>> D, X, Y;
+      std::vector<std::vector<double>> D, X, Y, Z;
     };
 
-    /// Row i, component a of a point with that response.
     void
-    linearise(dealii::types::global_dof_index i,
-              unsigned int                    a,
+    linearise(dealii::types::global_dof_index point,
               const LawResponse              &response,
-              bool                            touches);
+              ContactStatus                   status);
     void
     make_surface_pattern();
     /// B and S have a row a point, and often dozens of points between two faces: summing them up
@@ -193,18 +224,17 @@ namespace Signorini
     sum_up_surface_stiffness();
     /// Returns false if there was nothing to add.
     bool
-    add_row(dealii::FullMatrix<double> &block, int row, const Sums &of) const;
+    add_point(dealii::FullMatrix<double> &block, int point, const Sums &of) const;
     void
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
+    void
+    add_multipliers(LA::BlockVector &dst, const LA::BlockVector &src) const;
     /// What the rows and columns of the bulk stress are.
     void
     add_bulk(LA::BlockVector &dst, const LA::BlockVector &src) const;
     /// With Nitsche's method normal stresses have T dm beside S du.
     void
     add_bulk_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const;
-
-    /// A block a point: column b in vector b.
-    using Blocks = std::vector<LA::Vector>;
 
     const Stiffness          &K;
     const ContactLaw         &law;
@@ -214,8 +244,9 @@ namespace Signorini
     bool                      transposed = false;
     bool                      turns      = true; ///< see turn_forces()
     FreeMotions               motions;
-    Blocks                    D, X, Y;
-    LA::Vector                D_diagonal, A, I;
+    Blocks                    D, X, Y, Z, C, I;
+    PointVectors              diagonal_of_D;
+    LA::Vector                A;
     mutable LA::Vector        workspace;
     mutable unsigned int      n_products = 0;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/linear_algebra/types.h>
+#include <signorini/contact/discretisation/gap_operator.h>
 
 namespace Signorini
 {
@@ -12,7 +12,7 @@ namespace Signorini
   struct DualSolution
   {
     LA::Vector   z;              ///< [J per force], a displacement with homogeneous supports
-    LA::Vector   zeta;           ///< [J per force], at the contact points; zero where open
+    PointVectors zeta;           ///< [J per force], of each component; zero at open points
     double       remainder  = 0; ///< z.r + zeta.(W d) of what Newton's method has left
     unsigned int iterations = 0; ///< of the linear solver
   };

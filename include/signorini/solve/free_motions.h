@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/law/contact_status.h>
 #include <signorini/elasticity/free_motion.h>
 
 #include <string>
@@ -33,9 +34,10 @@ namespace Signorini
       return motions.empty();
     }
 
-    /// Find out which motions the active points leave loose. Collective.
+    /// Find out which motions contact leaves loose: closed points stop what opens or overlaps them,
+    /// those that stick stop slip too. Collective.
     void
-    set_active(const LA::Vector &active);
+    set_status(const LA::Vector &status);
 
     /// dst -= S src
     void
@@ -45,7 +47,8 @@ namespace Signorini
     void
     add_loose(LA::Vector &dst, const LA::Vector &src) const;
 
-    /// Names of the motions that would be loose even if all contact points were active.
+    /// Names of the motions that would be loose even if all contact points were closed, and stuck
+    /// if they can.
     const std::vector<std::string> &
     never_held() const
     {
@@ -61,10 +64,10 @@ namespace Signorini
 
     /// Take the part along loose motions out of the forces r, as a support would, where it is less
     /// than 1 % of what the contact forces on what moves add up to. Returns the largest such force.
-    /// @param p pressures; of those of a pair that never separates, which may pull here and push
+    /// @param p tractions; of those of a pair that never separates, which may pull here and push
     /// there, the resultant counts
     double
-    hold(LA::Vector &r, const LA::Vector &p, const LA::Vector &stress) const;
+    hold(LA::Vector &r, const PointVectors &p, const LA::Vector &stress) const;
 
     /// Move u along the loose motions, as r drives them, up to the first contact and a little
     /// further. Returns false if nothing stands in the way.
@@ -80,17 +83,18 @@ namespace Signorini
 
     void
     orthonormalise_loose();
-    /// Of active points in the area of their pair: what is stiff does not matter beside what is
-    /// soft.
+    /// Of points in the area of those of their pair that have at least that status: what is stiff
+    /// does not matter beside what is soft.
     LA::Vector
-    shares_of_pairs(const LA::Vector &active) const;
+    shares_of_pairs(const LA::Vector &status, ContactStatus least) const;
 
     std::vector<FreeMotion> motions; ///< orthonormal with respect to S
     LA::Vector              springs;
     const GapOperator      *contact = nullptr;
-    std::vector<LA::Vector> approach;  ///< B z of each motion
-    std::vector<double>     amplitude; ///< largest component of each motion
-    std::vector<Loose>      loose_motions;
+    /// B_a z, [component a][motion z].
+    std::vector<std::vector<LA::Vector>> approach;
+    std::vector<double>                  amplitude; ///< largest component of each motion
+    std::vector<Loose>                   loose_motions;
 
     std::vector<std::string> hopeless;
   };

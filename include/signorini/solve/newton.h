@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/contact/law/contact_state.h>
 #include <signorini/solve/balance.h>
 #include <signorini/solve/dual_solution.h>
 #include <signorini/solve/linear_solver.h>
@@ -58,7 +59,7 @@ namespace Signorini
     /// Seen by CG; of mixed bodies by inverse iteration, and there only as long as nothing else is
     /// closer to zero. Collective.
     bool
-    curves_down(const LA::Vector &u);
+    curves_down(const LA::Vector &u, const ContactState &state);
 
     void
     set_goal(const NewtonGoal &wanted)
@@ -68,46 +69,49 @@ namespace Signorini
     }
 
     /// @param u in: start, with the prescribed displacements of this step; out: solution
-    /// @param p pressure at the contact points, in: start, out: solution
-    /// @param active the points that carry it, 1 or 0, likewise
+    /// @param state of contact, in: start, with the internal variables of the last load step, which
+    /// stay; out: tractions and statuses of the solution
     NewtonReport
-    solve(LA::Vector &u, LA::Vector &p, LA::Vector &active, const StepVisitor &visit);
+    solve(LA::Vector &u, ContactState &state, const StepVisitor &visit);
+
+    /// The internal variables of the contact law at the end of a load step that has come to u.
+    InternalFields
+    internal(const LA::Vector &u, const ContactState &state) const;
 
     /// The dual solution of a quantity at the solution that solve() has returned. The linearisation
     /// is that of the contact law as it is there; of Uzawa's method that of its springs.
+    /// @param state of contact there
     /// @param of_displacement derivative by the free degrees of freedom
     /// @param of_pressure by the pressures at the contact points
     /// @param reduction of the residual
     DualSolution
-    dual(const LA::Vector &u,
-         const LA::Vector &p,
-         const LA::Vector &active,
-         const LA::Vector &of_displacement,
-         const LA::Vector &of_pressure,
-         double            reduction);
+    dual(const LA::Vector   &u,
+         const ContactState &state,
+         const LA::Vector   &of_displacement,
+         const LA::Vector   &of_pressure,
+         double              reduction);
 
   private:
     /// One step: where the bodies are out of balance, and the right-hand side of the next system.
     struct Stage
     {
-      LA::Vector      gap, stress;
+      PointVectors    gap, stress;
       LA::BlockVector rhs;
       NewtonStep      step;
       bool            softness_changed = false;
       double          damping          = 1; ///< of the next step
     };
 
-    /// The law at u, and the residuals; updates the active set and the pressure.
+    /// The law at u, and the residuals; updates statuses and tractions.
     void
-    evaluate(
-      const LA::Vector &u, LA::Vector &p, LA::Vector &active, NewtonReport &report, Stage &stage);
+    evaluate(const LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage);
     /// Is that the solution, or why will there be none? Or it is that of an augmentation, and the
     /// next one starts.
     void
-    judge(const LA::Vector &p, NewtonReport &report, Stage &stage);
+    judge(const ContactState &state, NewtonReport &report, Stage &stage);
     /// Solve the linear system, and move on.
     void
-    advance(LA::Vector &u, LA::Vector &p, NewtonReport &report, Stage &stage);
+    advance(LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage);
     void
     solve_linear(const LA::BlockVector &rhs, double reduction, double tolerance, NewtonStep &step);
     /// Of mixed bodies, whose saddle points are not solved by CG: do forces, or those that inverse
@@ -118,9 +122,9 @@ namespace Signorini
     /// Returns the number of iterations.
     unsigned int
     iterate(const LA::BlockVector &rhs, double reduction, double tolerance, double residual);
-    /// The linear system is that of the bodies at u, and of the active set.
+    /// The linear system is that of the bodies at u, and of the law at these inputs.
     void
-    linearise(const LA::Vector &u);
+    linearise(const LA::Vector &u, const LawInputs &in);
 
     NewtonSettings     settings;
     Bodies            &bodies;
@@ -133,7 +137,7 @@ namespace Signorini
     NewtonGoal         goal;
 
     LA::BlockVector x;               ///< the change of (u, q)
-    bool            is_same = false; ///< the linear system has the present active set
+    bool            is_same = false; ///< the linear system has the present statuses
     unsigned int    version = 0;     ///< and the stiffness of that version
   };
 } // namespace Signorini

@@ -19,9 +19,10 @@ namespace Signorini
 
     /// A new solution. Returns true if the set, or the stiffness of the law, is not that of the
     /// last one. Collective.
-    /// @param active what it starts with
+    /// @param p pressure
+    /// @param status what it starts with
     bool
-    start(const LA::Vector &p, const LA::Vector &active);
+    start(const LA::Vector &p, const LA::Vector &status);
 
     /// The next augmentation.
     void
@@ -35,7 +36,7 @@ namespace Signorini
     update(const LawInputs &in, unsigned int n, bool was_idle, NewtonStep &step);
 
     const LA::Vector &
-    values() const
+    status() const
     {
       return active_set.values();
     }

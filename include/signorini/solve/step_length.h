@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/contact/law/contact_state.h>
 #include <signorini/solve/bodies.h>
 #include <signorini/solve/contact_system.h>
 
@@ -11,7 +12,8 @@ namespace Signorini
     const Bodies        &bodies; ///< their bulk stress is that which the step leads to
     const ContactSystem &system;
     const ContactLaw    &law;
-    const LA::Vector    &u, &p;
+    const LA::Vector    &u;
+    const ContactState  &contact;
     const LA::Vector    &r; ///< forces out of balance
   };
 

@@ -41,7 +41,7 @@ namespace Signorini
                LA::DirectLibrary    direct_library,
                bool                 turns = true);
 
-    /// Factorise for the present active set. Throws SolverFailure if the zone is singular.
+    /// Factorise for the present system. Throws SolverFailure if the zone is singular.
     void
     update();
 
@@ -71,6 +71,12 @@ namespace Signorini
     collect_multipliers(Entries &entries) const;
     void
     collect_geometric(Entries &entries) const;
+
+    /// Calls act(block of the system's vectors, number of the point on this rank) in the order of
+    /// the zone: point by point, its components one after the other.
+    template <typename Action>
+    void
+    for_each_multiplier(const Action &act) const;
 
     /// x += R^T (R A R^T)^-1 right
     void

@@ -1,34 +1,38 @@
 #pragma once
 
-#include <signorini/linear_algebra/types.h>
+#include <signorini/contact/law/contact_state.h>
 #include <signorini/state/surface_field.h>
 
 namespace Signorini
 {
-  struct GapOperator;
+  /// Where the load step has started that led to a state: what slip counts from, and the internal
+  /// variables of contact then.
+  struct StepStart
+  {
+    LA::Vector   displacement; ///< empty: the contact law does not depend on load steps before
+    SurfaceField contact;
+  };
 
   /// Where a run is: all that the next load step starts from.
   struct State
   {
     LA::Vector   displacement; ///< of all degrees of freedom, without ghosts
-    SurfaceField contact;
+    SurfaceField contact;      ///< with the internal variables that the law has now
+    StepStart    start;
     LA::Vector   bulk_stress; ///< coefficients, on this mesh; empty: zero
     double       time = 0;
     unsigned int step = 0; ///< load steps up to that time
   };
 
-  /// The values of all rows at their places. Collective.
+  /// The values of all contact points at their places. Collective.
   SurfaceField
-  places_of_rows(const GapOperator &contact,
-                 const LA::Vector  &pressure,
-                 const LA::Vector  &active,
-                 unsigned int       dim);
+  places_of_rows(const GapOperator &contact, const ContactState &state, unsigned int dim);
 
-  /// The values of rows from those at places, of this mesh or of the one that it was refined from.
-  /// What is not known is zero. Collective.
-  void
-  rows_of_places(const SurfaceField &field,
-                 const GapOperator  &contact,
-                 LA::Vector         &pressure,
-                 LA::Vector         &active);
+  /// The values of contact points from those at places, of this mesh or of the one that it was
+  /// refined from. What is not known is zero. Collective.
+  /// @param internal zeros, as many as the law has
+  ContactState
+  rows_of_places(const SurfaceField   &field,
+                 const GapOperator    &contact,
+                 const InternalFields &internal);
 } // namespace Signorini

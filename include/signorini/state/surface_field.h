@@ -15,18 +15,22 @@ namespace Signorini
   {
     FacePlace place{};
     double    pressure = 0; ///< positive in compression [force/length^2]
-    double    active   = 0; ///< 1 if the place carries pressure, else 0
+    double    status   = 0; ///< value of a ContactStatus
+    /// Vectors along the surface, turned and stretched back to where it is at rest, three
+    /// components each: the tangential traction on the slave, if the law has one, and internal
+    /// vectors. Then internal scalars.
+    std::vector<double> history;
 
     template <class Archive>
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &place[0] & place[1] & pressure &active;
+      ar &place[0] & place[1] & pressure &status &history;
     }
   };
 
-  /// Pressure and active set by slave face and place on it. It refers to no mesh, to no rows and no
-  /// degrees of freedom: it outlives them. Each rank has the faces of some cells.
+  /// Pressure, status and history by slave face and place on it. It refers to no mesh, to no rows
+  /// and no degrees of freedom: it outlives them. Each rank has the faces of some cells.
   class SurfaceField
   {
   public:

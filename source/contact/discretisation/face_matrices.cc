@@ -39,10 +39,38 @@ namespace Signorini
       return result;
     }
 
+    /// Adds the slip at a point, times the shares of rows.
+    /// @param rows of the matrix, one a share
+    template <int dim>
+    void
+    add_slip(const ContactPoint<dim>         &point,
+             const SurfaceFrame<dim>         &frame,
+             const Tangents<dim>             &tangents,
+             const std::vector<Share>        &shares,
+             const std::vector<unsigned int> &rows,
+             FaceMatrix                      &matrix)
+    {
+      AssertThrow(point.rigid.empty(), ExcNotImplemented());
+      for (unsigned int i = 0; i < shares.size(); ++i)
+        {
+          const auto frame_of_row = tangents.at(shares[i].row, frame, point.direction);
+          for (const double sign : {1., -1.})
+            for (const NodeFunction<dim> &function : sign > 0 ? point.slave : point.master)
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  const unsigned int j = position_in(matrix.columns, function.node + d);
+                  for (unsigned int a = 0; a < dim - 1; ++a)
+                    matrix.slip[a](rows[i], j) +=
+                      shares[i].weight * sign * function.value * frame_of_row[a][d];
+                }
+        }
+    }
+
     template <int dim>
     FaceMatrix
     face_matrix(const ContactSurface<dim>             &surface,
                 const std::vector<std::vector<Share>> &shares,
+                const Tangents<dim>                   *tangents,
                 const Components                      &components,
                 const unsigned int                     first,
                 const unsigned int                     last)
@@ -69,6 +97,8 @@ namespace Signorini
       matrix.displacement.reinit(matrix.rows.size(), matrix.columns.size());
       if (with_stress)
         matrix.stress.reinit(matrix.rows.size(), matrix.columns.size());
+      if (tangents)
+        matrix.slip.assign(dim - 1, FullMatrix<double>(matrix.rows.size(), matrix.columns.size()));
       std::vector<unsigned int> rows;
       for (unsigned int q = first; q < last; ++q)
         {
@@ -85,6 +115,8 @@ namespace Signorini
           for_each_entry(surface.points[q], components, add_to(matrix.displacement));
           for (const auto &[column, value] : surface.points[q].stress)
             add_to(matrix.stress)(column, value);
+          if (tangents)
+            add_slip(surface.points[q], surface.frames[q], *tangents, shares[q], rows, matrix);
         }
       return matrix;
     }
@@ -97,6 +129,7 @@ namespace Signorini
   face_matrices(const ContactRows                      &rows,
                 const std::vector<ContactSurface<dim>> &surfaces,
                 const Sampling                          sampling,
+                const Tangents<dim>                    *tangents,
                 const bool                              all_components)
   {
     std::vector<FaceMatrix> matrices;
@@ -109,8 +142,10 @@ namespace Signorini
             while (last < points.size() && points[last].face == points[first].face &&
                    (sampling == Sampling::nodes || same_nodes(points[first], points[last])))
               ++last;
-            const auto components = components_of(points, first, last, all_components);
-            matrices.push_back(face_matrix(surfaces[p], rows.shares[p], components, first, last));
+            const auto components =
+              components_of(points, first, last, all_components || tangents != nullptr);
+            matrices.push_back(
+              face_matrix(surfaces[p], rows.shares[p], tangents, components, first, last));
           }
       }
     return matrices;
@@ -119,7 +154,15 @@ namespace Signorini
 
 
   template std::vector<FaceMatrix>
-  face_matrices(const ContactRows &, const std::vector<ContactSurface<2>> &, Sampling, bool);
+  face_matrices(const ContactRows &,
+                const std::vector<ContactSurface<2>> &,
+                Sampling,
+                const Tangents<2> *,
+                bool);
   template std::vector<FaceMatrix>
-  face_matrices(const ContactRows &, const std::vector<ContactSurface<3>> &, Sampling, bool);
+  face_matrices(const ContactRows &,
+                const std::vector<ContactSurface<3>> &,
+                Sampling,
+                const Tangents<3> *,
+                bool);
 } // namespace Signorini

@@ -3,6 +3,7 @@
 #include <signorini/contact/discretisation/gap_operator.h>
 #include <signorini/contact/discretisation/shared_places.h>
 #include <signorini/contact/discretisation/stress_of_fields.h>
+#include <signorini/contact/discretisation/tangents.h>
 #include <signorini/contact/discretisation/tied_columns.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/elasticity/cell_nodes.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace Signorini
 {
@@ -23,16 +25,62 @@ namespace Signorini
   {
     template <int dim>
     void
+    assemble_slip(GapOperator                            &contact,
+                  const ContactRows                      &rows,
+                  const std::vector<ContactSurface<dim>> &surfaces,
+                  const std::vector<FaceMatrix>          &matrices,
+                  const LA::SparsityPattern              &pattern,
+                  const Tangents<dim>                    &tangents,
+                  const MPI_Comm                          comm)
+    {
+      TangentialRows  &tangential = contact.tangential;
+      const LA::Vector zero(rows.owned, comm);
+      tangential.offset.assign(dim - 1, zero);
+      tangential.at_rest.assign(dim - 1, std::vector<LA::Vector>(dim, zero));
+      for (unsigned int a = 0; a < dim - 1; ++a)
+        {
+          LA::SparseMatrix &B = tangential.B.emplace_back();
+          B.reinit(pattern);
+          for (const FaceMatrix &matrix : matrices)
+            B.add(matrix.rows, matrix.columns, matrix.slip[a]);
+          B.compress(VectorOperation::add);
+          for (const auto row : rows.owned)
+            for (unsigned int d = 0; d < dim; ++d)
+              tangential.at_rest[a][d](row) = tangents.at_rest(row)[a][d];
+          for (LA::Vector &component : tangential.at_rest[a])
+            component.compress(VectorOperation::insert);
+        }
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        for (unsigned int q = 0; q < surfaces[p].frames.size(); ++q)
+          for (const auto &[row, weight] : rows.shares[p][q])
+            {
+              const auto slip =
+                tangents.slip(row, surfaces[p].frames[q], surfaces[p].points[q].direction);
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                tangential.offset[a](row) += weight * slip[a];
+            }
+      for (LA::Vector &offset : tangential.offset)
+        offset.compress(VectorOperation::add);
+    }
+
+    template <int dim>
+    void
     assemble_matrices(GapOperator                            &contact,
                       const ContactRows                      &rows,
                       const std::vector<ContactSurface<dim>> &surfaces,
                       const ContactMethod                    &method,
                       const Elasticity<dim>                  &elasticity)
     {
-      const MPI_Comm                comm = elasticity.mesh().communicator();
-      const std::vector<FaceMatrix> matrices =
-        face_matrices(rows, surfaces, method.sampling(), elasticity.has_inclined_supports());
-      LA::SparsityPattern pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
+      const MPI_Comm               comm = elasticity.mesh().communicator();
+      std::optional<Tangents<dim>> tangents;
+      if (method.needs_slip())
+        tangents.emplace(rows, surfaces, comm);
+      const std::vector<FaceMatrix> matrices = face_matrices(rows,
+                                                             surfaces,
+                                                             method.sampling(),
+                                                             tangents ? &*tangents : nullptr,
+                                                             elasticity.has_inclined_supports());
+      LA::SparsityPattern           pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
       for (const FaceMatrix &matrix : matrices)
         for (const auto row : matrix.rows)
           pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
@@ -41,6 +89,8 @@ namespace Signorini
       for (const FaceMatrix &matrix : matrices)
         contact.B.add(matrix.rows, matrix.columns, matrix.displacement);
       contact.B.compress(VectorOperation::add);
+      if (tangents)
+        assemble_slip(contact, rows, surfaces, matrices, pattern, *tangents, comm);
       if (method.predictor() != Predictor::normal_stress)
         return;
       // The term with theta S^T takes s = p for granted at each point, which another pair may
@@ -168,6 +218,11 @@ namespace Signorini
           v->scale(inverse);
         }
       LA::scale_rows(contact.B, inverse);
+      for (unsigned int a = 0; a < contact.tangential.B.size(); ++a)
+        {
+          LA::scale_rows(contact.tangential.B[a], inverse);
+          contact.tangential.offset[a].scale(inverse);
+        }
       if (contact.has_stress())
         LA::scale_rows(contact.S, inverse);
     }
@@ -207,12 +262,25 @@ namespace Signorini
     contact.coefficients.permanent.compress(VectorOperation::insert);
     if (method.sampling() == Sampling::nodes)
       move_to_nodes(contact, elasticity);
+    // So that the slip is true where the surfaces are.
+    for (unsigned int a = 0; a < contact.tangential.B.size() && !configuration.is_rest(); ++a)
+      {
+        LA::Vector linear = contact.zero();
+        contact.tangential.B[a].vmult(linear, configuration.displacement());
+        contact.tangential.offset[a] -= linear;
+      }
 
     LA::Vector free = elasticity.zero_vector();
     free            = 1.;
     elasticity.constraints().set_zero(free);
     contact.B_free.copy_from(contact.B);
     LA::scale_columns(contact.B_free, free);
+    for (const LA::SparseMatrix &B : contact.tangential.B)
+      {
+        contact.tangential.B_free.emplace_back();
+        contact.tangential.B_free.back().copy_from(B);
+        LA::scale_columns(contact.tangential.B_free.back(), free);
+      }
     if (contact.has_stress())
       {
         contact.S_free.copy_from(contact.S);
@@ -268,6 +336,33 @@ namespace Signorini
 
 
 
+  void
+  GapOperator::set_start(const LA::Vector &u)
+  {
+    for (unsigned int a = 0; a < tangential.B.size() && at_rest(); ++a)
+      {
+        tangential.B[a].vmult(tangential.offset[a], u);
+        tangential.offset[a] *= -1;
+      }
+  }
+
+
+
+  PointVectors
+  GapOperator::gaps(const LA::Vector &u) const
+  {
+    PointVectors result = {gap(u)};
+    for (unsigned int a = 0; a < tangential.B.size(); ++a)
+      {
+        result.push_back(zero());
+        tangential.B[a].vmult(result.back(), u);
+        result.back() += tangential.offset[a];
+      }
+    return result;
+  }
+
+
+
   unsigned int
   GapOperator::n_pairs() const
   {
@@ -295,24 +390,26 @@ namespace Signorini
 
 
   LA::Vector
-  GapOperator::transposed(const LA::SparseMatrix &B_or_free,
-                          const LA::SparseMatrix &S_or_free,
-                          const LA::Vector       &p,
-                          const LA::Vector       &s) const
+  GapOperator::transposed(const bool is_free, const PointVectors &p, const LA::Vector &s) const
   {
     // Not the communicator of p: an empty vector may have been assigned without one.
     LA::Vector result(dofs, weight.get_mpi_communicator());
     if (empty())
       return result;
-    LA::Vector weighted = p;
-    weighted.scale(weight);
-    B_or_free.Tvmult(result, weighted);
+    LA::Vector term;
+    term.reinit(result);
+    for (unsigned int a = 0; a < p.size(); ++a)
+      {
+        LA::Vector weighted = p[a];
+        weighted.scale(weight);
+        (is_free ? free_rows(a) : rows(a)).Tvmult(a == 0 ? result : term, weighted);
+        if (a > 0)
+          result += term;
+      }
     if (theta == 0)
       return result;
-    LA::Vector of_stress;
-    of_stress.reinit(result);
-    S_or_free.Tvmult(of_stress, lack_of_stress(p, s));
-    result += of_stress;
+    (is_free ? S_free : S).Tvmult(term, lack_of_stress(p[0], s));
+    result += term;
     return result;
   }
 
@@ -331,28 +428,28 @@ namespace Signorini
 
 
   LA::Vector
-  GapOperator::force_on_bulk(const LA::Vector &p, const LA::Vector &s) const
+  GapOperator::force_on_bulk(const PointVectors &p, const LA::Vector &s) const
   {
     LA::Vector result(S_bulk.locally_owned_domain_indices(), weight.get_mpi_communicator());
     if (theta != 0)
-      S_bulk.Tvmult(result, lack_of_stress(p, s));
+      S_bulk.Tvmult(result, lack_of_stress(p[0], s));
     return result;
   }
 
 
 
   LA::Vector
-  GapOperator::force(const LA::Vector &p, const LA::Vector &s) const
+  GapOperator::force(const PointVectors &p, const LA::Vector &s) const
   {
-    return transposed(B_free, S_free, p, s);
+    return transposed(true, p, s);
   }
 
 
 
   LA::Vector
-  GapOperator::total_force(const LA::Vector &p, const LA::Vector &s) const
+  GapOperator::total_force(const PointVectors &p, const LA::Vector &s) const
   {
-    return transposed(B, S, p, s);
+    return transposed(false, p, s);
   }
 
 
@@ -391,9 +488,13 @@ namespace Signorini
   std::size_t
   GapOperator::memory() const
   {
-    std::size_t bytes = 0;
-    for (const LA::SparseMatrix *matrix : std::initializer_list<const LA::SparseMatrix *>{
-           &B, &B_free, &S, &S_free, &S_thermal, &S_bulk})
+    std::size_t                           bytes    = 0;
+    std::vector<const LA::SparseMatrix *> matrices = {
+      &B, &B_free, &S, &S_free, &S_thermal, &S_bulk};
+    for (const auto *more : {&tangential.B, &tangential.B_free})
+      for (const LA::SparseMatrix &matrix : *more)
+        matrices.push_back(&matrix);
+    for (const LA::SparseMatrix *matrix : matrices)
       if (matrix->m() > 0)
         bytes += LA::memory(*matrix);
     if (moved.G)

@@ -47,6 +47,8 @@ namespace Signorini
         partner.modulus   = moduli[i];
         partner.size      = sizes[i];
         partner.rest      = boundary.rest[i].position(xi);
+        if (!boundary.start.empty())
+          partner.start = boundary.start[i].position(xi);
         if (with_bend && is_near_enough(partner.distance, sizes[i]))
           partner.bend = bend_of_master(boundary.patches[i], xi, partner.normal);
         if (!stress)

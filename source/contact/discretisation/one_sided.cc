@@ -9,6 +9,7 @@
 #include <signorini/contact/discretisation/seams.h>
 #include <signorini/contact/discretisation/slave_faces.h>
 #include <signorini/contact/discretisation/surface_comparison.h>
+#include <signorini/contact/discretisation/tangents.h>
 #include <signorini/contact/geometry/deep_overlap.h>
 #include <signorini/contact/geometry/reach.h>
 #include <signorini/contact/geometry/self_contact.h>
@@ -167,6 +168,8 @@ namespace Signorini
         choose_points();
         if (!at_rest)
           set_drift(configuration.displacement(), surface.points);
+        if (method.needs_slip())
+          surface.frames = surface_frames(slave, surface.points);
         compare(elasticity, slave, paired, obstacle, surface);
         surface.is_apart = Utilities::MPI::sum(surface.points.size(), comm) == 0;
         const std::vector<PressureNodes> functions = set_shapes();
@@ -327,7 +330,9 @@ namespace Signorini
       std::vector<PressureNodes>
       set_shapes()
       {
-        surface.seams                              = make_seams(elasticity, slave, seams);
+        surface.seams = make_seams(elasticity, slave, seams);
+        if (method.needs_slip())
+          surface.seam_frames = surface_frames(slave, surface.seams);
         const std::vector<PressureNodes> functions = set_pressure_functions(elasticity,
                                                                             method,
                                                                             integration.basis,

@@ -21,6 +21,10 @@ namespace Signorini
           surface.points.back().face += surface.faces;
           surface.points.back().normal *= -1;
         }
+      surface.frames.insert(surface.frames.end(), other.frames.begin(), other.frames.end());
+      surface.seam_frames.insert(surface.seam_frames.end(),
+                                 other.seam_frames.begin(),
+                                 other.seam_frames.end());
       for (const Seam<dim> &seam : other.seams)
         {
           surface.seams.push_back(seam);

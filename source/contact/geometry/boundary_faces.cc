@@ -42,6 +42,8 @@ namespace Signorini
               faces.emplace_back(cell, f);
               rest.push_back(patch_of(cell, f));
               patches.push_back(configuration.moved(rest.back(), cell, f));
+              if (configuration.start())
+                start.push_back(configuration.start()->moved(rest.back(), cell, f));
             }
   }
 
@@ -58,6 +60,8 @@ namespace Signorini
           result.faces.push_back(faces[i]);
           result.patches.push_back(patches[i]);
           result.rest.push_back(rest[i]);
+          if (!start.empty())
+            result.start.push_back(start[i]);
         }
     return result;
   }

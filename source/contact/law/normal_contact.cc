@@ -8,11 +8,11 @@ namespace Signorini
 
   NormalContact::NormalContact(const GapOperator &contact,
                                const Predictor    predictor,
-                               const bool         mixed,
+                               const bool         multiplier,
                                const double       spring)
     : ContactLaw(contact)
     , predictor(predictor)
-    , mixed(mixed && !contact.empty())
+    , multiplier(multiplier && !contact.empty())
     , spring(spring)
     , last(contact.zero())
   {}
@@ -36,7 +36,7 @@ namespace Signorini
   double
   NormalContact::softest() const
   {
-    if (contact.empty() || mixed || predictor == Predictor::normal_stress)
+    if (contact.empty() || multiplier || predictor == Predictor::normal_stress)
       return 1;
     const auto &[permanent, stiffness, epsilon] = contact.coefficients;
     double stiffest                             = 1;
@@ -47,55 +47,66 @@ namespace Signorini
 
 
 
-  double
-  NormalContact::trial(const Index i, const LawInput &in) const
+  LawVector
+  NormalContact::trial(const Index point, const LawInput &in) const
   {
-    const double predicted = predictor == Predictor::multiplier    ? in.pressure[0] :
+    const double predicted = predictor == Predictor::multiplier    ? in.traction[0] :
                              predictor == Predictor::normal_stress ? in.stress[0] :
-                             predictor == Predictor::last_pressure ? last(i) :
+                             predictor == Predictor::last_pressure ? last(point) :
                                                                      0.;
-    return predicted - epsilon(i) * in.gap[0];
+    LawVector    result;
+    result[0] = predicted - epsilon(point) * in.gap[0];
+    return result;
+  }
+
+
+
+  ContactStatus
+  NormalContact::status(const Index point, const LawVector &trial) const
+  {
+    const bool is_closed =
+      (trial[0] > 0 || contact.coefficients.permanent(point) > 0) && contact.weight(point) > 0;
+    return is_closed ? ContactStatus::slip : ContactStatus::open;
   }
 
 
 
   LawResponse
-  NormalContact::response(const Index i, const LawInput &in, const bool active) const
+  NormalContact::response(const Index point, const LawInput &in, const ContactStatus status) const
   {
     LawResponse result;
-    if (!active)
+    if (status == ContactStatus::open)
       return result;
-    result.defect[0] = in.gap[0];
-    if (!mixed)
+    result.residual[0]           = in.gap[0];
+    result.residual_by_gap[0][0] = 1;
+    if (!multiplier)
       {
-        result.pressure[0] = trial(i, in);
-        result.dp_dg[0][0] = -epsilon(i);
-        result.dp_ds[0][0] = predictor == Predictor::normal_stress ? 1. : 0.;
+        result.traction        = trial(point, in);
+        result.by_gap[0][0]    = -epsilon(point);
+        result.by_stress[0][0] = predictor == Predictor::normal_stress ? 1. : 0.;
         return result;
       }
-    result.pressure[0] = in.pressure[0];
+    result.traction[0] = in.traction[0];
     if (predictor == Predictor::none)
-      result.compliance[0] = 1 / epsilon(i);
-    result.defect[0] += result.compliance[0] * in.pressure[0];
+      result.residual_by_traction[0][0] = 1 / epsilon(point);
+    result.residual[0] += result.residual_by_traction[0][0] * in.traction[0];
     return result;
   }
 
 
 
-  LA::Vector
-  NormalContact::trial_from_pressure(const LawInputs &in) const
+  PointVectors
+  NormalContact::trial_from_traction(const LawInputs &in) const
   {
     if (predictor == Predictor::multiplier || predictor == Predictor::normal_stress)
       return trial(in);
-    LA::Vector result = contact.zero();
-    for (const auto i : result.locally_owned_elements())
-      {
-        const double compliance = predictor == Predictor::none ? 1 / epsilon(i) : 0;
-        const double c          = std::min(epsilon(i), contact.coefficients.stiffness(i));
-        const double p          = in.pressure(i);
-        result(i)               = p - c * (in.gap(i) + compliance * p);
-      }
-    result.compress(VectorOperation::insert);
-    return result;
+    return at_all_points([&](const Index i) {
+      const double compliance = predictor == Predictor::none ? 1 / epsilon(i) : 0;
+      const double c          = std::min(epsilon(i), contact.coefficients.stiffness(i));
+      const double p          = in.traction[0](i);
+      LawVector    result;
+      result[0] = p - c * (in.gap[0](i) + compliance * p);
+      return result;
+    });
   }
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/contact/law/normal_contact.h>
 #include <signorini/contact/methods/augmented_lagrangian.h>
 #include <signorini/contact/methods/direct_elimination.h>
 #include <signorini/contact/methods/lagrange_multiplier.h>
@@ -40,6 +41,14 @@ namespace Signorini
       return list;
     }();
     return names;
+  }
+
+
+
+  std::unique_ptr<ContactLaw>
+  ContactMethod::make_law(const GapOperator &contact) const
+  {
+    return std::make_unique<NormalContact>(*this, contact);
   }
 
 

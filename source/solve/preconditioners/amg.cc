@@ -84,7 +84,7 @@ namespace Signorini
 
 
   void
-  AMG::set_springs(const LA::Vector &values)
+  AMG::set_springs(const PointVectors &values)
   {
     if (!springs)
       return;

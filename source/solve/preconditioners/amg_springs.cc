@@ -29,29 +29,30 @@ namespace Signorini
       return groups;
     }
 
-    /// Each group's mean row, weighted.
+    /// Each group's mean rows, weighted: those of one component behind those of the other.
     LA::SparseMatrix
-    mean_rows(const LA::SparseMatrix          &B,
+    mean_rows(const GapOperator               &contact,
               const std::vector<unsigned int> &groups,
-              const LA::Vector                &weight,
+              const unsigned int               n_groups,
               const LA::Vector                &group_weight)
     {
-      LA::RowBuilder      mean(group_weight.locally_owned_elements(), B);
-      const double *const points = LA::values_of(weight);
+      LA::RowBuilder      mean(group_weight.locally_owned_elements(), contact.B_free);
+      const double *const points = LA::values_of(contact.weight);
       std::vector<double> sum;
-      for (unsigned int first = 0, last = 0; first < groups.size(); first = last)
-        {
-          const LA::RowView columns(B, first);
-          const double      total = LA::values_of(group_weight)[groups[first]];
-          sum.assign(columns.size, 0.);
-          for (; last < groups.size() && groups[last] == groups[first]; ++last)
-            {
-              const LA::RowView row(B, last);
-              for (int k = 0; k < row.size; ++k)
-                sum[k] += points[last] / total * row.values[k];
-            }
-          mean.add(groups[first], columns.size, columns.columns, sum.data());
-        }
+      for (unsigned int a = 0; a < contact.n_components(); ++a)
+        for (unsigned int first = 0, last = 0; first < groups.size(); first = last)
+          {
+            const LA::RowView columns(contact.B_free, first);
+            const double      total = LA::values_of(group_weight)[groups[first]];
+            sum.assign(columns.size, 0.);
+            for (; last < groups.size() && groups[last] == groups[first]; ++last)
+              {
+                const LA::RowView row(contact.free_rows(a), last);
+                for (int k = 0; k < row.size; ++k)
+                  sum[k] += points[last] / total * row.values[k];
+              }
+            mean.add(a * n_groups + groups[first], columns.size, columns.columns, sum.data());
+          }
       return mean.finish();
     }
 
@@ -78,22 +79,24 @@ namespace Signorini
 
   AMGSprings::AMGSprings(const Hierarchy &hierarchy, const GapOperator &contact)
     : groups(groups_of(contact.B_free, contact.weight.locally_owned_size()))
+    , n_groups(groups.empty() ? 0 : groups.back() + 1)
   {
-    const unsigned int n    = groups.empty() ? 0 : groups.back() + 1;
+    const unsigned int n_components = contact.n_components(), n = n_components * n_groups;
     const MPI_Comm     comm = contact.weight.get_mpi_communicator();
     LA::Vector         weight(LA::contiguous_partition(n, comm), comm);
     limit           = weight;
     D               = weight;
     const double *W = LA::values_of(contact.weight),
                  *k = LA::values_of(contact.coefficients.stiffness);
-    for (unsigned int i = 0; i < groups.size(); ++i)
-      {
-        LA::values_of(weight)[groups[i]] += W[i];
-        LA::values_of(limit)[groups[i]] += 6. * k[i] * W[i];
-      }
+    for (unsigned int a = 0; a < n_components; ++a)
+      for (unsigned int i = 0; i < groups.size(); ++i)
+        {
+          LA::values_of(weight)[a * n_groups + groups[i]] += W[i];
+          LA::values_of(limit)[a * n_groups + groups[i]] += 6. * k[i] * W[i];
+        }
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
       levels.push_back(
-        std::make_unique<Level>(l == 0 ? mean_rows(contact.B_free, groups, contact.weight, weight) :
+        std::make_unique<Level>(l == 0 ? mean_rows(contact, groups, n_groups, weight) :
                                          hierarchy.prolongation(l - 1).times(levels[l - 1]->B)));
     gap.resize(n);
   }
@@ -101,13 +104,16 @@ namespace Signorini
 
 
   void
-  AMGSprings::set(const LA::Vector &springs)
+  AMGSprings::set(const PointVectors &springs)
   {
     remove();
-    double *d = LA::values_of(D);
-    for (unsigned int i = 0; i < groups.size(); ++i)
-      d[groups[i]] =
-        std::min(d[groups[i]] + LA::values_of(springs)[i], LA::values_of(limit)[groups[i]]);
+    for (unsigned int a = 0; a < springs.size(); ++a)
+      {
+        double *const       d    = LA::values_of(D) + a * n_groups;
+        const double *const most = LA::values_of(limit) + a * n_groups;
+        for (unsigned int i = 0; i < groups.size(); ++i)
+          d[groups[i]] = std::min(d[groups[i]] + LA::values_of(springs[a])[i], most[groups[i]]);
+      }
     has_changed();
   }
 

@@ -45,41 +45,41 @@ namespace Signorini
     schur->update();
     if (!augmented)
       return;
-    LA::Vector active = system.gap_operator().zero();
-    extra             = active;
-    for (const auto i : active.locally_owned_elements())
+    LA::Vector status = system.gap_operator().zero();
+    extra             = status;
+    for (const auto i : status.locally_owned_elements())
       if (const double A = system.coupling()(i); A != 0)
         {
-          active(i) = 1;
+          status(i) = 1;
           extra(i)  = augmentation / A;
         }
-    active.compress(VectorOperation::insert);
+    status.compress(VectorOperation::insert);
     extra.compress(VectorOperation::insert);
-    augmented->set_active(active);
+    augmented->set_status(status);
     filter->update();
   }
 
 
 
   void
-  BlockPreconditioner::solve_schur(LA::Vector &dst, const LA::Vector &src) const
+  BlockPreconditioner::solve_schur(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
     schur->vmult(dst, src);
     if (!augmented)
       return;
-    LA::Vector more = src;
+    LA::Vector more = src.block(1);
     more.scale(extra);
-    dst += more;
+    dst.block(1) += more;
   }
 
 
 
   void
-  BlockPreconditioner::add_coupling(LA::Vector &f, const LA::Vector &q) const
+  BlockPreconditioner::add_coupling(LA::Vector &f, const unsigned int a, const LA::Vector &q) const
   {
     LA::Vector scaled = q;
     scaled.scale(system.coupling());
-    system.gap_operator().B_free.Tvmult_add(f, scaled);
+    system.gap_operator().free_rows(a).Tvmult_add(f, scaled);
   }
 
 
@@ -95,7 +95,7 @@ namespace Signorini
         LA::Vector q = src.block(1);
         q.scale(extra);
         q *= -1;
-        add_coupling(right, q);
+        add_coupling(right, 0, q);
       }
     if (augmented)
       filter->solve(dst.block(0), right);
@@ -105,20 +105,25 @@ namespace Signorini
       return;
     if (form == diagonal)
       {
-        solve_schur(dst.block(1), src.block(1));
+        solve_schur(dst, src);
         return;
       }
-    LA::Vector rest = system.gap_operator().zero();
-    system.gap_operator().B_free.vmult(rest, dst.block(0));
-    rest.scale(system.coupling());
-    rest += src.block(1);
-    solve_schur(dst.block(1), rest);
-    dst.block(1) *= -1;
+    // The second row, (-C B u), taken from the right-hand side.
+    LA::BlockVector rest = src, found = src;
+    found          = 0;
+    found.block(0) = dst.block(0);
+    system.contact_terms(rest, found);
+    rest *= -1;
+    rest += src;
+    solve_schur(dst, rest);
+    for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
+      dst.block(b) *= -1;
     if (form == triangular)
       return;
     LA::Vector force;
     force.reinit(dst.block(0));
-    add_coupling(force, dst.block(1));
+    for (unsigned int a = 0; a < system.n_multiplier_blocks(); ++a)
+      add_coupling(force, a, dst.block(1 + a));
     force.scale(inverse_diagonal);
     dst.block(0) += force;
   }

@@ -16,16 +16,17 @@ namespace Signorini
   void
   BulkSchur::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
-    LA::Vector          m       = src.block(2);
+    const unsigned int  last    = src.n_blocks() - 1;
+    LA::Vector          m       = src.block(last);
     double *const       values  = LA::values_of(m);
     const double *const divisor = LA::values_of(bulk.schur);
     for (unsigned int i = 0; i < m.locally_owned_size(); ++i)
       values[i] /= divisor[i];
-    rest          = src;
-    rest.block(2) = 0;
+    rest             = src;
+    rest.block(last) = 0;
     bulk.B.Tvmult_add(rest.block(0), m); // r_u - B^T (-m)
     others->vmult(dst, rest);
-    dst.block(2) = m;
-    dst.block(2) *= -1;
+    dst.block(last) = m;
+    dst.block(last) *= -1;
   }
 } // namespace Signorini

@@ -8,15 +8,18 @@ namespace Signorini
 
   namespace
   {
-    /// Of active points; those of multipliers are rigid.
-    LA::Vector
+    /// Of closed points; those of multipliers that have a constraint are rigid.
+    PointVectors
     springs(const ContactSystem &system)
     {
-      LA::Vector D = system.spring();
-      for (const auto i : D.locally_owned_elements())
-        if (system.coupling()(i) != 0)
-          D(i) = std::numeric_limits<double>::max();
-      D.compress(VectorOperation::insert);
+      PointVectors D = system.springs();
+      for (unsigned int a = 0; a < D.size(); ++a)
+        {
+          for (const auto i : D[a].locally_owned_elements())
+            if (system.coupling()(i) != 0 && system.constraint()[a][a](i) != 0)
+              D[a](i) = std::numeric_limits<double>::max();
+          D[a].compress(VectorOperation::insert);
+        }
       return D;
     }
   } // namespace

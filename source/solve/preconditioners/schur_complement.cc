@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
 
 #include <functional>
 
@@ -15,22 +16,25 @@ namespace Signorini
 
   namespace
   {
-    /// diag(B diag(K)^-1 B^T)
-    LA::Vector
+    /// diag(B_a diag(K)^-1 B_a^T) of each component
+    PointVectors
     point_flexibility(const Stiffness &K, const GapOperator &contact)
     {
       const std::vector<double> diagonal = LA::ColumnExchange(contact.B_free).fetch(K.diagonal());
-      LA::Vector                flexibility = contact.zero();
-      int                       local       = 0;
-      for (const auto i : flexibility.locally_owned_elements())
+      PointVectors              flexibility = contact.zeros();
+      for (unsigned int a = 0; a < flexibility.size(); ++a)
         {
-          const LA::RowView row(contact.B_free, local++);
-          double            sum = 0;
-          for (int k = 0; k < row.size; ++k)
-            sum += row.values[k] * row.values[k] / diagonal[row.columns[k]];
-          flexibility(i) = sum;
+          int local = 0;
+          for (const auto i : flexibility[a].locally_owned_elements())
+            {
+              const LA::RowView row(contact.free_rows(a), local++);
+              double            sum = 0;
+              for (int k = 0; k < row.size; ++k)
+                sum += row.values[k] * row.values[k] / diagonal[row.columns[k]];
+              flexibility[a](i) = sum;
+            }
+          flexibility[a].compress(VectorOperation::insert);
         }
-      flexibility.compress(VectorOperation::insert);
       return flexibility;
     }
 
@@ -38,72 +42,86 @@ namespace Signorini
     class Diagonal : public SchurComplement
     {
     public:
-      void
-      vmult(LA::Vector &dst, const LA::Vector &src) const override
-      {
-        dst = src;
-        dst.scale(inverse);
-      }
-
-    protected:
-      LA::Vector inverse;
-    };
-
-
-
-    /// diag(A B diag(K)^-1 B^T A) + I
-    class StiffnessDiagonal : public Diagonal
-    {
-    public:
-      StiffnessDiagonal(const ContactSystem &system)
+      explicit Diagonal(const ContactSystem &system)
         : system(system)
-        , flexibility(point_flexibility(system.stiffness(), system.gap_operator()))
       {}
 
       void
       update() override
       {
-        inverse = system.gap_operator().zero();
-        for (const auto i : inverse.locally_owned_elements())
+        inverse = system.gap_operator().zeros();
+        for (unsigned int a = 0; a < inverse.size(); ++a)
           {
-            const double A = system.coupling()(i);
-            inverse(i)     = 1 / (A * A * flexibility(i) + system.identity()(i));
+            for (const auto i : inverse[a].locally_owned_elements())
+              inverse[a](i) = 1 / diagonal(a, i);
+            inverse[a].compress(VectorOperation::insert);
           }
-        inverse.compress(VectorOperation::insert);
       }
 
-    private:
+      void
+      vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override
+      {
+        for (unsigned int a = 0; a < inverse.size(); ++a)
+          {
+            dst.block(1 + a) = src.block(1 + a);
+            dst.block(1 + a).scale(inverse[a]);
+          }
+      }
+
+    protected:
+      /// Of S, at a point.
+      virtual double
+      diagonal(unsigned int component, types::global_dof_index point) const = 0;
+
       const ContactSystem &system;
-      const LA::Vector     flexibility;
+
+    private:
+      PointVectors inverse;
     };
 
 
 
-    /// A + I: the multipliers' lumped mass times E/h, which is how the flexibility of a cell
+    /// diag(C B diag(K)^-1 B^T A) + I
+    class StiffnessDiagonal : public Diagonal
+    {
+    public:
+      explicit StiffnessDiagonal(const ContactSystem &system)
+        : Diagonal(system)
+        , flexibility(point_flexibility(system.stiffness(), system.gap_operator()))
+      {}
+
+    protected:
+      double
+      diagonal(const unsigned int a, const types::global_dof_index i) const override
+      {
+        return system.constraint()[a][a](i) * system.coupling()(i) * flexibility[a](i) +
+               system.identity()[a][a](i);
+      }
+
+    private:
+      const PointVectors flexibility;
+    };
+
+
+
+    /// C + I: the multipliers' lumped mass times E/h, which is how the flexibility of a cell
     /// scales.
     class Mass : public Diagonal
     {
     public:
-      Mass(const ContactSystem &system)
-        : system(system)
-      {}
+      using Diagonal::Diagonal;
 
-      void
-      update() override
+    protected:
+      double
+      diagonal(const unsigned int a, const types::global_dof_index i) const override
       {
-        inverse = system.gap_operator().zero();
-        for (const auto i : inverse.locally_owned_elements())
-          inverse(i) = 1 / (system.coupling()(i) + system.identity()(i));
-        inverse.compress(VectorOperation::insert);
+        return system.constraint()[a][a](i) + system.identity()[a][a](i);
       }
-
-    private:
-      const ContactSystem &system;
     };
 
 
 
-    /// A B K_zz^-1 B^T A + I with the stiffness K_zz of the contact zone.
+    /// C B K_zz^-1 B^T A + I with the stiffness K_zz of the contact zone.
     class Zone : public SchurComplement
     {
     public:
@@ -122,14 +140,15 @@ namespace Signorini
       }
 
       void
-      vmult(LA::Vector &dst, const LA::Vector &src) const override
+      vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override
       {
-        // Elimination of the displacement from [K -B^T A; -A B -I] (u, q) = (0, r): -S q = r.
-        right.block(1) = src;
-        solution       = 0;
+        // Elimination of the displacement from [K -B^T A; -C B -I] (u, q) = (0, r): -S q = r.
+        for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
+          right.block(b) = src.block(b);
+        solution = 0;
         zone->add_correction(solution, right);
-        dst = solution.block(1);
-        dst *= -1;
+        for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
+          dst.block(b).equ(-1, solution.block(b));
       }
 
     private:
@@ -141,9 +160,9 @@ namespace Signorini
 
 
 
-    /// A B V B^T A + I with one multigrid cycle for K^-1, solved by a few steps of CG. It sees that
-    /// the flexibility of the bodies reaches far, which the others do not, at a multigrid cycle a
-    /// step.
+    /// C B V B^T A + I with one multigrid cycle for K^-1, solved by a few steps of CG, or GMRES if
+    /// the law is not symmetric. It sees that the flexibility of the bodies reaches far, which the
+    /// others do not, at a multigrid cycle a step.
     class Multigrid : public SchurComplement
     {
     public:
@@ -157,19 +176,31 @@ namespace Signorini
       update() override
       {
         diagonal.update();
-        force = system.zero().block(0);
-        u     = force;
+        from = system.zero();
+        to   = from;
       }
 
       void
-      vmult(LA::Vector &dst, const LA::Vector &src) const override
+      vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override
       {
-        dst               = 0;
-        const double norm = src.l2_norm();
-        if (norm == 0)
-          return;
-        IterationNumberControl control(20, 0.1 * norm);
-        SolverCG<LA::Vector>(control).solve(Operator{*this}, dst, src, diagonal);
+        LA::BlockVector right = src;
+        right.block(0)        = 0;
+        if (system.bulk())
+          right.block(system.bulk_block()) = 0;
+        LA::BlockVector solution = right;
+        solution                 = 0;
+        if (const double norm = right.l2_norm(); norm > 0)
+          {
+            IterationNumberControl control(20, 0.1 * norm);
+            const Operator         schur{*this};
+            const Jacobi           jacobi{*this};
+            if (system.is_symmetric())
+              SolverCG<LA::BlockVector>(control).solve(schur, solution, right, jacobi);
+            else
+              SolverGMRES<LA::BlockVector>(control).solve(schur, solution, right, jacobi);
+          }
+        for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
+          dst.block(b) = solution.block(b);
       }
 
       bool
@@ -179,30 +210,42 @@ namespace Signorini
       }
 
     private:
+      /// On vectors that are zero but for the multipliers.
       struct Operator
       {
         const Multigrid &schur;
 
         void
-        vmult(LA::Vector &dst, const LA::Vector &src) const
+        vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
         {
+          // The saddle point without K: (-B^T A q, -I q) of (0, q), then (., -C B u) of (u, 0).
           const ContactSystem &system = schur.system;
-          LA::Vector           scaled = src;
-          scaled.scale(system.coupling());
-          system.gap_operator().B_free.Tvmult(schur.force, scaled);
-          schur.amg.vmult(schur.u, schur.force);
-          system.gap_operator().B_free.vmult(dst, schur.u);
-          dst.scale(system.coupling());
-          scaled = src;
-          scaled.scale(system.identity());
-          dst += scaled;
+          system.contact_terms(dst, src);
+          schur.from = 0;
+          schur.amg.vmult(schur.from.block(0), dst.block(0));
+          system.contact_terms(schur.to, schur.from);
+          dst -= schur.to;
+          dst.block(0) = 0;
+          dst *= -1;
         }
       };
 
-      const ContactSystem &system;
-      const AMG           &amg;
-      StiffnessDiagonal    diagonal;
-      mutable LA::Vector   force, u;
+      struct Jacobi
+      {
+        const Multigrid &schur;
+
+        void
+        vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
+        {
+          dst = src;
+          schur.diagonal.vmult(dst, src);
+        }
+      };
+
+      const ContactSystem    &system;
+      const AMG              &amg;
+      StiffnessDiagonal       diagonal;
+      mutable LA::BlockVector from, to;
     };
 
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/contact/discretisation/contact_rows.h>
+#include <signorini/contact/discretisation/tangents.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -15,9 +16,11 @@ namespace Signorini
     std::vector<dealii::types::global_dof_index> rows, columns;
     dealii::FullMatrix<double>                   displacement;
     dealii::FullMatrix<double>                   stress; ///< empty if points have none
+    std::vector<dealii::FullMatrix<double>>      slip;   ///< along each tangent
   };
 
   /// Those of all points of this rank, times their areas.
+  /// @param tangents along which there is slip; null: nobody asks for it
   /// @param all_components gaps may depend on all components, since supports may tie them to
   /// others; else on those that normals have
   template <int dim>
@@ -25,5 +28,6 @@ namespace Signorini
   face_matrices(const ContactRows                      &rows,
                 const std::vector<ContactSurface<dim>> &surfaces,
                 Sampling                                sampling,
+                const Tangents<dim>                    *tangents,
                 bool                                    all_components);
 } // namespace Signorini

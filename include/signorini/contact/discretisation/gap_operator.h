@@ -12,6 +12,10 @@ namespace Signorini
 {
   class ContactMethod;
 
+  /// A vector a component at all contact points: [0] along the normal, then along the tangents, if
+  /// there are any; or one an internal variable of the contact law.
+  using PointVectors = std::vector<LA::Vector>;
+
   /// What the contact law needs to know of each point.
   struct ContactCoefficients
   {
@@ -67,6 +71,16 @@ namespace Signorini
     memory() const = 0;
   };
 
+  /// The slip of the slave relative to the master along dim - 1 tangents of each point, B_a u +
+  /// offset_a; empty unless the contact law asks for it.
+  struct TangentialRows
+  {
+    std::vector<LA::SparseMatrix> B, B_free; ///< a matrix a tangent, as those of the gap
+    PointVectors                  offset;    ///< a vector a tangent, see GapOperator::set_start()
+    /// Unit tangents at rest, [a][d]: component d of tangent a at all points.
+    std::vector<std::vector<LA::Vector>> at_rest;
+  };
+
   /// Contact on surfaces that have moved by u_k, to first order about that place; empty at rest.
   struct MovedContact
   {
@@ -106,6 +120,7 @@ namespace Signorini
     LA::Vector initial_gap;  ///< g_0: the same with the share of overlaps that counts now
     std::vector<double> interference; ///< that share of each pair; empty: all
 
+    TangentialRows      tangential;
     MovedContact        moved;
     ContactCoefficients coefficients;
     PointGeometry       geometry;
@@ -115,6 +130,11 @@ namespace Signorini
     void
     set_interference(const std::vector<double> &shares);
 
+    /// The slip counts from there on: the displacement at the end of the last load step. Where
+    /// surfaces have moved, it counts from Configuration::start() of that place.
+    void
+    set_start(const LA::Vector &u);
+
     /// @param rises ThermalStrain::coefficients(); ignored without S_thermal
     void
     set_rises(const LA::Vector &rises);
@@ -123,22 +143,27 @@ namespace Signorini
     LA::Vector
     gap(const LA::Vector &u) const;
 
+    /// gap(), and the slip along the tangents.
+    PointVectors
+    gaps(const LA::Vector &u) const;
+
     /// S u + s_0 + T m, the normal stress of the bodies; zero if there is no S.
     /// @param m BulkStress::coefficients(); ignored without T
     LA::Vector
     stress(const LA::Vector &u, const LA::Vector &m = LA::Vector()) const;
 
-    /// The force on the free degrees of freedom. @param s normal stress; ignored without theta
+    /// The force of the tractions p on the free degrees of freedom.
+    /// @param s normal stress; ignored without theta
     LA::Vector
-    force(const LA::Vector &p, const LA::Vector &s) const;
+    force(const PointVectors &p, const LA::Vector &s) const;
 
     /// The one on the bulk stress of mixed bodies, which must be there.
     LA::Vector
-    force_on_bulk(const LA::Vector &p, const LA::Vector &s) const;
+    force_on_bulk(const PointVectors &p, const LA::Vector &s) const;
 
     /// The same as force() on prescribed degrees of freedom too.
     LA::Vector
-    total_force(const LA::Vector &p, const LA::Vector &s) const;
+    total_force(const PointVectors &p, const LA::Vector &s) const;
 
     /// dst += G (u - u_k): what B^T W p lacks where surfaces have moved on from u_k.
     void
@@ -165,6 +190,31 @@ namespace Signorini
     empty() const
     {
       return weight.size() == 0;
+    }
+
+    /// Rows a point: 1, or with those of the slip as many as the dimension.
+    unsigned int
+    n_components() const
+    {
+      return 1 + tangential.B.size();
+    }
+
+    /// The rows of component a, see B and B_free: all of them have the same columns.
+    const LA::SparseMatrix &
+    rows(const unsigned int a) const
+    {
+      return a == 0 ? B : tangential.B[a - 1];
+    }
+    const LA::SparseMatrix &
+    free_rows(const unsigned int a) const
+    {
+      return a == 0 ? B_free : tangential.B_free[a - 1];
+    }
+
+    PointVectors
+    zeros() const
+    {
+      return PointVectors(n_components(), zero());
     }
 
     /// One more than the largest number of a pair that has points, on any rank. Collective.
@@ -196,14 +246,11 @@ namespace Signorini
     }
 
   private:
-    /// What S^T is applied to: theta W (s - p)/eps.
+    /// What S^T is applied to: theta W (s - p)/eps. @param p pressure
     LA::Vector
     lack_of_stress(const LA::Vector &p, const LA::Vector &s) const;
     LA::Vector
-    transposed(const LA::SparseMatrix &B_or_free,
-               const LA::SparseMatrix &S_or_free,
-               const LA::Vector       &p,
-               const LA::Vector       &s) const;
+    transposed(bool is_free, const PointVectors &p, const LA::Vector &s) const;
   };
 
   /// @param rows make_contact_rows() of the surfaces, which are those of the configuration

@@ -32,6 +32,8 @@ namespace Signorini
     double             told    = 0; ///< gap beyond that of the geometry, by Initial gap
     double             drift   = 0; ///< to be added there: g = row . d + gap + drift about it
     dealii::Point<dim> master_position; ///< of the partner at rest; not of obstacles
+    /// The same now, and when the load step started, see SurfaceFrame.
+    dealii::Point<dim> master_now, master_at_start;
     /// Where forces act on slave and master: at rest, or, of large deformation, now.
     dealii::Point<dim> slave_place, master_place;
     double             stiffness; ///< E/h of slave and master in series [force/length^3]
@@ -67,6 +69,21 @@ namespace Signorini
     /// other ranks.
     SparseRow
     row() const;
+  };
+
+  /// The slave surface at a contact point, for laws that ask for the slip.
+  template <int dim>
+  struct SurfaceFrame
+  {
+    dealii::Tensor<1, dim> normal; ///< N, outward unit normal of the slave at rest
+    /// F: what vectors along the slave at rest have become, and its normal.
+    dealii::Tensor<2, dim> deformation;
+    dealii::Tensor<1, dim> apart; ///< the slave's point less its partner
+    /// Both at the start of the load step, where surfaces have moved from there; else as now.
+    dealii::Tensor<2, dim> deformation_at_start;
+    dealii::Tensor<1, dim> apart_at_start;
+    /// E_j = sum_a parameters[j][a] dX/dxi_a: orthonormal vectors along the slave at rest.
+    std::array<dealii::Tensor<1, dim - 1>, dim - 1> parameters;
   };
 
   /// A point where a segment ends with its master face, see bend_of_seam(). It has no share in
@@ -137,6 +154,8 @@ namespace Signorini
   struct ContactSurface
   {
     std::vector<ContactPoint<dim>> points; ///< face by face
+    /// Of the points and of the seams, if the law asks for the slip.
+    std::vector<SurfaceFrame<dim>> frames, seam_frames;
     std::vector<Seam<dim>>         seams;
     /// (shape, weight) at points of whole slave faces, with or without partners: what the nodes
     /// would have if the master were everywhere.

@@ -17,6 +17,8 @@ namespace Signorini
     std::vector<std::pair<CellIterator<dim>, unsigned int>> faces; ///< cell and number of the face
     std::vector<FacePatch<dim>>                             patches; ///< where they are
     std::vector<FacePatch<dim>>                             rest;    ///< where they were
+    /// Where they were when the load step started; empty: nobody asks for the slip.
+    std::vector<FacePatch<dim>> start;
 
     /// At rest.
     BoundaryFaces(const Elasticity<dim> &elasticity, const std::string &boundary);

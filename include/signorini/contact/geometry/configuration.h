@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -54,6 +55,21 @@ namespace Signorini
       return u;
     }
 
+    /// The load step that has led here has started from another displacement, which slip counts
+    /// from. Collective.
+    void
+    set_start(const LA::Vector &u)
+    {
+      my_start = std::make_shared<const Configuration<dim>>(my_elasticity, u);
+    }
+
+    /// Null: nobody asks for the slip.
+    const Configuration<dim> *
+    start() const
+    {
+      return my_start.get();
+    }
+
     /// A face of a locally owned cell where its nodes have got to. What the surface has between
     /// the nodes beyond the shape functions of the displacement, c at rest, turns and stretches
     /// with them:
@@ -95,12 +111,13 @@ namespace Signorini
     const ShapesAtNodes &
     shapes_at_nodes(unsigned int element, unsigned int face, unsigned int degree) const;
 
-    const Elasticity<dim> &my_elasticity;
-    bool                   at_rest;
-    LA::Vector             u, ghosted;
-    LA::Vector             of_frames;   ///< the displacement of the frames, with ghosts
-    LA::Vector             rest_places; ///< of nodes, with ghosts
-    std::vector<double>    rigid_motion;
+    const Elasticity<dim>                    &my_elasticity;
+    std::shared_ptr<const Configuration<dim>> my_start;
+    bool                                      at_rest;
+    LA::Vector                                u, ghosted;
+    LA::Vector          of_frames;   ///< the displacement of the frames, with ghosts
+    LA::Vector          rest_places; ///< of nodes, with ghosts
+    std::vector<double> rigid_motion;
 
     mutable std::map<std::tuple<unsigned int, unsigned int, unsigned int>, ShapesAtNodes> shapes;
   };

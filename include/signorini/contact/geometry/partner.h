@@ -54,6 +54,7 @@ namespace Signorini
     double size    = 0;          ///< of the master's face
     double bound   = 0;          ///< of the master cell's normal stress, see NormalStress::bound()
     dealii::Point<dim> rest;     ///< the position before anything moved
+    dealii::Point<dim> start;    ///< that when the load step started, if anybody asks for the slip
     unsigned int       kind = 0; ///< of its face, for who asked for the kinds of faces
   };
 

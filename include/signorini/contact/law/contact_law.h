@@ -1,51 +1,71 @@
 #pragma once
 
-#include <signorini/contact/discretisation/gap_operator.h>
+#include <signorini/contact/law/contact_state.h>
 
 #include <deal.II/base/tensor.h>
 
 namespace Signorini
 {
-  /// Components of a contact point: the normal one first, then those along the surface, if the law
+  /// Components of a contact point: the normal one first, then those along the tangents, if the law
   /// has any. What a law does not have stays zero.
   using LawVector = dealii::Tensor<1, 3>;
   using LawMatrix = dealii::Tensor<2, 3>;
 
+  /// What a law remembers of a contact point from one load step to the next.
+  struct InternalVariables
+  {
+    std::vector<LawVector> vectors; ///< along the tangents: component 0 is zero
+    std::vector<double>    scalars;
+  };
+
   /// What a law is asked with at a contact point.
   struct LawInput
   {
-    LawVector gap;      ///< g, positive when open
-    LawVector stress;   ///< s of the bodies, positive in compression
-    LawVector pressure; ///< p, if it is an unknown
+    /// The normal gap g, positive when open, then the slip of this load step, that of the slave
+    /// relative to the master [length].
+    LawVector gap;
+    /// Of the bodies, normal component positive in compression [force/length^2].
+    LawVector stress;
+    /// The contact pressure p and the tangential traction on the slave, if they are unknowns
+    /// [force/length^2].
+    LawVector         traction;
+    InternalVariables internal; ///< at the end of the last load step
   };
 
-  /// What it says there. All is zero where it is not active.
+  /// What the law says there. All is zero at an open point.
   struct LawResponse
   {
-    LawVector pressure;     ///< p, positive in compression
-    LawMatrix dp_dg, dp_ds; ///< of a pressure that follows [force/length^3], [-]
-    LawVector defect;       ///< what the gap lacks; 0 under an unknown pressure
-    LawVector compliance;   ///< d defect/dp of an unknown pressure, component by component
+    /// Pressure, positive in compression, and tangential traction on the slave.
+    LawVector traction;
+    /// Derivatives of a traction that follows [a][b]: of component a by component b of the gap
+    /// [force/length^3], and of the stress [-].
+    LawMatrix by_gap, by_stress;
+    /// Residual of the constraint [length]: what the gap lacks for the law to hold. Of laws with
+    /// multipliers it is zero at the solution.
+    LawVector residual;
+    /// Its derivatives by the gap [-], and by the traction that is an unknown
+    /// [length^3/force].
+    LawMatrix         residual_by_gap, residual_by_traction;
+    InternalVariables internal; ///< at the end of this load step
   };
 
-  /// The inputs at all points; refers to them.
+  /// The inputs at all points; refers to them. Vectors have a component each, see PointVectors; of
+  /// the stress there may be the normal one alone.
   struct LawInputs
   {
-    const LA::Vector &gap, &stress, &pressure;
+    const PointVectors   &gap, &stress, &traction;
+    const InternalFields &internal;
 
-    /// @param first row of a point
-    /// @param n components
     LawInput
-    at(dealii::types::global_dof_index first, unsigned int n) const;
+    at(dealii::types::global_dof_index point) const;
   };
 
-  /// The relation between gap, normal stress and pressure at the contact points, of which there are
-  /// laws for one component a point (NormalContact) or more: then as many rows of the gap operator,
-  /// one after the other, are those of a point. System, line search, active set and output ask this
-  /// and nothing else.
+  /// The relation between gap, stress and traction at the contact points, with one component
+  /// (NormalContact), or with as many as the dimension. Newton's method, the linear system, line
+  /// searches, the active set and the dual problem ask this and nothing else.
   ///
-  /// Points are asked one by one, and told whether they count as active: that is the choice of the
-  /// strategy that looks for the set.
+  /// Points are asked one by one, and told the status that they are taken to have: that is the
+  /// choice of the strategy that looks for the set.
   class ContactLaw
   {
   public:
@@ -59,27 +79,48 @@ namespace Signorini
       return contact;
     }
 
-    /// Rows of the gap operator a point.
-    virtual unsigned int
+    /// 1, or as many as the dimension, of all points.
+    unsigned int
     n_components() const
     {
-      return 1;
+      return contact.n_components();
     }
 
-    /// True: the pressure is an unknown.
+    /// True: the traction is an unknown.
     virtual bool
-    is_mixed() const = 0;
+    has_multiplier() const = 0;
 
-    /// True: the law refers to the pressure of the last solution, see augment().
+    /// True: the linearisation is symmetric at all points, whatever their status.
+    virtual bool
+    is_symmetric() const
+    {
+      return true;
+    }
+
+    /// True: derivatives depend on the status of a point alone, not on what else it is asked with.
+    virtual bool
+    has_constant_derivatives() const
+    {
+      return true;
+    }
+
+    /// All zero, as of points that have never been closed: as many as the law needs.
+    virtual InternalVariables
+    initial_variables() const
+    {
+      return {};
+    }
+
+    /// True: the law refers to the traction of the last solution, see augment().
     virtual bool
     augments() const
     {
       return false;
     }
 
-    /// Let that pressure be this one from now on.
+    /// Let that traction be this one from now on.
     virtual void
-    augment(const LA::Vector & /*pressure*/)
+    augment(const PointVectors & /*traction*/)
     {}
 
     /// Multiply stiff springs by that, for a start far from the solution. True if that changes the
@@ -104,48 +145,56 @@ namespace Signorini
       return 1;
     }
 
-    /// What the active set is decided by, positive where a point pushes.
-    /// @param i its first row
-    virtual double
-    trial(Index i, const LawInput &in) const = 0;
+    /// The traction that the status is decided by: what the law would answer if nothing bounded it.
+    /// Its normal component is positive where the point presses.
+    virtual LawVector
+    trial(Index point, const LawInput &in) const = 0;
 
-    /// Is the point active by itself?
-    virtual bool
-    pushes(Index i, double trial) const = 0;
+    /// The status that the point has by itself.
+    virtual ContactStatus
+    status(Index point, const LawVector &trial) const = 0;
 
     virtual LawResponse
-    response(Index i, const LawInput &in, bool active) const = 0;
+    response(Index point, const LawInput &in, ContactStatus status) const = 0;
 
-    /// Of the trial values at all points, where the pressure of a former mesh is known.
-    virtual LA::Vector
-    trial_from_pressure(const LawInputs &in) const
+    /// Of the trial tractions at all points, where the traction of a former mesh is known.
+    virtual PointVectors
+    trial_from_traction(const LawInputs &in) const
     {
       return trial(in);
     }
 
-    /// By what a defect is multiplied, beside its area, so that it becomes a force.
+    /// By what a residual is multiplied, beside the area, so that it becomes a force.
     virtual double
-    defect_stiffness(const Index i) const
+    residual_stiffness(const Index point) const
     {
-      return contact.coefficients.stiffness(i);
+      return contact.coefficients.stiffness(point);
     }
 
-    // The same at all points; rows of a point have the same trial value.
+    // The same at all points of this rank:
 
-    LA::Vector
+    PointVectors
     trial(const LawInputs &in) const;
 
-    /// 1 where the point is active by itself, else 0.
+    /// Values of ContactStatus.
     LA::Vector
-    pushes(const LA::Vector &trial) const;
+    status(const PointVectors &trial) const;
 
-    /// An unknown one is left as it is where active.
-    LA::Vector
-    pressure(const LawInputs &in, const LA::Vector &active) const;
+    /// An unknown one is left as it is where the point is not open.
+    PointVectors
+    traction(const LawInputs &in, const LA::Vector &status) const;
 
-    /// As forces, see defect_stiffness().
-    LA::Vector
-    defect(const LawInputs &in, const LA::Vector &active) const;
+    /// As forces, see residual_stiffness().
+    PointVectors
+    residual(const LawInputs &in, const LA::Vector &status) const;
+
+    /// Internal variables at the end of this load step.
+    InternalFields
+    internal(const LawInputs &in, const LA::Vector &status) const;
+
+    /// initial_variables() at all points.
+    InternalFields
+    initial_fields() const;
 
   protected:
     /// Refers to it.
@@ -153,11 +202,29 @@ namespace Signorini
       : contact(contact)
     {}
 
-    /// What f(first row of a point) returns, a LawVector, at all points.
+    /// What f(point) returns, a LawVector, at all points.
     template <typename F>
-    LA::Vector
+    PointVectors
     at_all_points(const F &f) const;
 
     const GapOperator &contact;
   };
+
+
+
+  template <typename F>
+  PointVectors
+  ContactLaw::at_all_points(const F &f) const
+  {
+    PointVectors result(n_components(), contact.zero());
+    for (const Index i : contact.weight.locally_owned_elements())
+      {
+        const LawVector values = f(i);
+        for (unsigned int a = 0; a < result.size(); ++a)
+          result[a](i) = values[a];
+      }
+    for (LA::Vector &component : result)
+      component.compress(dealii::VectorOperation::insert);
+    return result;
+  }
 } // namespace Signorini

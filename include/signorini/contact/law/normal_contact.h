@@ -24,9 +24,9 @@ namespace Signorini
     springs(const GapOperator &contact, double factor);
 
     bool
-    is_mixed() const override
+    has_multiplier() const override
     {
-      return mixed;
+      return multiplier;
     }
 
     /// True: p^ is the pressure of the last solution.
@@ -37,9 +37,9 @@ namespace Signorini
     }
 
     void
-    augment(const LA::Vector &pressure) override
+    augment(const PointVectors &traction) override
     {
-      last = pressure;
+      last = traction[0];
     }
 
     /// Only where p^ is zero.
@@ -60,47 +60,44 @@ namespace Signorini
     double
     softest() const override;
 
-    using ContactLaw::pushes;
+    using ContactLaw::status;
     using ContactLaw::trial;
 
     /// p^ - eps g
-    double
-    trial(Index i, const LawInput &in) const override;
+    LawVector
+    trial(Index point, const LawInput &in) const override;
 
-    bool
-    pushes(const Index i, const double trial) const override
-    {
-      return (trial > 0 || contact.coefficients.permanent(i) > 0) && contact.weight(i) > 0;
-    }
+    ContactStatus
+    status(Index point, const LawVector &trial) const override;
 
     LawResponse
-    response(Index i, const LawInput &in, bool active) const override;
+    response(Index point, const LawInput &in, ContactStatus status) const override;
 
     /// To find the set that a stiff penalty, under which gaps are mere noise at first, would not
     /// show: p - c (g + p/eps) with c at most E/h, whose sign at a solution is that of p^ - eps g
     /// for any c.
-    LA::Vector
-    trial_from_pressure(const LawInputs &in) const override;
+    PointVectors
+    trial_from_traction(const LawInputs &in) const override;
 
     /// E/h, or eps if it augments, which is what the next augmentation changes.
     double
-    defect_stiffness(const Index i) const override
+    residual_stiffness(const Index point) const override
     {
-      return augments() ? epsilon(i) : ContactLaw::defect_stiffness(i);
+      return augments() ? epsilon(point) : ContactLaw::residual_stiffness(point);
     }
 
   private:
-    NormalContact(const GapOperator &contact, Predictor predictor, bool mixed, double spring);
+    NormalContact(const GapOperator &contact, Predictor predictor, bool multiplier, double spring);
 
     double
-    epsilon(const Index i) const
+    epsilon(const Index point) const
     {
-      return spring < 0 ? softness * contact.coefficients.epsilon(i) :
-                          spring * contact.coefficients.stiffness(i);
+      return spring < 0 ? softness * contact.coefficients.epsilon(point) :
+                          spring * contact.coefficients.stiffness(point);
     }
 
     Predictor  predictor;
-    bool       mixed;
+    bool       multiplier;
     double     spring; ///< negative: the method's eps
     double     softness = 1;
     LA::Vector last; ///< p^ of what augments

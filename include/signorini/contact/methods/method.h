@@ -8,6 +8,8 @@
 
 namespace Signorini
 {
+  class ContactLaw;
+  struct GapOperator;
   class Section;
 
   /// Where a method imposes contact.
@@ -34,9 +36,10 @@ namespace Signorini
     double bound;     ///< of the normal stress, see NormalStress::bound() [force/length^3]
   };
 
-  /// How contact is imposed. All methods share one law, p = max(0, p^ - eps g), see ContactLaw. A
-  /// method says only what p^ is, how large eps, and at which points the law holds: one file pair
-  /// under contact/methods and one line in the registry.
+  /// How contact is imposed. A method makes the contact law, which of all those without friction is
+  /// p = max(0, p^ - eps g), see NormalContact: such a method says only what p^ is, how large eps,
+  /// and at which points the law holds. One file pair under contact/methods and one line in the
+  /// registry.
   class ContactMethod
   {
   public:
@@ -61,6 +64,26 @@ namespace Signorini
     /// the scene.
     virtual double
     penalty(const PenaltyScale &scale) const = 0;
+
+    /// Refers to the gap operator.
+    virtual std::unique_ptr<ContactLaw>
+    make_law(const GapOperator &contact) const;
+
+    /// True: the law asks for the slip too, so that contact points have as many components as the
+    /// dimension.
+    virtual bool
+    needs_slip() const
+    {
+      return false;
+    }
+
+    /// True: tractions depend on the load steps before, by internal variables of the law or by the
+    /// slip, which counts from the end of the last one.
+    virtual bool
+    is_path_dependent() const
+    {
+      return needs_slip();
+    }
 
     /// penalty(), and what stiffen() has made of it.
     double

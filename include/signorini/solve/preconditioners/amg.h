@@ -20,7 +20,7 @@ namespace Signorini
 
     /// The springs D have changed, see AMGSprings::set. No level is made anew.
     void
-    set_springs(const LA::Vector &values);
+    set_springs(const PointVectors &values);
 
     /// One multigrid cycle.
     void

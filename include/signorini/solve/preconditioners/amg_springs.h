@@ -20,12 +20,12 @@ namespace Signorini
     /// None at first. @param contact not empty
     AMGSprings(const Hierarchy &hierarchy, const GapOperator &contact);
 
-    /// @param springs by contact point. Those stiffer than 6 k W, which between equal bodies is
-    /// three times E/h, count as that: they couple the bodies well enough, and larger ones would
-    /// slow down the smoothers (of 1, 3, 10, 100 and 1000 times E/h this took the fewest
-    /// iterations).
+    /// @param springs a vector a component, by contact point. Those stiffer than 6 k W, which
+    /// between equal bodies is three times E/h, count as that: they couple the bodies well enough,
+    /// and larger ones would slow down the smoothers (of 1, 3, 10, 100 and 1000 times E/h this took
+    /// the fewest iterations).
     void
-    set(const LA::Vector &springs);
+    set(const PointVectors &springs);
 
     /// All as stiff as they can be.
     void
@@ -80,7 +80,9 @@ namespace Signorini
     void
     has_changed();
 
-    std::vector<unsigned int>           groups; ///< spring of each local contact point
+    /// Spring of each local contact point; those of component a come a * n_groups behind.
+    std::vector<unsigned int>           groups;
+    unsigned int                        n_groups;
     LA::Vector                          D, limit;
     bool                                is_any = false; ///< on any rank
     std::vector<std::unique_ptr<Level>> levels;

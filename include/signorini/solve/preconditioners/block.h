@@ -10,13 +10,14 @@ namespace Signorini
   /// S (Benzi, Golub, Liesen, Acta Numerica 14 (2005) 1-137, chapter 10):
   ///
   ///   diagonal    diag(K, S), for MINRES;
-  ///   triangular  [K 0; -A B -S]: the second row sees what the first has found;
+  ///   triangular  [K 0; -C B -S]: the second row sees what the first has found;
   ///   simple      then also the displacement sees the multipliers, through diag(K)^-1
   ///               (Patankar, Spalding, Int. J. Heat Mass Transfer 15 (1972) 1787-1806).
   ///
   /// K^-1 is a multigrid cycle. With an augmentation gamma, K is replaced by K + B^T gamma k W B,
-  /// which is solved by a contact filter, and S^-1 gains gamma/(k W): the larger gamma, the better
-  /// is this diagonal alone (Golub, Greif, SIAM J. Sci. Comput. 24 (2003) 2076-2092).
+  /// which is solved by a contact filter, and S^-1 gains gamma/(k W) for the pressure: the larger
+  /// gamma, the better is this diagonal alone (Golub, Greif, SIAM J. Sci. Comput. 24 (2003)
+  /// 2076-2092).
   ///
   /// On condensed systems all are AMG(K) alone.
   class BlockPreconditioner : public Preconditioner
@@ -53,13 +54,13 @@ namespace Signorini
     }
 
   private:
-    /// dst = S^-1 src
+    /// dst = S^-1 src in the blocks of the multipliers.
     void
-    solve_schur(LA::Vector &dst, const LA::Vector &src) const;
+    solve_schur(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
-    /// f += B^T A q
+    /// f += B_a^T A q
     void
-    add_coupling(LA::Vector &f, const LA::Vector &q) const;
+    add_coupling(LA::Vector &f, unsigned int a, const LA::Vector &q) const;
 
     const Form           form;
     const double         augmentation;
@@ -71,6 +72,6 @@ namespace Signorini
     std::unique_ptr<NormalContact>   springs;
     std::unique_ptr<ContactSystem>   augmented;
     std::unique_ptr<ContactFilter>   filter;
-    LA::Vector                       extra; ///< gamma/(k W) on active points
+    LA::Vector                       extra; ///< gamma/(k W) on closed points, of the pressure
   };
 } // namespace Signorini

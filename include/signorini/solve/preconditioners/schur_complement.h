@@ -11,20 +11,21 @@ namespace Signorini
 {
   struct LinearSolverSettings;
 
-  /// An approximation of the Schur complement S = A B K^-1 B^T A + I of a saddle point, which is
-  /// positive definite. One class in the source file and one line in the registry there.
+  /// An approximation of the Schur complement S = C B K^-1 B^T A + I of a saddle point, which is
+  /// positive definite if the law is symmetric, C = A. One class in the source file and one line in
+  /// the registry there.
   class SchurComplement
   {
   public:
     virtual ~SchurComplement() = default;
 
-    /// The active set has changed.
+    /// The system has changed.
     virtual void
     update() = 0;
 
-    /// dst = S^-1 src
+    /// dst = S^-1 src in the blocks of the multipliers of two vectors of the system.
     virtual void
-    vmult(LA::Vector &dst, const LA::Vector &src) const = 0;
+    vmult(LA::BlockVector &dst, const LA::BlockVector &src) const = 0;
 
     /// A fixed symmetric positive definite operator, as MINRES needs it.
     virtual bool
