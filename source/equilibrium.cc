@@ -184,16 +184,19 @@ namespace Signorini
                                const double                     tolerance)
   {
     const State before = state;
-    if (t > state.time && scene.contact.chosen().is_path_dependent())
+    const bool  remembers =
+      scene.contact.chosen().is_path_dependent() || !elasticity.material_history().empty();
+    if (t > state.time && remembers)
       {
-        state.start = {state.displacement, state.contact};
+        state.start = {state.displacement, state.contact, state.material, t - state.time};
         in_place.start_step();
       }
     try
       {
         if (solve_from_start(start, t, tolerance))
           {
-            state.time = t;
+            state.time     = t;
+            state.material = elasticity.internal_variables(state.displacement);
             if (elasticity.is_finite())
               {
                 contact.check_passed(state.displacement, in_place.contact_state().pressure());

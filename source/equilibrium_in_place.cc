@@ -68,6 +68,7 @@ namespace Signorini
     if (!fields.empty())
       fields = rows_of_places(state.start.contact, points, fields).internal;
     my_contact.internal = std::move(fields);
+    elasticity.material_history().start(state.start.material, state.start.duration);
     if (state.start.displacement.size() > 0)
       points.set_start(state.start.displacement);
   }
@@ -153,7 +154,7 @@ namespace Signorini
     TimerOutput::Scope  scope(timer, "assembly");
     const StiffnessForm form =
       choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity);
-    if (elasticity.is_finite())
+    if (elasticity.is_nonlinear())
       bodies =
         std::make_unique<FiniteBodies<dim>>(form, elasticity, bodies_of_dofs(elasticity), timer);
     else

@@ -55,7 +55,7 @@ namespace Signorini
     double             limit = scene.deformation_share;
     for (const double target : scene.goals.targets)
       limit = std::min(limit, target);
-    std::vector<std::shared_ptr<const Hyperelastic>> laws;
+    std::vector<std::shared_ptr<const ConstitutiveLaw>> laws;
     for (const Body<dim> &body : scene.bodies)
       for (const Material *material : body.materials())
         laws.push_back(law_of(*material).make(*material));

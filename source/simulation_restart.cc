@@ -21,12 +21,13 @@ namespace Signorini
     {
       std::vector<CellValues> displacement, start_displacement;
       Places                  contact, start_contact;
+      CellVariables           material, start_material;
 
       template <class Archive>
       void
       serialize(Archive &ar, const unsigned int)
       {
-        ar &displacement &contact &start_displacement &start_contact;
+        ar &displacement &contact &material &start_displacement &start_contact &start_material;
       }
     };
 
@@ -65,6 +66,8 @@ namespace Signorini
           append(part.contact, result.contact);
           append(part.start_displacement, result.start_displacement);
           append(part.start_contact, result.start_contact);
+          result.material.insert(part.material.begin(), part.material.end());
+          result.start_material.insert(part.start_material.begin(), part.start_material.end());
         }
       return result;
     }
@@ -173,7 +176,10 @@ namespace Signorini
     there.time         = head.at("state_time");
     if (head.contains("rigid_motion_at_start"))
       there.start = {displacement(part.start_displacement, "rigid_motion_at_start"),
-                     field_of(part.start_contact, dim)};
+                     field_of(part.start_contact, dim),
+                     part.start_material,
+                     head.at("duration")};
+    there.material = part.material;
     equilibrium->set_state(there, head.at("follows"));
     former_cycles  = head.at("multigrid_cycles");
     former_seconds = head.at("mesh_seconds");
@@ -218,7 +224,10 @@ namespace Signorini
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
                  {"pairs", contact->memory()}};
     if (state.start.displacement.size() > 0)
-      head["rigid_motion_at_start"] = elasticity->rigid_motion(state.start.displacement);
+      {
+        head["rigid_motion_at_start"] = elasticity->rigid_motion(state.start.displacement);
+        head["duration"]              = state.start.duration;
+      }
     reached = Reached{state, head};
     if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_over())
       return; // nothing to lose
@@ -251,10 +260,12 @@ namespace Signorini
     Part         part;
     part.displacement = values_of_cells(*elasticity, now.displacement);
     part.contact      = places_of(now.contact);
+    part.material     = now.material;
     if (now.start.displacement.size() > 0)
       {
         part.start_displacement = values_of_cells(*elasticity, now.start.displacement);
         part.start_contact      = places_of(now.start.contact);
+        part.start_material     = now.start.material;
       }
     const std::vector<char> bytes = Utilities::pack(part, false);
     if (checkpoints->write(head, {bytes.begin(), bytes.end()}))

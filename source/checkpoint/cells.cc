@@ -1,4 +1,5 @@
 #include <signorini/checkpoint/cells.h>
+#include <signorini/mesh/cells_by_name.h>
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/distributed/tria.h>
@@ -13,48 +14,6 @@ namespace Signorini
 
   namespace
   {
-    std::uint64_t
-    hash_of(const CellId &id)
-    {
-      std::uint64_t hash = 14695981039346656037ull; // FNV-1a
-      const auto add = [&](const std::uint64_t part) { hash = (hash ^ part) * 1099511628211ull; };
-      add(id.get_coarse_cell_id());
-      for (const auto child : id.get_child_indices())
-        add(child + 1);
-      return hash ^ (hash >> 29);
-    }
-
-    /// What any rank knows of the cells that this rank asks for: all tell it to the rank that the
-    /// name of the cell says, and that one is asked.
-    template <typename T>
-    std::map<CellId, T>
-    look_up(const std::map<CellId, T> &known,
-            const std::vector<CellId> &wanted,
-            const MPI_Comm             comm)
-    {
-      using Entry                                        = std::pair<CellId, T>;
-      const auto                                 n_ranks = Utilities::MPI::n_mpi_processes(comm);
-      std::map<unsigned int, std::vector<Entry>> told;
-      for (const auto &entry : known)
-        told[hash_of(entry.first) % n_ranks].emplace_back(entry);
-      std::map<CellId, T> directory;
-      for (const auto &[rank, entries] : Utilities::MPI::some_to_some(comm, told))
-        directory.insert(entries.begin(), entries.end());
-
-      std::map<unsigned int, std::vector<CellId>> asked;
-      for (const CellId &id : wanted)
-        asked[hash_of(id) % n_ranks].push_back(id);
-      std::map<unsigned int, std::vector<Entry>> answers;
-      for (const auto &[rank, ids] : Utilities::MPI::some_to_some(comm, asked))
-        for (const CellId &id : ids)
-          if (const auto found = directory.find(id); found != directory.end())
-            answers[rank].emplace_back(*found);
-      std::map<CellId, T> result;
-      for (const auto &[rank, entries] : Utilities::MPI::some_to_some(comm, answers))
-        result.insert(entries.begin(), entries.end());
-      return result;
-    }
-
     template <int dim>
     std::vector<CellId>
     owned_cells(const Mesh<dim> &mesh)

@@ -33,7 +33,7 @@ namespace Signorini
     add_bulk_stress(const double                 m,
                     const SymmetricTensor<2, 3> &C,
                     const UpTo                   wanted,
-                    HyperelasticState           &state)
+                    ConstitutiveResponse        &state)
     {
       const SymmetricTensor<2, 3> A = invert(C);
       const double                J = std::sqrt(determinant(C));
@@ -50,16 +50,16 @@ namespace Signorini
 
 
 
-    /// The state with S_zz = 0, by Newton's method for the logarithm of C_zz.
-    HyperelasticState
-    without_thickness_stress(const Hyperelastic &law, SymmetricTensor<2, 3> &C)
+    /// The response with S_zz = 0, by Newton's method for the logarithm of C_zz.
+    ConstitutiveResponse
+    without_thickness_stress(const MaterialPoint &point, SymmetricTensor<2, 3> &C)
     {
       constexpr unsigned int most   = 100;
       constexpr double       enough = 1e-14, longest = 0.5;
       for (unsigned int i = 0; i < most; ++i)
         {
-          const HyperelasticState state = law.at(C, UpTo::tangent);
-          const double            slope = state.tangent[2][2][2][2] / 2 * C[2][2];
+          const ConstitutiveResponse state = point.at(C, UpTo::tangent);
+          const double               slope = state.tangent[2][2][2][2] / 2 * C[2][2];
           if (std::abs(state.stress[2][2]) <= enough * std::abs(slope))
             return state;
           if (!(slope > 0))
@@ -72,25 +72,62 @@ namespace Signorini
 
 
 
-  HyperelasticState
-  hyperelastic_state(const Model         model,
-                     const Hyperelastic &law,
-                     Tensor<2, 3>       &F,
-                     const double        bulk_stress,
-                     const UpTo          wanted)
+  MaterialPoint::MaterialPoint(const Material     &material,
+                               const double        bulk_stress,
+                               const double *const internal,
+                               const double        duration,
+                               const double        temperature_rise)
+    : strain_measure(material.constitutive_law ? material.strain_measure : StrainMeasure::small)
+    , bulk_stress(bulk_stress)
+    , law(material.constitutive_law.get())
+    , linear(material.lambda(), material.mu())
+    , internal(internal)
+    , duration(duration)
+    , temperature_rise(temperature_rise)
+  {}
+
+
+
+  MaterialPoint::MaterialPoint(const ConstitutiveLaw &law, const double bulk_stress)
+    : strain_measure(StrainMeasure::finite)
+    , bulk_stress(bulk_stress)
+    , law(&law)
+    , linear(0, 0)
+    , internal(nullptr)
+    , duration(0)
+    , temperature_rise(0)
+  {}
+
+
+
+  ConstitutiveResponse
+  MaterialPoint::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
   {
-    SymmetricTensor<2, 3> C = symmetrize(transpose(F) * F);
+    return law ? law->response({C, internal, duration, temperature_rise}, wanted) :
+                 linear.at(C, wanted);
+  }
+
+
+
+  ConstitutiveResponse
+  response_at(const Model model, const MaterialPoint &point, Tensor<2, 3> &F, const UpTo wanted)
+  {
+    const bool            is_finite = point.strain_measure == StrainMeasure::finite;
+    SymmetricTensor<2, 3> C =
+      is_finite ? symmetrize(transpose(F) * F) : 2. * symmetrize(F) - unit_symmetric_tensor<3>();
     if (model != Model::plane_stress)
       {
-        HyperelasticState state = law.at(C, wanted);
-        if (bulk_stress != 0)
-          add_bulk_stress(bulk_stress, C, wanted, state);
+        ConstitutiveResponse state = point.at(C, wanted);
+        if (point.bulk_stress != 0 && is_finite)
+          add_bulk_stress(point.bulk_stress, C, wanted, state);
+        else if (point.bulk_stress != 0)
+          state.stress += point.bulk_stress * unit_symmetric_tensor<3>();
         return state;
       }
-    HyperelasticState           state  = without_thickness_stress(law, C);
+    ConstitutiveResponse        state  = without_thickness_stress(point, C);
     const SymmetricTensor<4, 3> T      = state.tangent;
     const double                across = T[2][2][2][2];
-    F[2][2]                            = std::sqrt(C[2][2]);
+    F[2][2]                            = is_finite ? std::sqrt(C[2][2]) : 1 + (C[2][2] - 1) / 2;
     state.stress[2][2]                 = 0;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = i; j < 3; ++j)
@@ -102,18 +139,14 @@ namespace Signorini
 
 
 
-  std::optional<HyperelasticState>
-  state_if_any(const Model         model,
-               const Hyperelastic &law,
-               Tensor<2, 3>       &F,
-               const double        bulk_stress,
-               const UpTo          wanted)
+  std::optional<ConstitutiveResponse>
+  response_if_any(const Model model, const MaterialPoint &point, Tensor<2, 3> &F, const UpTo wanted)
   {
-    if (!(determinant(F) > 0))
+    if (point.strain_measure == StrainMeasure::finite && !(determinant(F) > 0))
       return {};
     try
       {
-        return hyperelastic_state(model, law, F, bulk_stress, wanted);
+        return response_at(model, point, F, wanted);
       }
     catch (const std::domain_error &)
       {
@@ -124,12 +157,11 @@ namespace Signorini
 
 
   SymmetricTensor<2, 3>
-  cauchy_stress(const Model         model,
-                const Hyperelastic &law,
-                Tensor<2, 3>        F,
-                const double        bulk_stress)
+  cauchy_stress(const Model model, const MaterialPoint &point, Tensor<2, 3> F)
   {
-    const HyperelasticState state = hyperelastic_state(model, law, F, bulk_stress, UpTo::stress);
+    const ConstitutiveResponse state = response_at(model, point, F, UpTo::stress);
+    if (point.strain_measure == StrainMeasure::small)
+      return state.stress;
     return symmetrize(F * Tensor<2, 3>(state.stress) * transpose(F)) / determinant(F);
   }
 

@@ -23,7 +23,7 @@ namespace Signorini
     template <int dim>
     Work
     work_at(const Elasticity<dim>   &elasticity,
-            const Hyperelastic      &law,
+            const ConstitutiveLaw   &law,
             const CellAccessor<dim> &cell,
             const Tensor<2, dim>    &gradient,
             const Tensor<1, dim>    &u,
@@ -33,7 +33,7 @@ namespace Signorini
       const Tensor<2, 3> H = F - Tensor<2, 3>(unit_symmetric_tensor<3>()),
                          sigma(elasticity.stress(cell, gradient, u, x));
       const auto state =
-        state_if_any(elasticity.model(), law, F, elasticity.bulk_stress().value(cell, x));
+        response_if_any(elasticity.model(), {law, elasticity.bulk_stress().value(cell, x)}, F);
       return {std::abs(scalar_product(sigma, H)),
               state ? std::abs(scalar_product(F * Tensor<2, 3>(state->stress) - sigma, H)) :
                       std::nan("")};
@@ -44,9 +44,9 @@ namespace Signorini
 
   template <int dim>
   DeformationChange
-  deformation_change(const Elasticity<dim>                                  &elasticity,
-                     const std::vector<std::shared_ptr<const Hyperelastic>> &laws,
-                     const LA::Vector                                       &u)
+  deformation_change(const Elasticity<dim>                                     &elasticity,
+                     const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
+                     const LA::Vector                                          &u)
   {
     const Mesh<dim>     &mesh    = elasticity.mesh();
     const LA::Vector     ghosted = elasticity.with_ghosts(u);
@@ -99,7 +99,7 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                                           \
   template DeformationChange deformation_change(                                                   \
     const Elasticity<dim> &,                                                                       \
-    const std::vector<std::shared_ptr<const Hyperelastic>> &,                                      \
+    const std::vector<std::shared_ptr<const ConstitutiveLaw>> &,                                   \
     const LA::Vector &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -12,9 +12,13 @@ namespace Signorini
   DeformationKernel<dim>::DeformationKernel(const Mesh<dim>             &mesh,
                                             const hp::FECollection<dim> &all_elements,
                                             const Model                  model,
-                                            const BulkStress<dim>       *bulk_stress)
+                                            const BulkStress<dim>       *bulk_stress,
+                                            const MaterialHistory<dim>  *history,
+                                            const ThermalStrain<dim>    *thermal)
     : model(model)
     , bulk_stress(bulk_stress)
+    , history(history)
+    , thermal(thermal)
     , n_components(dim * dim + (model == Model::axisymmetric ? 1 : 0))
     , elements(scalar_elements(all_elements))
     , all_values(mesh.mappings(),
@@ -70,7 +74,7 @@ namespace Signorini
 
   template <int dim>
   typename DeformationKernel<dim>::Tangent
-  DeformationKernel<dim>::derivative(const Tensor<2, 3> &F, const HyperelasticState &state) const
+  DeformationKernel<dim>::derivative(const Tensor<2, 3> &F, const ConstitutiveResponse &state) const
   {
     const auto place = [](const unsigned int component) {
       return component < dim * dim ?
@@ -102,7 +106,7 @@ namespace Signorini
         for (unsigned int n = 0; n <= m; ++n)
           {
             const auto [b, L] = place(n);
-            double value      = a == b ? state.stress[J][L] : 0.;
+            double value      = a == b && !is_small ? state.stress[J][L] : 0.;
             for (unsigned int K = 0; K < 3; ++K)
               value += moved[K][L] * F[b][K];
             result[m][n] = result[n][m] = value;
@@ -114,15 +118,24 @@ namespace Signorini
 
 
   template <int dim>
-  std::optional<HyperelasticState>
-  DeformationKernel<dim>::state(const Cell         &cell,
-                                const unsigned int  q,
-                                const Hyperelastic &law,
-                                const UpTo          wanted,
-                                Tensor<2, 3>       &F) const
+  std::optional<ConstitutiveResponse>
+  DeformationKernel<dim>::state(const Cell        &cell,
+                                const unsigned int q,
+                                const Material    &material,
+                                const UpTo         wanted,
+                                Tensor<2, 3>      &F)
   {
-    const double bulk = bulk_stress ? bulk_stress->value(*cell, values->quadrature_point(q)) : 0.;
-    return state_if_any(model, law, F, bulk, wanted);
+    const Point<dim>   &x = values->quadrature_point(q);
+    const MaterialPoint point(material,
+                              bulk_stress ? bulk_stress->value(*cell, x) : 0.,
+                              history ? history->at(*cell, q) : nullptr,
+                              history ? history->duration() : 0.,
+                              thermal && thermal->any() ? thermal->rise(*cell, x) : 0.);
+    is_small    = point.strain_measure == StrainMeasure::small;
+    auto result = response_if_any(model, point, F, wanted);
+    if (is_small)
+      F = unit_symmetric_tensor<3>();
+    return result;
   }
 
 
@@ -162,7 +175,7 @@ namespace Signorini
   template <int dim>
   bool
   DeformationKernel<dim>::tangents(const Cell           &cell,
-                                   const Hyperelastic   &law,
+                                   const Material       &material,
                                    const Vector<double> &u,
                                    CellTangents         &points)
   {
@@ -171,8 +184,9 @@ namespace Signorini
     points.clear();
     for (const unsigned int q : values->quadrature_point_indices())
       {
-        Tensor<2, 3>                           F     = gradient(q, u);
-        const std::optional<HyperelasticState> found = state(cell, q, law, UpTo::tangent, F);
+        Tensor<2, 3>                              F = gradient(q, u);
+        const std::optional<ConstitutiveResponse> found =
+          state(cell, q, material, UpTo::tangent, F);
         if (!found)
           return false;
         points.push_back(in_unit_coordinates(derivative(F, *found), q));
@@ -236,7 +250,7 @@ namespace Signorini
   template <int dim>
   bool
   DeformationKernel<dim>::assemble(const Cell           &cell,
-                                   const Hyperelastic   &law,
+                                   const Material       &material,
                                    const Vector<double> &u,
                                    Vector<double>       &forces,
                                    FullMatrix<double>   *tangent)
@@ -248,9 +262,9 @@ namespace Signorini
       sums.assign(n * n, 0.);
     for (const unsigned int q : values->quadrature_point_indices())
       {
-        Tensor<2, 3>                           F = gradient(q, u);
-        const std::optional<HyperelasticState> found =
-          state(cell, q, law, tangent ? UpTo::tangent : UpTo::stress, F);
+        Tensor<2, 3>                              F = gradient(q, u);
+        const std::optional<ConstitutiveResponse> found =
+          state(cell, q, material, tangent ? UpTo::tangent : UpTo::stress, F);
         if (!found)
           return false;
         const double weight = values->JxW(q) * measure(model, values->quadrature_point(q));
@@ -269,6 +283,28 @@ namespace Signorini
           (*tangent)(row, column) = (*tangent)(column, row) = sums[i * n + j];
         }
     return true;
+  }
+
+
+
+  template <int dim>
+  PointVariables
+  DeformationKernel<dim>::internal(const Cell           &cell,
+                                   const Material       &material,
+                                   const Vector<double> &u)
+  {
+    reinit(cell);
+    PointVariables result;
+    result.points_a_line = cell->get_fe().degree + 1;
+    for (const unsigned int q : values->quadrature_point_indices())
+      {
+        Tensor<2, 3> F     = gradient(q, u);
+        const auto   found = state(cell, q, material, UpTo::stress, F);
+        if (!found)
+          return {};
+        result.values.insert(result.values.end(), found->internal.begin(), found->internal.end());
+      }
+    return result;
   }
 
 

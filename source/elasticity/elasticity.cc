@@ -1,5 +1,6 @@
 #include <signorini/elasticity/cell_nodes.h>
 #include <signorini/elasticity/deformation.h>
+#include <signorini/elasticity/deformation_kernel.h>
 #include <signorini/elasticity/elasticity.h>
 #include <signorini/elasticity/kernel.h>
 #include <signorini/elasticity/pressure_kernel.h>
@@ -53,6 +54,7 @@ namespace Signorini
     , strength(stabilisation)
     , thermal_strain(mesh, expansions, one_a_material(degrees, mesh), model)
     , my_bulk_stress(mesh, materials, model)
+    , my_history(mesh, this->dof_handler(), materials)
     , unheld(*this)
   {}
 
@@ -67,6 +69,7 @@ namespace Signorini
     stabilisation = unheld.springs(materials, rigid_stiffness(), strength);
     thermal_strain.reinit();
     my_bulk_stress.reinit();
+    my_history.reinit();
   }
 
 
@@ -172,7 +175,7 @@ namespace Signorini
           const bool      acts     = load_kernel.assemble(cell, cell_load);
           const bool      loaded   = thermal_load.add(cell, material, cell_load) || acts;
           const bool      moved =
-            !is_finite() && std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+            !is_nonlinear() && std::any_of(indices.begin(), indices.end(), [&](const auto i) {
               return constraints.is_inhomogeneously_constrained(i);
             });
           // Only these few cells need their matrix again: K of the others stays untouched.
@@ -237,17 +240,70 @@ namespace Signorini
                           const Point<dim>        &x) const
   {
     const Material &material = materials[cell.material_id()];
-    const double    bulk     = my_bulk_stress.value(cell, x);
-    if (material.energy)
-      return cauchy_stress(this->model(),
-                           *material.energy,
-                           deformation_gradient(this->model(), gradient, u, x),
-                           bulk);
+    if (material.constitutive_law)
+      {
+        std::vector<double> internal;
+        return cauchy_stress(this->model(),
+                             material_point(cell, x, internal),
+                             deformation_gradient(this->model(), gradient, u, x));
+      }
+    const double                bulk = my_bulk_stress.value(cell, x);
     const SymmetricTensor<2, 3> of_displacement =
       thermal_strain.expands(cell.material_id()) ?
         elastic_strain(this->model(), material, gradient, u, x, thermal_strain.strain(cell, x)) :
         strain(this->model(), material, gradient, u, x);
     return Signorini::stress(material, of_displacement) + bulk * unit_symmetric_tensor<3>();
+  }
+
+
+
+  template <int dim>
+  MaterialPoint
+  Elasticity<dim>::material_point(const CellAccessor<dim> &cell,
+                                  const Point<dim>        &x,
+                                  std::vector<double>     &internal) const
+  {
+    internal.clear();
+    if (my_history.n_internal(cell.material_id()) > 0)
+      {
+        const typename Triangulation<dim>::cell_iterator iterator(&cell.get_triangulation(),
+                                                                  cell.level(),
+                                                                  cell.index());
+        internal =
+          my_history.at(cell, this->mesh().mapping().transform_real_to_unit_cell(iterator, x));
+      }
+    return MaterialPoint(materials[cell.material_id()],
+                         my_bulk_stress.value(cell, x),
+                         internal.empty() ? nullptr : internal.data(),
+                         my_history.duration(),
+                         thermal_strain.any() ? thermal_strain.rise(cell, x) : 0.);
+  }
+
+
+
+  template <int dim>
+  CellVariables
+  Elasticity<dim>::internal_variables(const LA::Vector &u) const
+  {
+    CellVariables result;
+    if (my_history.empty())
+      return result;
+    DeformationKernel<dim> kernel(this->mesh(),
+                                  this->finite_elements(),
+                                  this->model(),
+                                  &my_bulk_stress,
+                                  &my_history,
+                                  &thermal_strain);
+    const LA::Vector       ghosted = this->with_ghosts(u);
+    Vector<double>         values;
+    for (const auto &cell : this->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && my_history.n_internal(cell->material_id()) > 0)
+        {
+          values.reinit(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_values(ghosted, values);
+          result[cell->id()] = kernel.internal(cell, materials[cell->material_id()], values);
+        }
+    return result;
   }
 
 

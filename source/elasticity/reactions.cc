@@ -22,7 +22,12 @@ namespace Signorini
       ForcesOfCell(const Elasticity<dim> &e)
         : elasticity(e)
         , kernel(e.mesh(), e.finite_elements(), e.model())
-        , of_deformation(e.mesh(), e.finite_elements(), e.model(), &e.bulk_stress())
+        , of_deformation(e.mesh(),
+                         e.finite_elements(),
+                         e.model(),
+                         &e.bulk_stress(),
+                         &e.material_history(),
+                         &e.thermal())
         , thermal_load(e.mesh(), e.finite_elements(), e.thermal(), e.model())
         , of_volume(e)
       {}
@@ -37,8 +42,8 @@ namespace Signorini
         const Material &material = elasticity.material(cell->material_id());
         values.reinit(cell->get_fe().n_dofs_per_cell());
         cell->get_dof_values(ghosted, values);
-        if (material.energy)
-          of_deformation.assemble(cell, *material.energy, values, force);
+        if (elasticity.is_nonlinear())
+          of_deformation.assemble(cell, material, values, force);
         else
           {
             kernel.assemble(cell, material, matrix);

@@ -115,7 +115,7 @@ namespace Signorini
               const bool             to_coarser_meshes)
   {
     const CellTangents *const tangents = stiffness.tangents();
-    if (elasticity.is_finite() && !tangents)
+    if (elasticity.is_nonlinear() && !tangents)
       return {};
     if (elasticity.degree() == 1)
       return to_coarser_meshes ? coarser_meshes(elasticity, tangents) : Spaces();

@@ -10,7 +10,7 @@ namespace Signorini
   // With dI1/dC = I, dI2/dC = I1 I - C, dJ/dC = J/2 C^-1, and of these
   // d2I2/dC2 = I x I - 1, d2J/dC2 = J/4 C^-1 x C^-1 - J/2 P, where -P is the derivative of C^-1,
   // P_ijkl = (A_ik A_jl + A_il A_jk)/2 with A = C^-1. In components, see SymmetricPairs.
-  HyperelasticState
+  ConstitutiveResponse
   InvariantEnergy::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
   {
     using Pairs          = SymmetricPairs;
@@ -19,7 +19,7 @@ namespace Signorini
     const SymmetricTensor<2, 3>                one = unit_symmetric_tensor<3>(), A = invert(C);
     const std::array<SymmetricTensor<2, 3>, 3> of_C = {{one, I1 * one - C, J / 2 * A}};
 
-    HyperelasticState state;
+    ConstitutiveResponse state;
     state.energy = w.value;
     for (unsigned int a = 0; a < 3; ++a)
       state.stress += 2 * w.first[a] * of_C[a];

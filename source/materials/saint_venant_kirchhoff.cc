@@ -11,11 +11,11 @@ namespace Signorini
 
 
 
-  HyperelasticState
+  ConstitutiveResponse
   SaintVenantKirchhoff::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
   {
     const SymmetricTensor<2, 3> one = unit_symmetric_tensor<3>(), strain = 0.5 * (C - one);
-    HyperelasticState           state;
+    ConstitutiveResponse        state;
     state.stress = lambda * trace(strain) * one + 2 * mu * strain;
     state.energy = 0.5 * (state.stress * strain);
     if (wanted == UpTo::tangent)

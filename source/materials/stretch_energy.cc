@@ -12,7 +12,7 @@ namespace Signorini
   // 2 ds_a/dc_b = W''_ab/(c_a c_b) - 2 delta_ab W'_a/c_a^2, and between them
   // 2 (s_b - s_a)/(c_b - c_a), whose limit for equal ones is half the difference of the former
   // (Simo and Taylor, Comput. Methods Appl. Mech. Engrg. 85 (1991) 273).
-  HyperelasticState
+  ConstitutiveResponse
   StretchEnergy::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
   {
     using Pairs = SymmetricPairs;
@@ -34,7 +34,7 @@ namespace Signorini
       return w.second[a][b] / (c[a] * c[b]) - (a == b ? 2 * s[a] / c[a] : 0.);
     };
 
-    HyperelasticState state;
+    ConstitutiveResponse state;
     state.energy = w.value;
     std::array<Pairs::Values, 3> product;
     for (unsigned int a = 0; a < 3; ++a)

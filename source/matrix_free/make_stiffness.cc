@@ -34,7 +34,8 @@ namespace Signorini
       throw SceneError(
         "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two and without pressures that follow large deformation; "
         "take auto or assembled");
-    return wanted.value_or(is_possible && (has_levels || elasticity.is_finite()) && !needs_matrix ?
+    return wanted.value_or(is_possible && (has_levels || elasticity.is_nonlinear()) &&
+                               !needs_matrix ?
                              StiffnessForm::matrix_free :
                              StiffnessForm::assembled);
   }

@@ -46,8 +46,7 @@ namespace Signorini
         {
           values.reinit(cell->get_fe().n_dofs_per_cell());
           cell->get_dof_values(next, values);
-          const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
-          if (!kernel.tangents(cell, law, values, points))
+          if (!kernel.tangents(cell, elasticity.material(cell->material_id()), values, points))
             return elasticity.mesh().body_name(elasticity.mesh().body(cell));
           CellTangents &tangents = space.cells[cell->active_fe_index()].tangents;
           tangents.insert(tangents.end(), points.begin(), points.end());
@@ -98,8 +97,7 @@ namespace Signorini
     elasticity.assembly().assemble(K, takes, [&](const Cell &cell, FullMatrix<double> &tangent) {
       values.reinit(cell->get_fe().n_dofs_per_cell());
       cell->get_dof_values(place, values);
-      kernel.assemble(
-        cell, *elasticity.material(cell->material_id()).energy, values, forces, &tangent);
+      kernel.assemble(cell, elasticity.material(cell->material_id()), values, forces, &tangent);
     });
   }
 } // namespace Signorini

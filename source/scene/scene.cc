@@ -214,7 +214,7 @@ namespace Signorini
     deformation = Deformation::finite;
     for (Body<dim> &body : bodies)
       for (Material *material : body.materials())
-        material->energy = law_of(*material).make(*material);
+        material->constitutive_law = law_of(*material).make(*material);
   }
 
 

@@ -24,7 +24,9 @@ namespace Signorini
     , kernel(elasticity.mesh(),
              elasticity.finite_elements(),
              elasticity.model(),
-             &elasticity.bulk_stress())
+             &elasticity.bulk_stress(),
+             &elasticity.material_history(),
+             &elasticity.thermal())
     , pressures(elasticity)
     , linearisation(Linearisation<dim>::create(form, elasticity, kernel, pressures))
   {}
@@ -81,10 +83,10 @@ namespace Signorini
     FullMatrix<double> tangent, of_push;
     std::string        folded;
     for_cells([&](const Cell &cell, const std::vector<types::global_dof_index> &indices) {
-      const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
+      const Material &material = elasticity.material(cell->material_id());
       values.reinit(indices.size());
       cell->get_dof_values(at, values);
-      if (!kernel.assemble(cell, law, values, of_cell, extends ? &tangent : nullptr))
+      if (!kernel.assemble(cell, material, values, of_cell, extends ? &tangent : nullptr))
         {
           folded = elasticity.mesh().body_name(elasticity.mesh().body(cell));
           return;
@@ -167,8 +169,10 @@ namespace Signorini
     origin                   = LA::Vector();
     if (my_bulk) // it takes its start away in any case
       my_bulk->linearise(u);
-    const unsigned int bulk_version = my_bulk ? my_bulk->version() : 0;
-    if (linearised.size() > 0 && linearised_bulk == bulk_version)
+    const unsigned int bulk_version    = my_bulk ? my_bulk->version() : 0;
+    const unsigned int history_version = elasticity.material_history().version();
+    if (linearised.size() > 0 && linearised_bulk == bulk_version &&
+        linearised_history == history_version)
       {
         LA::Vector change = there;
         change -= linearised;
@@ -178,8 +182,9 @@ namespace Signorini
     TimerOutput::Scope scope(timer, "assembly");
     linearised = LA::Vector(); // of nothing, if cells are folded there
     linearisation->linearise(extends ? elasticity.with_ghosts(there) : obeying(elasticity, there));
-    linearised      = there;
-    linearised_bulk = bulk_version;
+    linearised         = there;
+    linearised_bulk    = bulk_version;
+    linearised_history = history_version;
   }
 
 

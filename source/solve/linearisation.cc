@@ -42,8 +42,8 @@ namespace Signorini
               read_indices<dim>(cell, indices);
               values.reinit(indices.size());
               cell->get_dof_values(u, values);
-              const Hyperelastic &law = *elasticity.material(cell->material_id()).energy;
-              if (!kernel.assemble(cell, law, values, of_cell, &tangent))
+              const Material &material = elasticity.material(cell->material_id());
+              if (!kernel.assemble(cell, material, values, of_cell, &tangent))
                 {
                   folded = elasticity.mesh().body_name(elasticity.mesh().body(cell));
                   break;

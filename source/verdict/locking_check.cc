@@ -95,12 +95,16 @@ namespace Signorini
             {
               const Point<dim> &x      = values.quadrature_point(q);
               const double      weight = values.JxW(q) * measure(elasticity.model(), x);
-              if (material.energy)
+              if (material.constitutive_law)
                 {
                   auto F    = deformation_gradient(elasticity.model(), gradient[q], u[q], x);
                   volume[q] = {weight, std::log(determinant(F))};
-                  of_body.all +=
-                    weight * hyperelastic_state(elasticity.model(), *material.energy, F).energy;
+                  std::vector<double> internal;
+                  of_body.all += weight * response_at(elasticity.model(),
+                                                      elasticity.material_point(*cell, x, internal),
+                                                      F,
+                                                      UpTo::stress)
+                                            .energy;
                   continue;
                 }
               const auto eps = strain(elasticity.model(), material, gradient[q], u[q], x);

@@ -69,7 +69,7 @@ namespace
     forces(const Vector<double> &at, FullMatrix<double> *tangent = nullptr)
     {
       Vector<double> result;
-      REQUIRE(kernel.assemble(cell(), *material().energy, at, result, tangent));
+      REQUIRE(kernel.assemble(cell(), material(), at, result, tangent));
       return result;
     }
   };
@@ -353,7 +353,7 @@ TEST_CASE("folded cells are seen")
   // One corner beyond the opposite edge.
   one.u    = 0;
   one.u(0) = 2;
-  CHECK_FALSE(one.kernel.assemble(one.cell(), *one.material().energy, one.u, forces));
+  CHECK_FALSE(one.kernel.assemble(one.cell(), one.material(), one.u, forces));
   const auto &ratios = one.kernel.volume_ratios(one.cell(), one.u);
   CHECK(*std::min_element(ratios.begin(), ratios.end()) < 0);
 }

@@ -14,8 +14,6 @@ using namespace dealii;
 
 namespace
 {
-  constexpr double pi = numbers::PI;
-
   template <int dim>
   struct Grid
   {
@@ -142,7 +140,7 @@ namespace
   Point<2>
   on_cam(const double t, const double part)
   {
-    const double angle = 2 * pi * part * t;
+    const double angle = 2 * numbers::PI * part * t;
     return (1 + 0.1 * std::cos(3 * angle)) * Point<2>(std::cos(angle), std::sin(angle));
   }
 
@@ -174,7 +172,8 @@ TEST_CASE("curves through the corners of facets have the order four")
           CAPTURE(n);
           const auto smooth =
             line(n, closed, [&](const double t) { return on_cam(t, closed ? 1 : 0.7); }).smooth();
-          const double error = largest<2>(smooth, cam), sagitta = 1.9 * std::pow(2 * pi / n, 2) / 8;
+          const double error   = largest<2>(smooth, cam),
+                       sagitta = 1.9 * std::pow(2 * numbers::PI / n, 2) / 8;
           CHECK(smooth.faces.size() >= 0.7 * n);
           CHECK(error < 0.02 * sagitta);
           CHECK(error < doubt(smooth));
@@ -228,7 +227,7 @@ TEST_CASE("an edge between a plane and a smooth side stays in the plane")
 {
   // A quarter of a cylinder over half an ellipse, and its lid.
   Grid<3>            grid   = sheet(12, [](const double s, const double t) {
-    return Point<3>(2 * std::cos(pi / 2 * s), std::sin(pi / 2 * s), -t);
+    return Point<3>(2 * std::cos(numbers::PI / 2 * s), std::sin(numbers::PI / 2 * s), -t);
   });
   const unsigned int middle = grid.vertices.size();
   for (unsigned int i = 0; i <= 12; ++i)

@@ -68,9 +68,9 @@ namespace
   /// What the tests of a scene share: a state, a direction and a virtual displacement, as the
   /// program holds them and with all constrained degrees of freedom.
   template <int dim>
-  struct State
+  struct Sample
   {
-    State(const SmallScene<dim> &scene)
+    Sample(const SmallScene<dim> &scene)
       : u(scene.rough_field(0.004, 0.3))
       , du(scene.rough_field(0.004, 1.1))
       , w(scene.rough_field(1, 2.3))
@@ -99,7 +99,7 @@ namespace
   /// f - K u, with hanging nodes, supports in any direction, prescribed displacements and loads.
   template <int dim>
   void
-  check_bodies(const SmallScene<dim> &scene, const State<dim> &state, const double t)
+  check_bodies(const SmallScene<dim> &scene, const Sample<dim> &state, const double t)
   {
     const Elasticity<dim> &elasticity = *scene.elasticity;
     LA::Vector             r = elasticity.zero_vector(), Ku = r;
@@ -125,7 +125,7 @@ namespace
   void
   check_condensed(const SmallScene<dim>       &scene,
                   const ReferenceContact<dim> &reference,
-                  const State<dim>            &state,
+                  const Sample<dim>           &state,
                   const LA::Vector            &predicted)
   {
     const GapOperator &contact  = scene.gap_operator();
@@ -196,7 +196,7 @@ namespace
   void
   check_saddle_point(const SmallScene<dim>       &scene,
                      const ReferenceContact<dim> &reference,
-                     const State<dim>            &state,
+                     const Sample<dim>           &state,
                      const LA::Vector            &p)
   {
     const GapOperator &contact = scene.gap_operator();
@@ -245,8 +245,8 @@ namespace
     SmallScene<dim> scene(which.lines +
                           Lines{"Dimension=" + std::to_string(dim), "Mesh/Degree=" + degree});
     scene.elasticity->set_time(2);
-    const State<dim> state(scene);
-    bool             first = true;
+    const Sample<dim> state(scene);
+    bool              first = true;
     for (const Lines &method : all_methods())
       {
         const std::string how = join(method);

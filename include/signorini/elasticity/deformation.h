@@ -1,7 +1,8 @@
 #pragma once
 
+#include <signorini/elasticity/material.h>
 #include <signorini/elasticity/model.h>
-#include <signorini/materials/hyperelastic.h>
+#include <signorini/materials/saint_venant_kirchhoff.h>
 
 #include <optional>
 
@@ -18,29 +19,51 @@ namespace Signorini
                        const dealii::Tensor<1, dim> &u,
                        const dealii::Point<dim>     &X);
 
-  /// State of a material where a body is deformed by F, whose bulk stress m, if it has one of its
-  /// own, adds m ln J to W (see BulkStress). In plane stress F_zz becomes that which
-  /// makes S_zz zero, and the tangent that of the stresses in the plane. Throws std::domain_error
-  /// if there is none. J = det F is positive.
-  HyperelasticState
-  hyperelastic_state(Model                 model,
-                     const Hyperelastic   &law,
-                     dealii::Tensor<2, 3> &F,
-                     double                bulk_stress = 0,
-                     UpTo                  wanted      = UpTo::tangent);
+  /// A material at a point of a body, and what it knows there beside the strain.
+  struct MaterialPoint
+  {
+    /// Refers to the material. Without a constitutive law of its own it has that of linear
+    /// elasticity, lambda tr(eps) I + 2 mu eps.
+    explicit MaterialPoint(const Material &material,
+                           double          bulk_stress      = 0,
+                           const double   *internal         = nullptr,
+                           double          duration         = 0,
+                           double          temperature_rise = 0);
+
+    /// Of a law that remembers nothing.
+    MaterialPoint(const ConstitutiveLaw &law, double bulk_stress = 0);
+
+    ConstitutiveResponse
+    at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const;
+
+    StrainMeasure strain_measure;
+    double        bulk_stress; ///< m, of a mixed body
+
+  private:
+    const ConstitutiveLaw     *law; ///< null: linear elasticity
+    const SaintVenantKirchhoff linear;
+    const double              *internal;
+    double                     duration, temperature_rise;
+  };
+
+  /// The response where a body is deformed by F, whose bulk stress m, if it has one of its own,
+  /// adds m ln J to W (see BulkStress). In plane stress F_zz becomes that which makes S_zz zero,
+  /// and the tangent that of the stresses in the plane. Throws std::domain_error if there is none.
+  /// J = det F is positive.
+  ConstitutiveResponse
+  response_at(Model                 model,
+              const MaterialPoint  &point,
+              dealii::Tensor<2, 3> &F,
+              UpTo                  wanted = UpTo::tangent);
 
   /// The same, or nothing where there is none: where J <= 0, or a sheet has no thickness.
-  std::optional<HyperelasticState>
-  state_if_any(Model                 model,
-               const Hyperelastic   &law,
-               dealii::Tensor<2, 3> &F,
-               double                bulk_stress = 0,
-               UpTo                  wanted      = UpTo::tangent);
+  std::optional<ConstitutiveResponse>
+  response_if_any(Model                 model,
+                  const MaterialPoint  &point,
+                  dealii::Tensor<2, 3> &F,
+                  UpTo                  wanted = UpTo::tangent);
 
-  /// sigma = F S F^T/J, the stress on areas as they are now, tension positive.
+  /// sigma = F S F^T/J, the stress on areas as they are now, tension positive; of small strain S.
   dealii::SymmetricTensor<2, 3>
-  cauchy_stress(Model                model,
-                const Hyperelastic  &law,
-                dealii::Tensor<2, 3> F,
-                double               bulk_stress = 0);
+  cauchy_stress(Model model, const MaterialPoint &point, dealii::Tensor<2, 3> F);
 } // namespace Signorini

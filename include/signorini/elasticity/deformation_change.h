@@ -24,7 +24,7 @@ namespace Signorini
   /// @param laws one a body
   template <int dim>
   DeformationChange
-  deformation_change(const Elasticity<dim>                                  &elasticity,
-                     const std::vector<std::shared_ptr<const Hyperelastic>> &laws,
-                     const LA::Vector                                       &u);
+  deformation_change(const Elasticity<dim>                                     &elasticity,
+                     const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
+                     const LA::Vector                                          &u);
 } // namespace Signorini

@@ -2,10 +2,14 @@
 
 #include <signorini/elasticity/assembly.h>
 #include <signorini/elasticity/bulk_stress.h>
+#include <signorini/elasticity/deformation.h>
 #include <signorini/elasticity/displacements.h>
+#include <signorini/elasticity/material_history.h>
 #include <signorini/elasticity/surface_loads.h>
 #include <signorini/elasticity/thermal_strain.h>
 #include <signorini/elasticity/unheld_motions.h>
+
+#include <algorithm>
 
 namespace Signorini
 {
@@ -71,12 +75,31 @@ namespace Signorini
     LA::Vector
     load() const;
 
-    /// Do bodies deform by any amount, by the energies of their materials?
+    /// Has any material a constitutive law other than linear elasticity?
+    bool
+    is_nonlinear() const
+    {
+      return std::any_of(materials.begin(), materials.end(), [](const Material &material) {
+        return material.constitutive_law != nullptr;
+      });
+    }
+
+    /// Do bodies deform by any amount, by the laws of their materials?
     bool
     is_finite() const
     {
-      return !materials.empty() && materials.front().energy;
+      return std::any_of(materials.begin(), materials.end(), [](const Material &material) {
+        return material.constitutive_law && material.strain_measure == StrainMeasure::finite;
+      });
     }
+
+    /// A material at a point of a locally owned or ghost cell, with its bulk stress and its
+    /// history.
+    /// @param internal gets the internal variables, which the result refers to
+    MaterialPoint
+    material_point(const dealii::CellAccessor<dim> &cell,
+                   const dealii::Point<dim>        &x,
+                   std::vector<double>             &internal) const;
 
     /// In such a load, moments that act on rigid bodies that have turned so far, see
     /// RigidPose::on_rotations(). Collective.
@@ -131,6 +154,23 @@ namespace Signorini
       return my_bulk_stress;
     }
 
+    /// What the constitutive laws remember; empty if they have no internal variables.
+    const MaterialHistory<dim> &
+    material_history() const
+    {
+      return my_history;
+    }
+
+    MaterialHistory<dim> &
+    material_history()
+    {
+      return my_history;
+    }
+
+    /// Internal variables of all owned cells at the end of a load step that has come to u.
+    CellVariables
+    internal_variables(const LA::Vector &u) const;
+
     /// Motions without deformation that no support holds: of elastic bodies, and of rigid ones
     /// along free components. They vanish at all constrained degrees of freedom.
     std::vector<FreeMotion>
@@ -173,6 +213,7 @@ namespace Signorini
     const double                 strength; ///< of the stabilisation
     ThermalStrain<dim>           thermal_strain;
     BulkStress<dim>              my_bulk_stress;
+    MaterialHistory<dim>         my_history;
     LA::SparseMatrix             matrix;
     UnheldMotions<dim>           unheld;
     LA::Vector                   stabilisation;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/materials/hyperelastic.h>
+#include <signorini/materials/constitutive_law.h>
 
 #include <memory>
 #include <string>
@@ -26,8 +26,9 @@ namespace Signorini
     std::string         law = "neo-Hooke"; ///< of large deformation: one of material_laws()
     std::vector<double> coefficients = {}; ///< of the law; empty: it needs none but E and nu
 
-    /// Of large deformation; null: what deforms is taken for small.
-    std::shared_ptr<const Hyperelastic> energy = {};
+    /// Null: linear elasticity of small strain.
+    std::shared_ptr<const ConstitutiveLaw> constitutive_law = {};
+    StrainMeasure                          strain_measure   = StrainMeasure::finite; ///< of the law
 
     Formulation formulation = Formulation::automatic; ///< what the user wants
     bool        is_mixed    = false;                  ///< what it is

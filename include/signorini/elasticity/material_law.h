@@ -1,6 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/material.h>
+#include <signorini/materials/hyperelastic.h>
 
 #include <functional>
 

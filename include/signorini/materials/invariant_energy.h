@@ -17,7 +17,7 @@ namespace Signorini
       std::array<std::array<double, 3>, 3> second{}; ///< symmetric
     };
 
-    HyperelasticState
+    ConstitutiveResponse
     at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const override;
 
   protected:

@@ -11,7 +11,7 @@ namespace Signorini
   public:
     SaintVenantKirchhoff(double lambda, double mu);
 
-    HyperelasticState
+    ConstitutiveResponse
     at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const override;
 
   private:

@@ -10,13 +10,13 @@
 
 namespace Signorini
 {
-  /// Bodies that deform by any amount: F(u) = int P(u) : Grad v dV less the pressures that follow
-  /// them.
+  /// Bodies with constitutive laws that are not all linear elasticity: F(u) = int P(u) : Grad v dV
+  /// less the pressures that follow bodies that deform by any amount.
   template <int dim>
   class FiniteBodies : public Bodies
   {
   public:
-    /// Refers to elasticity, whose bodies all have an energy, and to the timer. Collective.
+    /// Refers to elasticity, and to the timer. Collective.
     /// @param form of the tangent
     FiniteBodies(StiffnessForm             form,
                  Elasticity<dim>          &elasticity,
@@ -102,14 +102,14 @@ namespace Signorini
     void
     check_pressures() const;
 
-    const Elasticity<dim>                    &elasticity;
-    const std::vector<unsigned int>           bodies;
-    dealii::TimerOutput                      &timer;
-    const std::unique_ptr<BulkBalance<dim>>   my_bulk; ///< null: no body is mixed
-    LA::Vector                                f;
-    LA::Vector                                origin;     ///< see start_from(); empty: none
-    LA::Vector                                linearised; ///< where; empty: nowhere
-    unsigned int                              linearised_bulk = 0; ///< its version there
+    const Elasticity<dim>                  &elasticity;
+    const std::vector<unsigned int>         bodies;
+    dealii::TimerOutput                    &timer;
+    const std::unique_ptr<BulkBalance<dim>> my_bulk; ///< null: no body is mixed
+    LA::Vector                              f;
+    LA::Vector                              origin;           ///< see start_from(); empty: none
+    LA::Vector                              linearised;       ///< where; empty: nowhere
+    unsigned int linearised_bulk = 0, linearised_history = 0; ///< their versions there
     mutable DeformationKernel<dim>            kernel;
     mutable PressureKernel<dim>               pressures;
     const std::unique_ptr<Linearisation<dim>> linearisation;

@@ -1,27 +1,31 @@
 #pragma once
 
 #include <signorini/contact/law/contact_state.h>
+#include <signorini/elasticity/material_history.h>
 #include <signorini/state/surface_field.h>
 
 namespace Signorini
 {
   /// Where the load step has started that led to a state: what slip counts from, and the internal
-  /// variables of contact then.
+  /// variables of contact and of materials then.
   struct StepStart
   {
-    LA::Vector   displacement; ///< empty: the contact law does not depend on load steps before
-    SurfaceField contact;
+    LA::Vector    displacement; ///< empty: nothing depends on load steps before
+    SurfaceField  contact;
+    CellVariables material;
+    double        duration = 0; ///< of the load step
   };
 
   /// Where a run is: all that the next load step starts from.
   struct State
   {
-    LA::Vector   displacement; ///< of all degrees of freedom, without ghosts
-    SurfaceField contact;      ///< with the internal variables that the law has now
-    StepStart    start;
-    LA::Vector   bulk_stress; ///< coefficients, on this mesh; empty: zero
-    double       time = 0;
-    unsigned int step = 0; ///< load steps up to that time
+    LA::Vector    displacement; ///< of all degrees of freedom, without ghosts
+    SurfaceField  contact;      ///< with the internal variables that the law has now
+    CellVariables material;     ///< internal variables of constitutive laws
+    StepStart     start;
+    LA::Vector    bulk_stress; ///< coefficients, on this mesh; empty: zero
+    double        time = 0;
+    unsigned int  step = 0; ///< load steps up to that time
   };
 
   /// The values of all contact points at their places. Collective.

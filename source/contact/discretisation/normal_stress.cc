@@ -157,10 +157,10 @@ namespace Signorini
   {
     /// n.(dP/dF) N, with dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK.
     Tensor<2, 3>
-    derivative(const HyperelasticState &state,
-               const Tensor<2, 3>      &F,
-               const Tensor<1, 3>      &n,
-               const Tensor<1, 3>      &N)
+    derivative(const ConstitutiveResponse &state,
+               const Tensor<2, 3>         &F,
+               const Tensor<1, 3>         &n,
+               const Tensor<1, 3>         &N)
     {
       const SymmetricTensor<2, 3> pulled = symmetrize(outer_product(transpose(F) * n, N));
       return outer_product(n, Tensor<2, 3>(state.stress) * N) +
@@ -202,11 +202,10 @@ namespace Signorini
                             const Tensor<1, dim>   &N_at_rest,
                             const SurfaceLoad<dim> &load) const
   {
-    const Material        &material = elasticity.material(cell->material_id());
-    const BulkStress<dim> &bulk     = elasticity.bulk_stress();
-    const auto            &fe       = cell->get_fe();
-    const Tensor<2, dim>   to_real  = transpose(invert(jacobian(place)));
-    const Point<dim>       X        = position(place);
+    const BulkStress<dim> &bulk    = elasticity.bulk_stress();
+    const auto            &fe      = cell->get_fe();
+    const Tensor<2, dim>   to_real = transpose(invert(jacobian(place)));
+    const Point<dim>       X       = position(place);
     std::vector<double>    u(indices.size());
     Tensor<2, dim>         gradient;
     Tensor<1, dim>         value;
@@ -218,24 +217,25 @@ namespace Signorini
         value[d] += u[i] * fe.base_element(0).shape_value(node, place);
         gradient[d] += u[i] * slope;
       }
-    const double       m = bulk.is_on(*cell) ? bulk.value(*cell, X) : 0.;
     const Tensor<1, 3> n = in_space(n_there), N = in_space(N_at_rest);
     Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, value, X);
     // In plane stress, of lengths in the plane: both bodies share these, not their thickness.
-    const Tensor<2, 3> in_plane = F;
-    const auto         found    = state_if_any(elasticity.model(), *material.energy, F, m);
-    CauchyStress       result;
+    const Tensor<2, 3>  in_plane = F;
+    std::vector<double> internal;
+    const MaterialPoint point = elasticity.material_point(*cell, X, internal);
+    const auto          found = response_if_any(elasticity.model(), point, F);
+    CauchyStress        result;
     if (!found)
       {
         result.value = result.offset = std::nan("");
         return result;
       }
-    const HyperelasticState &state    = *found;
-    const Tensor<2, 3>       inverse  = invert(in_plane);
-    const Tensor<1, 3>       cofactor = determinant(in_plane) * (transpose(inverse) * N);
-    const double             j        = cofactor.norm();
-    const double             of_bulk  = n * (transpose(inverse) * N) / j;
-    const Tensor<1, 3>       now      = cofactor / j;
+    const ConstitutiveResponse &state    = *found;
+    const Tensor<2, 3>          inverse  = invert(in_plane);
+    const Tensor<1, 3>          cofactor = determinant(in_plane) * (transpose(inverse) * N);
+    const double                j        = cofactor.norm();
+    const double                of_bulk  = n * (transpose(inverse) * N) / j;
+    const Tensor<1, 3>          now      = cofactor / j;
     const Tensor<2, 3> of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
     const double       p        = load.pressure;
     const Tensor<2, 3> of_force =
@@ -258,14 +258,15 @@ namespace Signorini
         for (unsigned int i = 0; i < phi.size(); ++i)
           result.bulk_stress.emplace_back(number[i], phi[i] * of_bulk);
       }
-    result.offset       = result.value - m * of_bulk;
+    result.offset       = result.value - point.bulk_stress * of_bulk;
     result.ratio_offset = j;
     for (unsigned int i = 0; i < u.size(); ++i)
       {
         result.offset -= stress[i] * u[i];
         result.ratio_offset -= ratio[i] * u[i];
       }
-    const double at_rest = in_plane_lambda(elasticity.model(), material) + 2 * material.mu();
+    const Material &material = elasticity.material(cell->material_id());
+    const double    at_rest  = in_plane_lambda(elasticity.model(), material) + 2 * material.mu();
     result.stiffening =
       std::max(1., scalar_product(derivative(state, F, now, N), outer_product(now, N)) / at_rest);
     return result;
