@@ -165,14 +165,15 @@ namespace
 
 TEST_CASE("tangents of laws with slip: curved, hanging, tied to supports, at nodes and points")
 {
-  for (const Sampling sampling : {Sampling::nodes, Sampling::quadrature_points})
+  for (const unsigned int i : {0, 1, 2, 3, 6})
     for (const std::string degree : {"1", "2"})
-      {
-        for (const unsigned int i : {0, 1, 2, 3, 6})
-          check_tangent<2>(cases_2d()[i], degree, sampling);
-        for (const unsigned int i : {0, 1, 2, 3})
-          check_tangent<3>(cases_3d()[i], degree, sampling);
-      }
+      for (const Sampling sampling : {Sampling::nodes, Sampling::quadrature_points})
+        check_tangent<2>(cases_2d()[i], degree, sampling);
+  for (const unsigned int i : {1, 2, 3})
+    {
+      check_tangent<3>(cases_3d()[i], "1", Sampling::quadrature_points);
+      check_tangent<3>(cases_3d()[i], i == 1 ? "2" : "1", Sampling::nodes);
+    }
 }
 
 
@@ -217,6 +218,7 @@ namespace
     });
     const auto       slip = slip_in_space<dim>(contact, u);
     const LA::Vector gap = contact.gap(u), rest = contact.initial_gap;
+    double           slip_off = 0, gap_off = 0;
     for (const auto i : gap.locally_owned_elements())
       {
         Tensor<1, dim> n, s;
@@ -226,12 +228,13 @@ namespace
             s[d] = slip[d](i);
           }
         // On flat surfaces to rounding; on curved ones normals are means over faces.
-        const bool           is_flat  = which.name.find("curved") == std::string::npos;
-        const double         rounding = is_flat ? 1e-12 : 0.15;
         const Tensor<1, dim> expected = motion - (motion * n) / n.norm_square() * n;
-        CHECK((s - expected).norm() < rounding);
-        CHECK(std::abs(gap(i) - rest(i) - motion * n) < 1e-12);
+        slip_off                      = std::max(slip_off, (s - expected).norm());
+        gap_off                       = std::max(gap_off, std::abs(gap(i) - rest(i) - motion * n));
       }
+    const bool is_flat = which.name.find("curved") == std::string::npos;
+    CHECK(slip_off < (is_flat ? 1e-12 : 0.15));
+    CHECK(gap_off < 1e-12);
     // Of both bodies together there is none, and tractions are in balance.
     const LA::Vector all = interpolant<dim>(scene, [&](const auto &, auto) { return motion; });
     for (const LA::Vector &component : slip_in_space<dim>(contact, all))
@@ -684,8 +687,8 @@ TEST_CASE("the forces of tangential tractions change with the surfaces as the st
     {
       check_geometric_stiffness<2>(cases_2d()[1], sampling, true);
       check_geometric_stiffness<2>(cases_2d()[3], sampling, true); // inclined supports
-      check_geometric_stiffness<3>(cases_3d()[1], sampling, true);
     }
+  check_geometric_stiffness<3>(cases_3d()[1], Sampling::nodes, true);
   check_geometric_stiffness<2>(in_2d, Sampling::nodes, false);
   check_geometric_stiffness<3>(in_3d, Sampling::nodes, false);
 }
@@ -744,7 +747,7 @@ namespace
     const LA::Vector start = is_flat ? elasticity.zero_vector() : scene->rough_field(0.002, 0.3);
     const LA::Vector rest =
       interpolant<dim>(*scene, [](const auto &x, auto) { return Tensor<1, dim>(x); });
-    for (const double angle : {0., 0.3, 2.})
+    for (const double angle : {0.3, 2.})
       {
         CAPTURE(angle);
         const Tensor<2, dim> R     = rotation<dim>(angle);
@@ -762,7 +765,7 @@ namespace
               u[d] = start(first + d);
             const Tensor<1, dim> turned = R * u;
             for (unsigned int d = 0; d < dim; ++d)
-              now(first + d) += turned[d];
+              now(first + d) = now(first + d) + turned[d];
           }
         now.compress(VectorOperation::insert);
         Configuration<dim> configuration(elasticity, now);
@@ -771,8 +774,11 @@ namespace
         const auto slip = slip_in_space<dim>(scene->gap_operator(), now);
         CHECK(scene->gap_operator().weight.size() > 0);
         for (unsigned int d = 0; d < dim; ++d)
-          for (const auto i : slip[d].locally_owned_elements())
-            CHECK(std::abs(slip[d](i) - along[d]) < 1e-11);
+          {
+            LA::Vector off = slip[d];
+            off.add(-along[d]);
+            CHECK(off.linfty_norm() < 1e-11);
+          }
       }
   }
 } // namespace
@@ -780,11 +786,13 @@ namespace
 TEST_CASE("slip of surfaces that turn: that of the slave alone, by the frame at rest")
 {
   for (const Sampling sampling : {Sampling::nodes, Sampling::quadrature_points})
-    for (const char *degree : {"1", "2"})
-      {
-        check_turned_slip<2>(cases_2d()[0], degree, sampling);
-        check_turned_slip<2>(cases_2d()[1], degree, sampling);
-        check_turned_slip<3>(cases_3d()[0], degree, sampling);
-        check_turned_slip<3>(cases_3d()[1], degree, sampling);
-      }
+    {
+      for (const char *degree : {"1", "2"})
+        {
+          check_turned_slip<2>(cases_2d()[0], degree, sampling);
+          check_turned_slip<2>(cases_2d()[1], degree, sampling);
+        }
+      check_turned_slip<3>(cases_3d()[0], "2", sampling);
+      check_turned_slip<3>(cases_3d()[1], "1", sampling);
+    }
 }
