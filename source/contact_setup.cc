@@ -7,7 +7,7 @@
 #include <signorini/parameters/raw.h>
 #include <signorini/parameters/text.h>
 #include <signorini/scene/expected_motion.h>
-#include <signorini/solve/solver_failure.h>
+#include <signorini/solver_failure.h>
 
 #include <algorithm>
 

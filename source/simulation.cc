@@ -215,7 +215,10 @@ namespace Signorini
         << " degrees of freedom, " << mesh->triangulation().n_global_active_cells() << " cells"
         << std::endl;
     if (recorder)
-      recorder->add_sizes(*elasticity, *contact);
+      recorder->add_sizes(*elasticity,
+                          contact->surfaces(),
+                          contact->gap_operator(),
+                          contact->left_out());
     if (position.cycle > 0 || is_restored)
       return;
     equilibrium->check_motions();
@@ -470,7 +473,10 @@ namespace Signorini
         (state.time > 0 ?
            "; take Load steps/End time = " + short_text(state.time) + " for what comes before" :
            "");
-    recorder->add_sizes(*elasticity, *contact);
+    recorder->add_sizes(*elasticity,
+                        contact->surfaces(),
+                        contact->gap_operator(),
+                        contact->left_out());
     std::ostringstream text;
     if (!end.converged)
       leave_checkpoint();

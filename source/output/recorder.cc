@@ -353,26 +353,28 @@ namespace Signorini
 
   template <int dim>
   void
-  Recorder<dim>::add_sizes(const Elasticity<dim> &elasticity, const ContactSetup<dim> &contact)
+  Recorder<dim>::add_sizes(const Elasticity<dim>                  &elasticity,
+                           const std::vector<ContactSurface<dim>> &surfaces,
+                           const GapOperator                      &contact,
+                           const std::vector<std::string>         &left_out)
   {
-    const GapOperator &gaps = contact.gap_operator();
-    results["cells"]        = elasticity.mesh().triangulation().n_global_active_cells();
-    results["dofs"]         = elasticity.dof_handler().n_dofs();
+    results["cells"] = elasticity.mesh().triangulation().n_global_active_cells();
+    results["dofs"]  = elasticity.dof_handler().n_dofs();
     for (unsigned int body = 0; body < scene.bodies.size(); ++body)
       results["degrees"][scene.bodies[body].name] = scene.degrees()[body];
     results["multiplier_dofs"] =
-      scene.contact.chosen().has_multipliers() ? gaps.n_components() * gaps.weight.size() : 0;
-    results["left_out"] = contact.left_out();
+      scene.contact.chosen().has_multipliers() ? contact.n_components() * contact.weight.size() : 0;
+    results["left_out"] = left_out;
     unsigned int faces = 0, candidates = 0;
-    for (const ContactSurface<dim> &surface : contact.surfaces())
+    for (const ContactSurface<dim> &surface : surfaces)
       {
         faces += surface.faces;
         candidates += surface.points.size();
       }
     results["contact_faces"]      = Utilities::MPI::sum(faces, comm);
     results["contact_candidates"] = Utilities::MPI::sum(candidates, comm);
-    results["contact_bytes"]      = Utilities::MPI::sum(gaps.memory(), comm);
-    results["shares_of_ranks"]    = shares_of_ranks(elasticity, contact.surfaces());
+    results["contact_bytes"]      = Utilities::MPI::sum(contact.memory(), comm);
+    results["shares_of_ranks"]    = shares_of_ranks(elasticity, surfaces);
   }
 
 

@@ -44,6 +44,47 @@ namespace Signorini
     {
       return response.by_stress;
     }
+    /// The unknowns q are tractions over the stiffness of the points, see ContactSystem, zero at
+    /// open ones.
+    void
+    to_unknown(const GapOperator &contact, const LA::Vector &status, LA::Vector &v)
+    {
+      v.scale(contact.coefficients.stiffness);
+      for (const auto i : v.locally_owned_elements())
+        if (!is_closed(status(i)))
+          v(i) = 0;
+      v.compress(VectorOperation::insert);
+    }
+
+    /// Of a quantity of the tractions, by the unknowns of the system.
+    LA::BlockVector
+    gradient(const ContactSystem &system,
+             const ContactLaw    &law,
+             const LawInputs     &in,
+             const LA::Vector    &status,
+             const PointVectors  &of_traction)
+    {
+      const GapOperator &contact = law.gap_operator();
+      LA::BlockVector    result  = system.zero();
+      if (contact.empty())
+        return result;
+      if (system.is_saddle_point())
+        {
+          for (unsigned int a = 0; a < of_traction.size(); ++a)
+            {
+              result.block(1 + a) = of_traction[a];
+              to_unknown(contact, status, result.block(1 + a));
+            }
+          return result;
+        }
+      const PointVectors by = through_law(law, in, status, of_traction, by_gap);
+      for (unsigned int a = 0; a < by.size(); ++a)
+        contact.free_rows(a).Tvmult_add(result.block(0), by[a]);
+      if (contact.has_stress())
+        contact.S_free.Tvmult_add(result.block(0),
+                                  through_law(law, in, status, of_traction, by_stress)[0]);
+      return result;
+    }
   } // namespace
 
 
@@ -59,40 +100,20 @@ namespace Signorini
     const LawInputs    in{gaps, s, state.traction, state.internal};
     const unsigned int n_q = system.is_saddle_point() ? law.n_components() : 0;
     linearise(u, in);
-    LA::BlockVector rhs = system.zero(), left = system.zero();
-    rhs.block(0)  = of_displacement;
-    left.block(0) = balance.residual(u, in, state.status);
+    LA::BlockVector left = system.zero();
+    left.block(0)        = balance.residual(u, in, state.status);
     if (bodies.bulk())
       left.block(system.bulk_block()) = bodies.bulk()->residual(u);
-    PointVectors of_traction = contact.zeros();
-    of_traction[0]           = of_pressure;
-    // The unknowns q are tractions over the stiffness of the points, see ContactSystem.
-    const auto to_unknown = [&](LA::Vector &v) {
-      v.scale(contact.coefficients.stiffness);
-      for (const auto i : v.locally_owned_elements())
-        if (!is_closed(state.status(i)))
-          v(i) = 0;
-      v.compress(VectorOperation::insert);
-    };
     if (system.is_saddle_point())
       {
         const PointVectors residual = law.residual(in, state.status);
         for (unsigned int a = 0; a < n_q; ++a)
-          {
-            rhs.block(1 + a) = of_traction[a];
-            to_unknown(rhs.block(1 + a));
-            left.block(1 + a) = residual[a];
-          }
+          left.block(1 + a) = residual[a];
       }
-    else if (!contact.empty())
-      {
-        const PointVectors by = through_law(law, in, state.status, of_traction, by_gap);
-        for (unsigned int a = 0; a < by.size(); ++a)
-          contact.free_rows(a).Tvmult_add(rhs.block(0), by[a]);
-        if (contact.has_stress())
-          contact.S_free.Tvmult_add(rhs.block(0),
-                                    through_law(law, in, state.status, of_traction, by_stress)[0]);
-      }
+    PointVectors of_traction = contact.zeros();
+    of_traction[0]           = of_pressure;
+    LA::BlockVector rhs      = gradient(system, law, in, state.status, of_traction);
+    rhs.block(0) += of_displacement;
     bodies.constraints().set_zero(rhs.block(0));
 
     system.transpose(true);
@@ -115,7 +136,7 @@ namespace Signorini
     for (unsigned int a = 0; a < n_q; ++a)
       {
         result.zeta[a] = dual.block(1 + a);
-        to_unknown(result.zeta[a]);
+        to_unknown(contact, state.status, result.zeta[a]);
       }
     if (system.is_saddle_point() || contact.empty())
       return result;

@@ -6,7 +6,7 @@
 #include <signorini/elasticity/pressure_kernel.h>
 #include <signorini/elasticity/rigid_body_modes.h>
 #include <signorini/solve/finite_bodies.h>
-#include <signorini/solve/solver_failure.h>
+#include <signorini/solver_failure.h>
 
 #include <doctest/doctest.h>
 

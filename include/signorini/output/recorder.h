@@ -1,12 +1,12 @@
 #pragma once
 
 #include <signorini/accuracy/error_control.h>
-#include <signorini/contact_setup.h>
 #include <signorini/exit_code.h>
 #include <signorini/output/directory.h>
 #include <signorini/output/probe_results.h>
 #include <signorini/output/results.h>
 #include <signorini/output/writer.h>
+#include <signorini/scene/scene.h>
 #include <signorini/solve/linear_reference.h>
 #include <signorini/solve/newton_report.h>
 #include <signorini/verdict/verdict.h>
@@ -106,7 +106,10 @@ namespace Signorini
     add_linear_reference(const LinearReference &linear, double seconds, double cycles);
     /// What the scene has become; called again when that changes.
     void
-    add_sizes(const Elasticity<dim> &elasticity, const ContactSetup<dim> &contact);
+    add_sizes(const Elasticity<dim>                  &elasticity,
+              const std::vector<ContactSurface<dim>> &surfaces,
+              const GapOperator                      &contact,
+              const std::vector<std::string>         &left_out);
 
     /// The load step that was not solved: its last iterate, where `active` is 2 at contact points
     /// that change to and fro. Collective.

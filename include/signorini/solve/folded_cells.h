@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/solve/solver_failure.h>
+#include <signorini/solver_failure.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,7 +2,7 @@
 
 #include <signorini/solve/bodies_hierarchy.h>
 #include <signorini/solve/preconditioner.h>
-#include <signorini/solve/solver_failure.h>
+#include <signorini/solver_failure.h>
 
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/solver_control.h>

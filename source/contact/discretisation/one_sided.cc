@@ -16,7 +16,7 @@
 #include <signorini/contact/methods/method.h>
 #include <signorini/parameters/section.h>
 #include <signorini/parameters/text.h>
-#include <signorini/solve/solver_failure.h>
+#include <signorini/solver_failure.h>
 
 #include <algorithm>
 #include <cmath>
