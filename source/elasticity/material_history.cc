@@ -33,64 +33,22 @@ namespace Signorini
       return result;
     }
 
-    std::vector<std::uint8_t>
-    children_of(const CellId &id)
-    {
-      const auto view = id.get_child_indices();
-      return {view.begin(), view.end()};
-    }
-
-    CellId
-    with_children(const CellId &id, const std::vector<std::uint8_t> &children)
-    {
-      return {id.get_coarse_cell_id(), static_cast<unsigned int>(children.size()), children.data()};
-    }
-
-    /// The parent, if there is one, then the children that there may be.
-    template <int dim>
-    std::vector<CellId>
-    relatives(const CellId &id)
-    {
-      std::vector<CellId>       result;
-      std::vector<std::uint8_t> children = children_of(id);
-      if (!children.empty())
-        {
-          std::vector<std::uint8_t> parent = children;
-          parent.pop_back();
-          result.push_back(with_children(id, parent));
-        }
-      children.push_back(0);
-      for (unsigned int c = 0; c < GeometryInfo<dim>::max_children_per_cell; ++c)
-        {
-          children.back() = c;
-          result.push_back(with_children(id, children));
-        }
-      return result;
-    }
-
     /// At a place of a cell, by what is known of it, of its parent, or of its children; nothing if
     /// none is known.
     template <int dim>
     std::vector<double>
     known_at(const CellVariables &known, const CellId &id, const Point<dim> &unit_point)
     {
+      using Geometry = GeometryInfo<dim>;
       if (const auto own = known.find(id); own != known.end())
         return interpolated(own->second, unit_point);
-      std::vector<std::uint8_t> children = children_of(id);
-      if (!children.empty())
-        {
-          const unsigned int        which  = children.back();
-          std::vector<std::uint8_t> parent = children;
-          parent.pop_back();
-          if (const auto found = known.find(with_children(id, parent)); found != known.end())
-            return interpolated(found->second,
-                                GeometryInfo<dim>::child_to_cell_coordinates(unit_point, which));
-        }
-      const unsigned int which = GeometryInfo<dim>::child_cell_from_point(unit_point);
-      children.push_back(which);
-      if (const auto found = known.find(with_children(id, children)); found != known.end())
-        return interpolated(found->second,
-                            GeometryInfo<dim>::cell_to_child_coordinates(unit_point, which));
+      if (has_parent(id))
+        if (const auto found = known.find(parent_of(id)); found != known.end())
+          return interpolated(found->second,
+                              Geometry::child_to_cell_coordinates(unit_point, number_of_child(id)));
+      const unsigned int child = Geometry::child_cell_from_point(unit_point);
+      if (const auto found = known.find(child_of(id, child)); found != known.end())
+        return interpolated(found->second, Geometry::cell_to_child_coordinates(unit_point, child));
       return {};
     }
   } // namespace
@@ -148,8 +106,10 @@ namespace Signorini
       if (!cell->is_artificial() && n_internal(cell->material_id()) > 0)
         {
           wanted.push_back(cell->id());
-          for (const CellId &id : relatives<dim>(cell->id()))
-            wanted.push_back(id);
+          if (has_parent(cell->id()))
+            wanted.push_back(parent_of(cell->id()));
+          for (unsigned int c = 0; c < GeometryInfo<dim>::max_children_per_cell; ++c)
+            wanted.push_back(child_of(cell->id(), c));
         }
     const CellVariables known = look_up(before, wanted, mesh.communicator());
     for (const auto &cell : dof_handler.active_cell_iterators())

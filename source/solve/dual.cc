@@ -44,18 +44,6 @@ namespace Signorini
     {
       return response.by_stress;
     }
-    /// The unknowns q are tractions over the stiffness of the points, see ContactSystem, zero at
-    /// open ones.
-    void
-    to_unknown(const GapOperator &contact, const LA::Vector &status, LA::Vector &v)
-    {
-      v.scale(contact.coefficients.stiffness);
-      for (const auto i : v.locally_owned_elements())
-        if (!is_closed(status(i)))
-          v(i) = 0;
-      v.compress(VectorOperation::insert);
-    }
-
     /// Of a quantity of the tractions, by the unknowns of the system.
     LA::BlockVector
     gradient(const ContactSystem &system,
@@ -73,7 +61,7 @@ namespace Signorini
           for (unsigned int a = 0; a < of_traction.size(); ++a)
             {
               result.block(1 + a) = of_traction[a];
-              to_unknown(contact, status, result.block(1 + a));
+              to_traction(contact, status, result.block(1 + a));
             }
           return result;
         }
@@ -136,7 +124,7 @@ namespace Signorini
     for (unsigned int a = 0; a < n_q; ++a)
       {
         result.zeta[a] = dual.block(1 + a);
-        to_unknown(contact, state.status, result.zeta[a]);
+        to_traction(contact, state.status, result.zeta[a]);
       }
     if (system.is_saddle_point() || contact.empty())
       return result;

@@ -367,13 +367,6 @@ namespace Signorini
     bodies.constraints().set_zero(x.block(0));
     // From lengths to tractions; those of open points are zero.
     for (unsigned int a = 0; a < law.n_components() && system.is_saddle_point(); ++a)
-      {
-        LA::Vector &q = x.block(1 + a);
-        q.scale(contact.coefficients.stiffness);
-        for (const auto i : q.locally_owned_elements())
-          if (!is_closed(strategy.status()(i)))
-            q(i) = 0;
-        q.compress(VectorOperation::insert);
-      }
+      to_traction(contact, strategy.status(), x.block(1 + a));
   }
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/mesh/cells_by_name.h>
 #include <signorini/mesh/lagrange.h>
 #include <signorini/state/surface_field.h>
 
@@ -13,22 +14,18 @@ namespace Signorini
 {
   using namespace dealii;
 
+  /// By that of the cell: faces of one cell are known to one rank.
+  static std::uint64_t
+  hash_of(const FaceId &id)
+  {
+    return hash_of(id.cell);
+  }
+
+
+
   namespace
   {
     using Values = std::vector<PlaceValue>;
-
-    std::vector<std::uint8_t>
-    children_of(const CellId &id)
-    {
-      const auto view = id.get_child_indices();
-      return {view.begin(), view.end()};
-    }
-
-    CellId
-    with_children(const CellId &id, const std::vector<std::uint8_t> &children)
-    {
-      return {id.get_coarse_cell_id(), static_cast<unsigned int>(children.size()), children.data()};
-    }
 
     /// Where along the axes of a face the child of a cell lies: 0 or 1.
     std::array<unsigned int, 2>
@@ -55,17 +52,13 @@ namespace Signorini
     FaceId
     parent_of(const FaceId &id)
     {
-      auto children = children_of(id.cell);
-      children.pop_back();
-      return {id.pair, with_children(id.cell, children), id.face};
+      return {id.pair, Signorini::parent_of(id.cell), id.face};
     }
 
     FaceId
     child_of(const FaceId &id, const unsigned int child)
     {
-      auto children = children_of(id.cell);
-      children.push_back(child);
-      return {id.pair, with_children(id.cell, children), id.face};
+      return {id.pair, Signorini::child_of(id.cell, child), id.face};
     }
 
     double
@@ -173,18 +166,6 @@ namespace Signorini
         result.status = 1;
       return result;
     }
-
-    /// The rank that all others ask for a face.
-    unsigned int
-    home(const FaceId &id, const unsigned int n_ranks)
-    {
-      std::uint64_t hash = 14695981039346656037ull; // FNV-1a
-      const auto add = [&](const std::uint64_t part) { hash = (hash ^ part) * 1099511628211ull; };
-      add(id.cell.get_coarse_cell_id());
-      for (const auto child : id.cell.get_child_indices())
-        add(child);
-      return (hash >> 20) % n_ranks;
-    }
   } // namespace
 
 
@@ -192,34 +173,17 @@ namespace Signorini
   SurfaceField
   SurfaceField::known_at(const std::vector<FaceId> &wanted, const MPI_Comm comm) const
   {
-    using Entry                = std::pair<FaceId, Values>;
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm);
-
-    std::map<unsigned int, std::vector<Entry>> told;
-    for (const auto &entry : faces)
-      told[home(entry.first, n_ranks)].emplace_back(entry);
-    std::map<FaceId, Values> directory;
-    for (const auto &[rank, entries] : Utilities::MPI::some_to_some(comm, told))
-      directory.insert(entries.begin(), entries.end());
-
-    std::map<unsigned int, std::vector<FaceId>> asked;
-    const auto ask = [&](const FaceId &id) { asked[home(id, n_ranks)].push_back(id); };
+    std::vector<FaceId> names;
     for (const FaceId &id : wanted)
       {
-        ask(id);
-        if (id.cell.get_child_indices().size() > 0)
-          ask(parent_of(id));
+        names.push_back(id);
+        if (has_parent(id.cell))
+          names.push_back(parent_of(id));
         for (unsigned int half = 0; half < (dim == 3 ? 4u : 2u); ++half)
-          ask(child_of(id, child_at(id.face, {{half % 2, half / 2}}, dim)));
+          names.push_back(child_of(id, child_at(id.face, {{half % 2, half / 2}}, dim)));
       }
-    std::map<unsigned int, std::vector<Entry>> answers;
-    for (const auto &[rank, ids] : Utilities::MPI::some_to_some(comm, asked))
-      for (const FaceId &id : ids)
-        if (const auto found = directory.find(id); found != directory.end())
-          answers[rank].emplace_back(*found);
     SurfaceField result(dim);
-    for (const auto &[rank, entries] : Utilities::MPI::some_to_some(comm, answers))
-      result.faces.insert(entries.begin(), entries.end());
+    result.faces = look_up(faces, names, comm);
     return result;
   }
 
@@ -231,11 +195,10 @@ namespace Signorini
     if (const auto own = faces.find(face); own != faces.end())
       return interpolate(own->second, place, dim);
 
-    const auto children = children_of(face.cell);
-    if (!children.empty())
+    if (has_parent(face.cell))
       if (const auto parent = faces.find(parent_of(face)); parent != faces.end())
         {
-          const auto half = halves(children.back(), face.face, dim);
+          const auto half = halves(number_of_child(face.cell), face.face, dim);
           return interpolate(parent->second,
                              {{(place[0] + half[0]) / 2, dim == 3 ? (place[1] + half[1]) / 2 : 0.}},
                              dim);

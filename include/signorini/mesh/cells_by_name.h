@@ -20,32 +20,64 @@ namespace Signorini
     return hash ^ (hash >> 29);
   }
 
-  /// What any rank knows of the cells that this rank asks for: all tell it to the rank that the
-  /// name of the cell says, and that one is asked.
-  template <typename T>
-  std::map<dealii::CellId, T>
-  look_up(const std::map<dealii::CellId, T> &known,
-          const std::vector<dealii::CellId> &wanted,
-          const MPI_Comm                     comm)
+  /// False: the cell is one of the coarse mesh.
+  inline bool
+  has_parent(const dealii::CellId &id)
   {
-    using Entry        = std::pair<dealii::CellId, T>;
+    return id.get_child_indices().size() > 0;
+  }
+
+  /// The number that the cell has among the children of its parent, which must be there.
+  inline unsigned int
+  number_of_child(const dealii::CellId &id)
+  {
+    return *(id.get_child_indices().end() - 1);
+  }
+
+  /// Of a cell that has one.
+  inline dealii::CellId
+  parent_of(const dealii::CellId &id)
+  {
+    const auto children = id.get_child_indices();
+    return {id.get_coarse_cell_id(),
+            static_cast<unsigned int>(children.size() - 1),
+            &*children.begin()};
+  }
+
+  /// The child with that number, whether or not it is there.
+  inline dealii::CellId
+  child_of(const dealii::CellId &id, const unsigned int child)
+  {
+    const auto                view = id.get_child_indices();
+    std::vector<std::uint8_t> children(view.begin(), view.end());
+    children.push_back(child);
+    return {id.get_coarse_cell_id(), static_cast<unsigned int>(children.size()), children.data()};
+  }
+
+  /// What any rank knows of the cells, or of other things with names, that this rank asks for: all
+  /// tell it to the rank that hash_of() the name says, and that one is asked. Collective.
+  template <typename Name, typename T>
+  std::map<Name, T>
+  look_up(const std::map<Name, T> &known, const std::vector<Name> &wanted, const MPI_Comm comm)
+  {
+    using Entry        = std::pair<Name, T>;
     const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
     std::map<unsigned int, std::vector<Entry>> told;
     for (const auto &entry : known)
       told[hash_of(entry.first) % n_ranks].emplace_back(entry);
-    std::map<dealii::CellId, T> directory;
+    std::map<Name, T> directory;
     for (const auto &[rank, entries] : dealii::Utilities::MPI::some_to_some(comm, told))
       directory.insert(entries.begin(), entries.end());
 
-    std::map<unsigned int, std::vector<dealii::CellId>> asked;
-    for (const dealii::CellId &id : wanted)
-      asked[hash_of(id) % n_ranks].push_back(id);
+    std::map<unsigned int, std::vector<Name>> asked;
+    for (const Name &name : wanted)
+      asked[hash_of(name) % n_ranks].push_back(name);
     std::map<unsigned int, std::vector<Entry>> answers;
-    for (const auto &[rank, ids] : dealii::Utilities::MPI::some_to_some(comm, asked))
-      for (const dealii::CellId &id : ids)
-        if (const auto found = directory.find(id); found != directory.end())
+    for (const auto &[rank, names] : dealii::Utilities::MPI::some_to_some(comm, asked))
+      for (const Name &name : names)
+        if (const auto found = directory.find(name); found != directory.end())
           answers[rank].emplace_back(*found);
-    std::map<dealii::CellId, T> result;
+    std::map<Name, T> result;
     for (const auto &[rank, entries] : dealii::Utilities::MPI::some_to_some(comm, answers))
       result.insert(entries.begin(), entries.end());
     return result;

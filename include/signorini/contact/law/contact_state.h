@@ -63,4 +63,13 @@ namespace Signorini
     result.compress(dealii::VectorOperation::insert);
     return result;
   }
+
+  /// From an unknown of the linear system, a length, to the traction: times E/h at closed points,
+  /// zero at open ones. So do derivatives by tractions become those by unknowns.
+  inline void
+  to_traction(const GapOperator &contact, const LA::Vector &status, LA::Vector &q)
+  {
+    q.scale(contact.coefficients.stiffness);
+    q.scale(closed_points(status));
+  }
 } // namespace Signorini
