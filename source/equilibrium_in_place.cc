@@ -63,11 +63,14 @@ namespace Signorini
   void
   EquilibriumInPlace<dim>::start_step()
   {
-    GapOperator   &points = contact.gap_operator();
-    InternalFields fields = scene.contact.chosen().make_law(points)->initial_fields();
-    if (!fields.empty())
-      fields = rows_of_places(state.start.contact, points, fields).internal;
-    my_contact.internal = std::move(fields);
+    GapOperator &points = contact.gap_operator();
+    my_contact.internal = InternalFields();
+    if (scene.contact.chosen().is_path_dependent())
+      my_contact.internal =
+        rows_of_places(state.start.contact,
+                       points,
+                       scene.contact.chosen().make_law(points)->initial_fields())
+          .internal;
     elasticity.material_history().start(state.start.material, state.start.duration);
     if (state.start.displacement.size() > 0)
       points.set_start(state.start.displacement);

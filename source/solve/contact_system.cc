@@ -30,7 +30,6 @@ namespace Signorini
     , Z(D)
     , C(D)
     , I(D)
-    , diagonal_of_D(contact.zeros())
     , A(contact.zero())
   {
     if (!saddle && !contact.empty())
@@ -211,8 +210,6 @@ namespace Signorini
       for (PointVectors &row : *blocks)
         for (LA::Vector &block : row)
           block.compress(VectorOperation::insert);
-    for (LA::Vector &component : diagonal_of_D)
-      component.compress(VectorOperation::insert);
     A.compress(VectorOperation::insert);
     if (!saddle && !contact.empty())
       sum_up_surface_stiffness();
@@ -247,9 +244,18 @@ namespace Signorini
           C[a][b](i) = k * W * response.residual_by_gap[a][b];
           I[a][b](i) = closed ? k * k * response.residual_by_traction[a][b] * W : unit * k * W;
         }
-    for (unsigned int a = 0; a < n; ++a)
-      diagonal_of_D[a](i) = D[a][a](i);
     A(i) = saddle && closed ? k * W : 0.;
+  }
+
+
+
+  PointVectors
+  ContactSystem::springs() const
+  {
+    PointVectors result;
+    for (unsigned int a = 0; a < D.size(); ++a)
+      result.push_back(D[a][a]);
+    return result;
   }
 
 
@@ -257,10 +263,10 @@ namespace Signorini
   bool
   ContactSystem::presses(const types::global_dof_index point) const
   {
-    return A(point) != 0 ||
-           std::any_of(diagonal_of_D.begin(), diagonal_of_D.end(), [&](const LA::Vector &spring) {
-             return spring(point) != 0;
-           });
+    bool any = A(point) != 0;
+    for (unsigned int a = 0; a < D.size(); ++a)
+      any = any || D[a][a](point) != 0;
+    return any;
   }
 
 

@@ -168,12 +168,9 @@ namespace Signorini
       return contact;
     }
 
-    /// The diagonals of D_aa.
-    const PointVectors &
-    springs() const
-    {
-      return diagonal_of_D;
-    }
+    /// D_aa of each component a.
+    PointVectors
+    springs() const;
 
     /// Is the point closed, in the condensed form with any stiffness?
     bool
@@ -245,7 +242,6 @@ namespace Signorini
     bool                      turns      = true; ///< see turn_forces()
     FreeMotions               motions;
     Blocks                    D, X, Y, Z, C, I;
-    PointVectors              diagonal_of_D;
     LA::Vector                A;
     mutable LA::Vector        workspace;
     mutable unsigned int      n_products = 0;

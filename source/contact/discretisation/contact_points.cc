@@ -54,8 +54,6 @@ namespace Signorini
       ContactPoint<dim>   point;
       point.position        = rest.position(paired.xi);
       point.master_position = partner.rest;
-      point.master_now      = partner.position;
-      point.master_at_start = partner.start;
       point.slave_place     = point.position;
       point.master_place    = partner.rest;
       point.normal          = partner.normal;

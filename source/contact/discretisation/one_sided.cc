@@ -169,7 +169,7 @@ namespace Signorini
         if (!at_rest)
           set_drift(configuration.displacement(), surface.points);
         if (method.needs_slip())
-          surface.frames = surface_frames(slave, surface.points);
+          surface.frames = surface_frames(slave, paired);
         compare(elasticity, slave, paired, obstacle, surface);
         surface.is_apart = Utilities::MPI::sum(surface.points.size(), comm) == 0;
         const std::vector<PressureNodes> functions = set_shapes();
@@ -332,7 +332,7 @@ namespace Signorini
       {
         surface.seams = make_seams(elasticity, slave, seams);
         if (method.needs_slip())
-          surface.seam_frames = surface_frames(slave, surface.seams);
+          surface.seam_frames = surface_frames(slave, seams);
         const std::vector<PressureNodes> functions = set_pressure_functions(elasticity,
                                                                             method,
                                                                             integration.basis,

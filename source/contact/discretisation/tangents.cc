@@ -118,55 +118,27 @@ namespace Signorini
 
 
 
-  namespace
-  {
-    /// @param point a contact point or a seam
-    template <int dim, typename Point>
-    SurfaceFrame<dim>
-    frame_at(const BoundaryFaces<dim> &slave, const Point &point)
-    {
-      const FacePatch<dim> &rest = slave.rest[point.face];
-      SurfaceFrame<dim>     frame;
-      frame.normal               = rest.normal(point.xi);
-      frame.deformation          = deformation_of(rest, slave.patches[point.face], point.xi);
-      frame.deformation_at_start = frame.deformation; // no slip
-      frame.parameters           = parameters_of(rest, point.xi);
-      return frame;
-    }
-  } // namespace
-
-
-
   template <int dim>
   std::vector<SurfaceFrame<dim>>
-  surface_frames(const BoundaryFaces<dim> &slave, const std::vector<ContactPoint<dim>> &points)
+  surface_frames(const BoundaryFaces<dim> &slave, const std::vector<PairedPoint<dim>> &points)
   {
     std::vector<SurfaceFrame<dim>> result;
     result.reserve(points.size());
-    for (const ContactPoint<dim> &point : points)
+    for (const auto &[face, xi, weight, partner, is_beside] : points)
       {
-        SurfaceFrame<dim> &frame = result.emplace_back(frame_at(slave, point));
-        frame.apart              = slave.patches[point.face].position(point.xi) - point.master_now;
-        frame.apart_at_start     = frame.apart;
+        const FacePatch<dim> &rest = slave.rest[face], &now = slave.patches[face];
+        SurfaceFrame<dim>    &frame = result.emplace_back();
+        frame.normal                = rest.normal(xi);
+        frame.parameters            = parameters_of(rest, xi);
+        frame.deformation           = deformation_of(rest, now, xi);
+        frame.apart                 = now.position(xi) - partner.position;
+        frame.deformation_at_start  = frame.deformation; // no slip
+        frame.apart_at_start        = frame.apart;
         if (slave.start.empty())
           continue;
-        const FacePatch<dim> &start = slave.start[point.face];
-        frame.deformation_at_start  = deformation_of(slave.rest[point.face], start, point.xi);
-        frame.apart_at_start        = start.position(point.xi) - point.master_at_start;
+        frame.deformation_at_start = deformation_of(rest, slave.start[face], xi);
+        frame.apart_at_start       = slave.start[face].position(xi) - partner.start;
       }
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<SurfaceFrame<dim>>
-  surface_frames(const BoundaryFaces<dim> &slave, const std::vector<Seam<dim>> &seams)
-  {
-    std::vector<SurfaceFrame<dim>> result;
-    result.reserve(seams.size());
-    for (const Seam<dim> &seam : seams)
-      result.push_back(frame_at(slave, seam));
     return result;
   }
 
@@ -269,9 +241,7 @@ namespace Signorini
   template std::array<Tensor<1, dim>, dim - 1> vectors_across(const Tensor<1, dim> &);             \
   template struct ConvectedFrame<dim>;                                                             \
   template std::vector<SurfaceFrame<dim>> surface_frames(const BoundaryFaces<dim> &,               \
-                                                         const std::vector<ContactPoint<dim>> &);  \
-  template std::vector<SurfaceFrame<dim>> surface_frames(const BoundaryFaces<dim> &,               \
-                                                         const std::vector<Seam<dim>> &);          \
+                                                         const std::vector<PairedPoint<dim>> &);   \
   template class Tangents<dim>;
   INSTANTIATE(2)
   INSTANTIATE(3)

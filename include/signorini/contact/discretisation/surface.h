@@ -32,8 +32,6 @@ namespace Signorini
     double             told    = 0; ///< gap beyond that of the geometry, by Initial gap
     double             drift   = 0; ///< to be added there: g = row . d + gap + drift about it
     dealii::Point<dim> master_position; ///< of the partner at rest; not of obstacles
-    /// The same now, and when the load step started, see SurfaceFrame.
-    dealii::Point<dim> master_now, master_at_start;
     /// Where forces act on slave and master: at rest, or, of large deformation, now.
     dealii::Point<dim> slave_place, master_place;
     double             stiffness; ///< E/h of slave and master in series [force/length^3]

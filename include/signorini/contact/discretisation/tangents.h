@@ -9,15 +9,10 @@
 
 namespace Signorini
 {
-  /// The frames of the slave surface at contact points. @param slave the faces that points count
+  /// The frames of the slave surface at paired points. @param slave the faces that points count
   template <int dim>
   std::vector<SurfaceFrame<dim>>
-  surface_frames(const BoundaryFaces<dim> &slave, const std::vector<ContactPoint<dim>> &points);
-
-  /// The same at seams, without the start of the load step.
-  template <int dim>
-  std::vector<SurfaceFrame<dim>>
-  surface_frames(const BoundaryFaces<dim> &slave, const std::vector<Seam<dim>> &seams);
+  surface_frames(const BoundaryFaces<dim> &slave, const std::vector<PairedPoint<dim>> &points);
 
   /// Orthonormal vectors across a unit vector n; in space, n is their cross product.
   template <int dim>
