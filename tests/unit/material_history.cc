@@ -1,8 +1,6 @@
 // Constitutive laws with internal variables: strain measures, load steps, refinement, restarts.
 
-#include <signorini/accuracy/refinement.h>
 #include <signorini/elasticity/deformation_kernel.h>
-#include <signorini/equilibrium.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -13,6 +11,7 @@
 #include <sstream>
 
 #include "contact_cases.h"
+#include "stepped_scene.h"
 
 using namespace TestScene;
 
@@ -90,12 +89,14 @@ namespace
 
   /// @param measure of the lower layer, which relaxes; the upper one is linear
   template <int dim>
-  struct Column
+  struct Column : public SteppedScene<dim>
   {
+    using SteppedScene<dim>::scene, SteppedScene<dim>::state, SteppedScene<dim>::log,
+      SteppedScene<dim>::equilibrium;
+
     Column(const StrainMeasure measure, const std::string &degree)
-      : scene(column<dim>(degree))
+      : SteppedScene<dim>(column<dim>(degree))
       , measure(measure)
-      , out(log, true)
     {
       scene.scene.contact.geometry = ContactGeometry::reference;
       std::vector<Material> all    = scene.elasticity->all_materials();
@@ -112,17 +113,11 @@ namespace
       scene.elasticity->setup();
       CHECK(scene.elasticity->is_nonlinear());
       CHECK(scene.elasticity->is_finite() == (measure == StrainMeasure::finite));
-      scene.contact      = std::make_unique<ContactSetup<dim>>(scene.scene,
+      scene.contact = std::make_unique<ContactSetup<dim>>(scene.scene,
                                                           *scene.elasticity,
                                                           scene.timer,
                                                           scene.silence);
-      state.displacement = scene.elasticity->zero_vector();
-      state.contact      = SurfaceField(dim);
-      equilibrium        = std::make_unique<Equilibrium<dim>>(
-        scene.scene, *scene.elasticity, *scene.contact, state, scene.timer, out, [this] {
-          return print_steps(out);
-        });
-      equilibrium->find_contact();
+      this->start();
     }
 
     /// The first Piola-Kirchhoff stress along the column, at the stretch that is strain beyond 1.
@@ -154,15 +149,6 @@ namespace
       time           = t;
     }
 
-    bool
-    solve(const double t)
-    {
-      const bool is_solved = equilibrium->solve(t, scene.scene.newton.tolerance);
-      if (!is_solved)
-        log << equilibrium->report().reason << "\n";
-      return is_solved;
-    }
-
     /// Is that the exact solution, and does each point remember what it has to?
     void
     check() const
@@ -180,30 +166,10 @@ namespace
       CHECK(Utilities::MPI::sum(state.material.size(), MPI_COMM_WORLD) > 0);
     }
 
-    SmallScene<dim>                   scene;
-    const StrainMeasure               measure;
-    std::array<double, 2>             moduli;
-    State                             state;
-    std::ostringstream                log;
-    ConditionalOStream                out;
-    std::unique_ptr<Equilibrium<dim>> equilibrium;
-    double                            time = 0, a = 0, pressure = 0; ///< exact
+    const StrainMeasure   measure;
+    std::array<double, 2> moduli;
+    double                time = 0, a = 0, pressure = 0; ///< exact
   };
-
-  template <int dim>
-  void
-  refine_some(Column<dim> &column)
-  {
-    Mesh<dim> &mesh = *column.scene.mesh;
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->center()[0] < 0.5)
-        cell->set_refine_flag();
-    refine(mesh,
-           *column.scene.elasticity,
-           {&column.state.displacement, &column.state.start.displacement});
-    column.equilibrium->forget_mesh();
-    column.equilibrium->find_contact();
-  }
 
   template <int dim>
   void
@@ -225,7 +191,7 @@ namespace
     // The step again, and again on finer meshes.
     REQUIRE(column.solve(1.5));
     column.check();
-    refine_some(column);
+    column.refine_some();
     REQUIRE(column.solve(1.5));
     column.check();
 
@@ -257,7 +223,7 @@ namespace
             REQUIRE(again.solve(t));
             again.advance(t);
             again.check();
-            refine_some(again); // between two steps
+            again.refine_some(); // between two steps
           }
       }
   }
@@ -315,7 +281,7 @@ namespace
     for (const bool is_finer : {false, true})
       {
         if (is_finer)
-          refine_some(column);
+          column.refine_some();
         MaterialHistory<dim> &history = column.scene.elasticity->material_history();
         const unsigned int    version = history.version();
         history.start(before, 0.1);

@@ -1,7 +1,5 @@
 // Laws with tangential tractions and with a history, through all that acts on contact points.
 
-#include <signorini/accuracy/refinement.h>
-#include <signorini/equilibrium.h>
 #include <signorini/solve/contact_system.h>
 
 #include <deal.II/base/mpi.h>
@@ -12,6 +10,7 @@
 #include <sstream>
 
 #include "contact_cases.h"
+#include "stepped_scene.h"
 #include "tangential_laws.h"
 
 using namespace TestScene;
@@ -372,26 +371,19 @@ namespace
         jump[d]  = text(shear[d] / tangential);
       }
     jump[dim - 1] = text(-pressure / normal);
-    SmallScene<dim> scene(
+    SteppedScene<dim> steps(
       layers<dim>(shear, "1", jump) +
       Lines{"Mesh/Degree=" + degree, "Solver/Preconditioner=" + preconditioner});
-    use(scene, std::make_shared<TangentialMethod>(Kind::springs, sampling, normal, tangential));
-    State              state;
-    std::ostringstream log;
-    ConditionalOStream out(log, true);
-    Equilibrium<dim>   equilibrium(
-      scene.scene, *scene.elasticity, *scene.contact, state, scene.timer, out, [&] {
-        return print_steps(out);
-      });
-    state.displacement = scene.elasticity->zero_vector();
-    state.contact      = SurfaceField(dim);
-    equilibrium.find_contact();
-    const bool is_solved = equilibrium.solve(1, scene.scene.newton.tolerance);
-    CAPTURE(log.str());
+    use(steps.scene,
+        std::make_shared<TangentialMethod>(Kind::springs, sampling, normal, tangential));
+    steps.start();
+    const bool is_solved = steps.solve(1);
+    CAPTURE(steps.log.str());
     REQUIRE(is_solved);
-    const Snapshot<dim> solution = equilibrium.snapshot(0);
+    const Snapshot<dim> solution = steps.equilibrium->snapshot(0);
     // The slave is above: its traction is against its slip.
-    const auto [mean, off] = tractions<dim>(scene.gap_operator(), solution.contact_state.traction);
+    const auto [mean, off] =
+      tractions<dim>(steps.scene.gap_operator(), solution.contact_state.traction);
     for (unsigned int d = 0; d + 1 < dim; ++d)
       CHECK(mean[d] == doctest::Approx(-shear[d]).epsilon(1e-8));
     CHECK(off < 1e-8);
@@ -419,18 +411,18 @@ namespace
   /// Two load steps of the layers: in the first one the upper one is pressed and moved, without
   /// friction; in the second one it is dragged along what was the slip of the first.
   template <int dim>
-  struct Dragged
+  struct Dragged : public SteppedScene<dim>
   {
+    using SteppedScene<dim>::scene, SteppedScene<dim>::log, SteppedScene<dim>::equilibrium;
+
     static constexpr double normal = 40, friction = 0.3;
 
     Dragged(const Kind kind, const Sampling sampling, const std::string &degree)
-      : scene(layers<dim>(shear(), "max(0, t - 1)", jump(kind)) + Lines{"Mesh/Degree=" + degree})
-      , out(log, true)
+      : SteppedScene<dim>(layers<dim>(shear(), "max(0, t - 1)", jump(kind)) +
+                          Lines{"Mesh/Degree=" + degree})
     {
       use(scene, std::make_shared<TangentialMethod>(kind, sampling, normal, friction));
-      state.displacement = scene.elasticity->zero_vector();
-      state.contact      = SurfaceField(dim);
-      start();
+      this->start();
     }
 
     /// Tractions of the second step, -friction times the pressure along the slip of the first one.
@@ -462,26 +454,6 @@ namespace
       return result;
     }
 
-    /// Contact is there, with the state.
-    void
-    start()
-    {
-      equilibrium = std::make_unique<Equilibrium<dim>>(
-        scene.scene, *scene.elasticity, *scene.contact, state, scene.timer, out, [this] {
-          return print_steps(out);
-        });
-      equilibrium->find_contact();
-    }
-
-    bool
-    solve(const double t)
-    {
-      const bool is_solved = equilibrium->solve(t, scene.scene.newton.tolerance);
-      if (!is_solved)
-        log << equilibrium->report().reason << "\n";
-      return is_solved;
-    }
-
     /// Is that the solution at time 1 + share?
     void
     check(const double share) const
@@ -497,12 +469,6 @@ namespace
       p.add(-pressure);
       CHECK(p.linfty_norm() < 1e-7);
     }
-
-    SmallScene<dim>                   scene;
-    State                             state;
-    std::ostringstream                log;
-    ConditionalOStream                out;
-    std::unique_ptr<Equilibrium<dim>> equilibrium;
   };
 
   /// Everything that is known of contact, on one rank alone.
@@ -517,24 +483,6 @@ namespace
       for (const auto &[face, values] : part)
         result.set(face, values);
     return result;
-  }
-
-  /// Cells on one side, so that nodes hang at the contact surface.
-  template <int dim>
-  void
-  refine_some(Dragged<dim> &dragged)
-  {
-    Mesh<dim> &mesh = *dragged.scene.mesh;
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->center()[0] < 0.5)
-        cell->set_refine_flag();
-    const auto n = mesh.triangulation().n_global_active_cells();
-    refine(mesh,
-           *dragged.scene.elasticity,
-           {&dragged.state.displacement, &dragged.state.start.displacement});
-    CHECK(mesh.triangulation().n_global_active_cells() > n);
-    dragged.equilibrium->forget_mesh();
-    dragged.equilibrium->find_contact();
   }
 
   template <int dim>
@@ -570,7 +518,7 @@ namespace
     REQUIRE(dragged.solve(2));
     dragged.check(1);
     CHECK(scalars(dragged.state) == std::make_pair(2., 2.));
-    refine_some(dragged);
+    dragged.refine_some();
     REQUIRE(dragged.solve(2));
     dragged.check(1);
     const auto [least, most] = scalars(dragged.state);
@@ -599,7 +547,7 @@ namespace
 
     // Refined between two steps.
     again.equilibrium->set_state(elsewhere, false);
-    refine_some(again);
+    again.refine_some();
     REQUIRE(again.solve(2));
     again.check(1);
   }

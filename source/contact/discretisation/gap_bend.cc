@@ -1,4 +1,5 @@
 #include <signorini/contact/discretisation/gap_bend.h>
+#include <signorini/contact/geometry/vectors_across.h>
 
 #include <cmath>
 
@@ -26,26 +27,6 @@ namespace Signorini
       const unsigned int  n;
       std::vector<double> values;
     };
-
-    /// Orthonormal directions across n.
-    template <int dim>
-    std::array<Tensor<1, dim>, dim - 1>
-    across(const Tensor<1, dim> &n)
-    {
-      if constexpr (dim == 2)
-        return {{cross_product_2d(n)}};
-      else
-        {
-          unsigned int least = 0;
-          for (unsigned int d = 1; d < 3; ++d)
-            if (std::abs(n[d]) < std::abs(n[least]))
-              least = d;
-          Tensor<1, 3> axis;
-          axis[least]              = 1;
-          const Tensor<1, 3> first = cross_product_3d(n, axis) / cross_product_3d(n, axis).norm();
-          return {{first, cross_product_3d(n, first)}};
-        }
-    }
 
     /// n . (s cross t) for a spin about axis i.
     template <int dim>
@@ -155,7 +136,7 @@ namespace Signorini
   {
     const Tensor<1, dim> &n        = place.normal;
     const Tensor<1, dim>  r        = pose.arm(x);
-    const auto            tangents = across(n);
+    const auto            tangents = vectors_across(n);
     const bool            moves    = first_dof != numbers::invalid_dof_index;
     const unsigned int    m = dim - 1, spins = moves ? pose.n_rotations : 0;
     GapBend<dim>          bend;

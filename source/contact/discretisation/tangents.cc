@@ -23,29 +23,6 @@ namespace Signorini
 
 
   template <int dim>
-  std::array<Tensor<1, dim>, dim - 1>
-  vectors_across(const Tensor<1, dim> &n)
-  {
-    if constexpr (dim == 2)
-      return {{cross_product_2d(n)}};
-    else
-      {
-        // Of axes that are as little along the normal as others up to rounding, the first one.
-        unsigned int least = 0;
-        for (unsigned int d = 1; d < 3; ++d)
-          if (std::abs(n[d]) < std::abs(n[least]) - 1e-6)
-            least = d;
-        Tensor<1, 3> axis;
-        axis[least]               = 1;
-        const Tensor<1, 3> across = cross_product_3d(n, axis);
-        const Tensor<1, 3> first  = across / across.norm();
-        return {{first, cross_product_3d(n, first)}};
-      }
-  }
-
-
-
-  template <int dim>
   ConvectedFrame<dim>::ConvectedFrame(const Tensor<1, dim> &normal,
                                       const Tensor<2, dim> &F,
                                       const Tensor<1, dim> &direction)
@@ -238,7 +215,6 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template std::array<Tensor<1, dim>, dim - 1> vectors_across(const Tensor<1, dim> &);             \
   template struct ConvectedFrame<dim>;                                                             \
   template std::vector<SurfaceFrame<dim>> surface_frames(const BoundaryFaces<dim> &,               \
                                                          const std::vector<PairedPoint<dim>> &);   \

@@ -3,6 +3,7 @@
 #include <signorini/contact/discretisation/contact_rows.h>
 #include <signorini/contact/discretisation/surface.h>
 #include <signorini/contact/geometry/boundary_faces.h>
+#include <signorini/contact/geometry/vectors_across.h>
 
 #include <array>
 #include <vector>
@@ -13,11 +14,6 @@ namespace Signorini
   template <int dim>
   std::vector<SurfaceFrame<dim>>
   surface_frames(const BoundaryFaces<dim> &slave, const std::vector<PairedPoint<dim>> &points);
-
-  /// Orthonormal vectors across a unit vector n; in space, n is their cross product.
-  template <int dim>
-  std::array<dealii::Tensor<1, dim>, dim - 1>
-  vectors_across(const dealii::Tensor<1, dim> &n);
 
   /// Where the vectors vectors_across(N) of a slave surface at rest have got to: the rotation R of
   /// the polar decomposition P F = R U is applied to them, with the projection P across the contact
