@@ -6,16 +6,17 @@ namespace Signorini
 
   template <int dim>
   std::unique_ptr<Mesh<dim>>
-  make_mesh(const Scene<dim> &scene, const MPI_Comm comm)
+  make_mesh(const Decisions<dim> &decisions, const MPI_Comm comm)
   {
+    const Scene<dim>                                  &scene = decisions.scene;
     std::vector<std::pair<std::string, BodyMesh<dim>>> bodies;
     for (const Body<dim> &body : scene.bodies)
       {
         bodies.emplace_back(body.name, body.mesh);
-        bodies.back().second.degree = scene.degrees()[bodies.size() - 1];
+        bodies.back().second.degree = decisions.degrees[bodies.size() - 1];
       }
     std::vector<std::pair<std::string, std::string>> contact_surfaces;
-    for (const ContactPair<dim> &pair : scene.known_pairs())
+    for (const ContactPair<dim> &pair : decisions.pairs)
       contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
     MeshSettings<dim> settings = scene.mesh;
     if (!settings.distribution && scene.most_cycles() > 0)
@@ -27,14 +28,16 @@ namespace Signorini
 
   template <int dim>
   std::unique_ptr<Elasticity<dim>>
-  make_elasticity(const Scene<dim> &scene, const Mesh<dim> &mesh)
+  make_elasticity(const Decisions<dim> &decisions, const Mesh<dim> &mesh)
   {
+    const Scene<dim>                  &scene = decisions.scene;
     std::vector<Material>              materials;
     std::vector<ThermalExpansion<dim>> expansions;
-    for (const Body<dim> &body : scene.bodies)
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
-        for (const Material *material : body.materials())
-          materials.push_back(*material);
+        const Body<dim> &body = scene.bodies[b];
+        for (const Material &material : decisions.materials(b))
+          materials.push_back(material);
         expansions.push_back(body.expansion);
         for (const MaterialOfCells &one : body.others)
           {
@@ -51,7 +54,7 @@ namespace Signorini
                                              materials,
                                              scene.supports,
                                              scene.loads,
-                                             scene.degrees(),
+                                             decisions.degrees,
                                              model_of(scene.model),
                                              rigid_bodies,
                                              scene.newton.stabilisation,
@@ -61,11 +64,11 @@ namespace Signorini
 
 
   template std::unique_ptr<Mesh<2>>
-  make_mesh(const Scene<2> &, MPI_Comm);
+  make_mesh(const Decisions<2> &, MPI_Comm);
   template std::unique_ptr<Mesh<3>>
-  make_mesh(const Scene<3> &, MPI_Comm);
+  make_mesh(const Decisions<3> &, MPI_Comm);
   template std::unique_ptr<Elasticity<2>>
-  make_elasticity(const Scene<2> &, const Mesh<2> &);
+  make_elasticity(const Decisions<2> &, const Mesh<2> &);
   template std::unique_ptr<Elasticity<3>>
-  make_elasticity(const Scene<3> &, const Mesh<3> &);
+  make_elasticity(const Decisions<3> &, const Mesh<3> &);
 } // namespace Signorini

@@ -7,9 +7,9 @@ namespace Signorini
   ContactSetup<dim>::memory() const
   {
     auto result = nlohmann::ordered_json::array();
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       {
-        const ContactPair<dim> &pair = scene.pairs[i];
+        const ContactPair<dim> &pair = decisions.pairs[i];
         result.push_back({{"name", pair.name},
                           {"slave", pair.slave},
                           {"master", pair.master},
@@ -30,15 +30,15 @@ namespace Signorini
   void
   ContactSetup<dim>::remember(const nlohmann::ordered_json &memory)
   {
-    if (memory.size() != scene.pairs.size())
-      throw SceneError("--restart: there are " + std::to_string(scene.pairs.size()) +
+    if (memory.size() != decisions.pairs.size())
+      throw SceneError("--restart: there are " + std::to_string(decisions.pairs.size()) +
                        " contact pairs, but " + std::to_string(memory.size()) +
                        " in the checkpoint; solve the scene from the start");
-    nearby.assign(scene.pairs.size(), 0.);
-    known.assign(scene.pairs.size(), {});
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    nearby.assign(decisions.pairs.size(), 0.);
+    known.assign(decisions.pairs.size(), {});
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       {
-        ContactPair<dim> &pair = scene.pairs[i];
+        ContactPair<dim> &pair = decisions.pairs[i];
         const auto       &was  = memory.at(i);
         if (was.at("exchanged") != pair.exchanged)
           pair.exchange();

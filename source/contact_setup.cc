@@ -24,18 +24,19 @@ namespace Signorini
 
 
   template <int dim>
-  ContactSetup<dim>::ContactSetup(Scene<dim>            &scene,
+  ContactSetup<dim>::ContactSetup(Decisions<dim>        &decisions,
                                   const Elasticity<dim> &elasticity,
                                   TimerOutput           &timer,
                                   ConditionalOStream    &out)
-    : scene(scene)
+    : decisions(decisions)
+    , scene(decisions.scene)
     , elasticity(elasticity)
     , timer(timer)
     , out(out)
   {
     const double closing =
       std::max(largest_closing(scene, elasticity.mesh()), touching * elasticity.mesh().size());
-    reach.assign(scene.pairs.size(),
+    reach.assign(decisions.pairs.size(),
                  elasticity.has_free_motions() ? std::max(closing, elasticity.mesh().size() / 10) :
                                                  closing);
   }
@@ -53,7 +54,7 @@ namespace Signorini
                                 pair,
                                 scene.obstacle_of(pair),
                                 scene.contact.chosen(),
-                                scene.integration_of(pair),
+                                decisions.integration_of(pair),
                                 range,
                                 former);
   }
@@ -81,7 +82,7 @@ namespace Signorini
   ContactSetup<dim>::exchange_sides(const Configuration<dim> &configuration, const unsigned int i)
   {
     const MPI_Comm    comm  = elasticity.mesh().communicator();
-    ContactPair<dim> &pair  = scene.pairs[i];
+    ContactPair<dim> &pair  = decisions.pairs[i];
     const Sides       sides = my_surfaces[i].sides;
     if (!configuration.is_rest() || pair.is_self() || pair.sides == SideChoice::as_named ||
         scene.contact.chosen().unbiased() || !sides.better_exchanged() || kept.count(pair.name) > 0)
@@ -90,7 +91,7 @@ namespace Signorini
     other.exchange();
     try
       {
-        scene.contact.chosen().check(scene.integration_of(other), scene.degree_of(other.slave));
+        scene.contact.chosen().check(decisions.integration_of(other), decisions.degree_of(other.slave));
         ContactSurface<dim> surface = surface_of(configuration, other, range_at_rest(i));
         if (area_of(surface, comm) < 0.9 * area_of(my_surfaces[i], comm))
           throw SceneError("the other side sees less");
@@ -123,7 +124,7 @@ namespace Signorini
   ContactSetup<dim>::what_is_known(const unsigned int i) const
   {
     constexpr double        room = 1.5; // if more is needed, needs_more() sees it
-    const ContactPair<dim> &pair = scene.pairs[i];
+    const ContactPair<dim> &pair = decisions.pairs[i];
     const double            now  = room * approached[i],
                  so_far          = pair.search_distance > 0 ? pair.search_distance : reach[i];
     // Points whose gap a formula tells may be anywhere, and somewhere else in time.
@@ -142,7 +143,7 @@ namespace Signorini
     std::vector<double>      approaches;
     if (!configuration.is_rest() && !my_surfaces.empty())
       approaches = approaches_since(since_built(configuration.displacement()));
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       {
         if (configuration.is_rest())
           {
@@ -153,7 +154,7 @@ namespace Signorini
           nearby[i] = std::max({nearby[i],
                                 my_surfaces[i].face_size / 2, // 0 where nothing is in reach
                                 touching * elasticity.mesh().size()});
-        const ContactPair<dim> &pair     = scene.pairs[i];
+        const ContactPair<dim> &pair     = decisions.pairs[i];
         const bool              is_other = gap_varies(pair) && elasticity.time() != built_for;
         double                  limit    = search_limit(elasticity, pair, reach[i]);
         if (!my_surfaces.empty() && !is_other)
@@ -176,7 +177,7 @@ namespace Signorini
   {
     const std::vector<double> displacements = largest_displacements(elasticity, since);
     std::vector<double>       result;
-    for (const ContactPair<dim> &pair : scene.pairs)
+    for (const ContactPair<dim> &pair : decisions.pairs)
       result.push_back(
         largest_approach(elasticity, pair, scene.obstacle_of(pair), since, displacements));
     return result;
@@ -194,8 +195,8 @@ namespace Signorini
     built_near                  = is_near;
     for (const Obstacle<dim> &obstacle : scene.obstacles)
       obstacle.shape->set_time(elasticity.time());
-    nearby.resize(scene.pairs.size(), 0.);
-    known.resize(scene.pairs.size());
+    nearby.resize(decisions.pairs.size(), 0.);
+    known.resize(decisions.pairs.size());
     {
       TimerOutput::Scope               scope(timer, "search");
       const std::vector<SearchRange>   of_pairs = ranges(configuration);
@@ -204,10 +205,10 @@ namespace Signorini
       my_surfaces.clear();
       try
         {
-          for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+          for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
             {
               my_surfaces.push_back(surface_of(
-                configuration, scene.pairs[i], of_pairs[i], keeps_points ? &former[i] : nullptr));
+                configuration, decisions.pairs[i], of_pairs[i], keeps_points ? &former[i] : nullptr));
               exchange_sides(configuration, i);
             }
         }
@@ -221,6 +222,7 @@ namespace Signorini
     rows =
       std::make_unique<ContactRows>(make_contact_rows(elasticity, my_surfaces, method.sampling()));
     contact = make_gap_operator(configuration, my_surfaces, *rows, method);
+    contact->coefficients.epsilon *= decisions.penalty_factor;
     if (contact->has_stress() && contact->theta != method.theta() && !told_of_theta)
       {
         out
@@ -236,7 +238,7 @@ namespace Signorini
     };
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       {
-        const ContactPair<dim> &pair = scene.pairs[i];
+        const ContactPair<dim> &pair = decisions.pairs[i];
         if (configuration.is_rest() && my_surfaces[i].sees_nothing && pair.search_distance > 0 &&
             !known[i].is_known)
           throw SceneError(
@@ -258,7 +260,7 @@ namespace Signorini
   {
     TimerOutput::Scope       scope(timer, "search");
     const Configuration<dim> start(elasticity, from);
-    for (const ContactPair<dim> &pair : scene.pairs)
+    for (const ContactPair<dim> &pair : decisions.pairs)
       if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair))
         if (goes_through(start, to, pair.slave, *obstacle))
           throw SolverFailure("the obstacle '" + obstacle->name + "' would go through '" +
@@ -272,12 +274,12 @@ namespace Signorini
   ContactSetup<dim>::check_passed(const LA::Vector &u, const LA::Vector &pressure) const
   {
     TimerOutput::Scope       scope(timer, "search");
-    const std::vector<bool>  idle = idle_pairs(*contact, pressure, scene.pairs.size());
+    const std::vector<bool>  idle = idle_pairs(*contact, pressure, decisions.pairs.size());
     const Configuration<dim> now(elasticity, u);
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
-      if (const Obstacle<dim> *obstacle = scene.obstacle_of(scene.pairs[i]))
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]))
         {
-          const std::string &slave = scene.pairs[i].slave;
+          const std::string &slave = decisions.pairs[i].slave;
           std::vector<bool>  seen; // those of the faces with contact points
           if (!idle[i])
             for (const SlaveFace<dim> &face : my_surfaces[i].slave_faces)
@@ -324,7 +326,7 @@ namespace Signorini
   ContactSetup<dim>::unknown_elsewhere() const
   {
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
-      if (const Obstacle<dim> *obstacle = scene.obstacle_of(scene.pairs[i]))
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]))
         {
           const auto &points  = my_surfaces[i].points;
           const bool  unknown = std::any_of(points.begin(), points.end(), [&](const auto &point) {
@@ -355,7 +357,7 @@ namespace Signorini
             for (const auto &[row, weight] : shares)
               forces.back() += weight * p(row);
           }
-        const ContactPair<dim> &pair = scene.pairs[i];
+        const ContactPair<dim> &pair = decisions.pairs[i];
         const GeometryChange    change =
           geometry_change(now, pair, scene.obstacle_of(pair), my_surfaces[i], forces);
         if (change.pressure > largest.pressure)
@@ -384,7 +386,7 @@ namespace Signorini
   {
     constexpr double          small      = 0.02; // in face sizes
     const std::vector<double> approaches = approaches_since(since_built(u));
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       if (approaches[i] > small * my_surfaces[i].face_size)
         return false;
     return true;
@@ -401,9 +403,9 @@ namespace Signorini
     bool                      too_short  = false;
     if (at_rest)
       approached = approaches;
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       {
-        const ContactPair<dim> &pair     = scene.pairs[i];
+        const ContactPair<dim> &pair     = decisions.pairs[i];
         const double            approach = approaches[i];
         if (approach <= my_surfaces[i].reach || !pair.separates)
           continue;
@@ -436,9 +438,9 @@ namespace Signorini
     const double size     = elasticity.mesh().size();
     const double farthest = size + largest_closing(scene, elasticity.mesh());
     bool         any      = false;
-    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
       {
-        const ContactPair<dim> &pair = scene.pairs[i];
+        const ContactPair<dim> &pair = decisions.pairs[i];
         const double            most = pair.search_distance > 0 ? pair.search_distance : farthest;
         if (!pair.separates || reach[i] >= most)
           continue;
@@ -458,7 +460,7 @@ namespace Signorini
   ContactSetup<dim>::set_time(const double t)
   {
     std::vector<double> shares;
-    for (const ContactPair<dim> &pair : scene.pairs)
+    for (const ContactPair<dim> &pair : decisions.pairs)
       shares.push_back(pair.interference.value({}, t));
     contact->set_interference(shares);
     if (contact->S_thermal.m() > 0)
@@ -485,7 +487,7 @@ namespace Signorini
       return false;
     const bool  with_stress = scene.contact.chosen().predictor() == Predictor::normal_stress;
     const auto &mesh        = elasticity.mesh();
-    return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const ContactPair<dim> &pair) {
+    return std::any_of(decisions.pairs.begin(), decisions.pairs.end(), [&](const ContactPair<dim> &pair) {
       if (gap_varies(pair))
         return true;
       const bool is_between_bodies = !scene.obstacle_of(pair);
@@ -514,13 +516,13 @@ namespace Signorini
             both[0] = at->second + 1;
             both[1] = contact->origin.pair[k] + 1;
           }
-    const unsigned int code = both[0] * scene.pairs.size() + both[1],
+    const unsigned int code = both[0] * decisions.pairs.size() + both[1],
                        most = Utilities::MPI::max(code, elasticity.mesh().communicator());
     if (most == 0)
       return "";
-    const unsigned int second = (most - 1) % scene.pairs.size(),
-                       first  = (most - 1) / scene.pairs.size() - 1;
-    return "; pairs '" + scene.pairs[first].name + "' and '" + scene.pairs[second].name +
+    const unsigned int second = (most - 1) % decisions.pairs.size(),
+                       first  = (most - 1) / decisions.pairs.size() - 1;
+    return "; pairs '" + decisions.pairs[first].name + "' and '" + decisions.pairs[second].name +
            "' press the same nodes: where they do so in the same direction, remove one, or take a "
            "penalty method";
   }
@@ -534,7 +536,7 @@ namespace Signorini
     std::vector<std::string> result;
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       if (my_surfaces[i].is_apart)
-        result.push_back("pair " + scene.pairs[i].name + ": its surfaces stay apart");
+        result.push_back("pair " + decisions.pairs[i].name + ": its surfaces stay apart");
     return result;
   }
 

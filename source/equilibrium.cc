@@ -12,14 +12,15 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  Equilibrium<dim>::Equilibrium(const Scene<dim>            &scene,
+  Equilibrium<dim>::Equilibrium(const Decisions<dim>        &decisions,
                                 Elasticity<dim>             &elasticity,
                                 ContactSetup<dim>           &contact,
                                 State                       &state,
                                 TimerOutput                 &timer,
                                 ConditionalOStream          &out,
                                 std::function<StepVisitor()> watch)
-    : scene(scene)
+    : decisions(decisions)
+    , scene(decisions.scene)
     , elasticity(elasticity)
     , contact(contact)
     , state(state)
@@ -77,7 +78,7 @@ namespace Signorini
                              const unsigned int  step) const
   {
     return {elasticity,
-            scene.pairs,
+            decisions.pairs,
             contact.surfaces(),
             contact.gap_operator(),
             at.displacement,
@@ -385,7 +386,7 @@ namespace Signorini
             elasticity.distribute(u);
             const double change =
               contact.neglected(u, in_place.contact_state().pressure()).pressure;
-            my_follows = change > scene.contact.geometry_share;
+            my_follows = change > decisions.geometry_tolerance();
             if (!my_follows && !is_solution)
               return false;
             my_neglected = change;
@@ -455,8 +456,8 @@ namespace Signorini
         in_vain = now < least ? 0 : in_vain + 1;
         least   = std::min(least, now);
       }
-    const bool by_segments  = std::all_of(scene.pairs.begin(), scene.pairs.end(), [&](auto &pair) {
-      return scene.integration_of(pair).rule == Rule::segments;
+    const bool by_segments  = std::all_of(decisions.pairs.begin(), decisions.pairs.end(), [&](auto &pair) {
+      return decisions.integration_of(pair).rule == Rule::segments;
     });
     const auto &[low, high] = elasticity.mesh().extent().get_boundary_points();
     constexpr double far    = 1e3; // sizes of the scene

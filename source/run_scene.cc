@@ -1,5 +1,4 @@
 #include <signorini/checkpoint/origin.h>
-#include <signorini/mesh/generators/file.h>
 #include <signorini/output/directory.h>
 #include <signorini/parameters/section.h>
 #include <signorini/parameters/text.h>
@@ -28,6 +27,7 @@ namespace Signorini
         section.close();
         scene.given = raw;
         scene.name  = name;
+        scene.read_files(std::filesystem::path(task.scene).parent_path().string());
         scene.check();
       }
 
@@ -70,7 +70,6 @@ namespace Signorini
     auto [raw, name] = read_task(task);
     for (const std::string &assignment : task.overrides)
       override_value(raw, assignment);
-    mesh_search_path() = {std::filesystem::path(task.scene).parent_path().string()};
 
     const RawSection::Value *dimension = raw.find_value("Dimension");
     if (!dimension)

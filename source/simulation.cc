@@ -45,6 +45,7 @@ namespace Signorini
                               std::ostream     &stream,
                               const bool        goes_on)
     : scene(scene)
+    , decisions(this->scene)
     , comm(comm)
     , out(stream, Utilities::MPI::this_mpi_process(comm) == 0)
     // Each rank measures for itself: no barriers, and no waiting for ranks that have failed.
@@ -53,20 +54,18 @@ namespace Signorini
     , tolerance(std::max(scene.newton.tolerance, scene.refinement.tolerance))
     , goes_on(goes_on)
   {
-    // What is left out is part of the bar; it should not be what the target fails for.
-    for (const double target : scene.goals.targets)
-      this->scene.contact.geometry_share =
-        std::min(this->scene.contact.geometry_share, 0.8 * target);
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
     if (!scene.title.empty())
       out << " - " << scene.title;
     out << "\n"
-        << scene.contact.method << ", " << Utilities::MPI::n_mpi_processes(comm) << " ranks"
+        << scene.contact.chosen_name() << ", " << Utilities::MPI::n_mpi_processes(comm) << " ranks"
         << std::endl;
-    if (!scene.choice.empty())
-      out << "  chosen: " << scene.choice << std::endl;
+    if (!decisions.reason.empty())
+      out << "  chosen: " << decisions.reason << std::endl;
     for (const LeftOut &one : left_out_of(scene.left_out))
       out << "  left out: " << one.kind << ": " << one.what << std::endl;
+    for (const std::string &note : scene.notes)
+      out << "  note: " << note << std::endl;
   }
 
 
@@ -78,7 +77,7 @@ namespace Signorini
     if (goes_on)
       if (const auto code = code_of_finished_run())
         return *code;
-    recorder     = std::make_unique<Recorder<dim>>(scene, clock, timer, comm, goes_on);
+    recorder     = std::make_unique<Recorder<dim>>(decisions, clock, timer, comm, goes_on);
     interruption = std::make_unique<Interruption>(clock, 60 * scene.output.time_limit, comm);
     if (!recorder->note().empty())
       out << "  note: " << recorder->note() << std::endl;
@@ -167,21 +166,21 @@ namespace Signorini
     {
       TimerOutput::Scope scope(timer, "mesh");
       if (former)
-        restore_choices();
-      mesh = make_mesh(scene, comm);
-      if (scene.auto_pairs)
+        restore_decisions();
+      mesh = make_mesh(decisions, comm);
+      if (decisions.pairs_are_open)
         {
-          scene.pairs      = automatic_pairs(scene, *mesh, out);
-          scene.auto_pairs = false;
-          scene.check_integration();
+          decisions.pairs          = automatic_pairs(scene, *mesh, out);
+          decisions.pairs_are_open = false;
+          decisions.check();
           // Contact surfaces are refined, and weigh more where the mesh is distributed.
-          mesh = make_mesh(scene, comm);
+          mesh = make_mesh(decisions, comm);
         }
     }
     TimerOutput::Scope scope(timer, "setup");
     if (former)
       restore_mesh();
-    elasticity = make_elasticity(scene, *mesh);
+    elasticity = make_elasticity(decisions, *mesh);
     elasticity->setup();
     state.displacement = elasticity->zero_vector();
     set_up_contact();
@@ -198,9 +197,9 @@ namespace Signorini
   void
   Simulation<dim>::set_up_contact()
   {
-    contact = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, out);
+    contact = std::make_unique<ContactSetup<dim>>(decisions, *elasticity, timer, out);
     equilibrium =
-      std::make_unique<Equilibrium<dim>>(scene, *elasticity, *contact, state, timer, out, [this] {
+      std::make_unique<Equilibrium<dim>>(decisions, *elasticity, *contact, state, timer, out, [this] {
         return watch();
       });
   }
@@ -225,7 +224,7 @@ namespace Signorini
     check_wanted();
     TimerOutput::Scope scope(timer, "preflight");
     const Json         report = Signorini::preflight(
-      scene, *elasticity, contact->surfaces(), contact->gap_operator(), clock.wall_time());
+      decisions, *elasticity, contact->surfaces(), contact->gap_operator(), clock.wall_time());
     std::ostringstream text;
     print_preflight(report, text, only_checks);
     out << text.str() << std::flush;
@@ -241,13 +240,13 @@ namespace Signorini
   {
     // On a mesh that is to be refined, curved surfaces are not yet where they will be.
     const bool is_final = scene.most_cycles() == 0;
-    check_probes(*elasticity, scene.pairs, scene.output.probes, is_final ? probe_tolerance : 0.5);
+    check_probes(*elasticity, decisions.pairs, scene.output.probes, is_final ? probe_tolerance : 0.5);
     if (scene.expected.empty())
       return;
     const ContactState  nothing = open_contact(contact->gap_operator());
     const LA::Vector    gap     = contact->gap_operator().gap(state.displacement);
     const Snapshot<dim> start{*elasticity,
-                              scene.pairs,
+                              decisions.pairs,
                               contact->surfaces(),
                               contact->gap_operator(),
                               state.displacement,

@@ -69,7 +69,7 @@ namespace Signorini
         if (control.is_met(true) || !why_not_met.empty())
           return false;
         const double stiffening = control.stiffening();
-        scene.contact.stiffen(stiffening);
+        decisions.penalty_factor *= stiffening;
         accuracy["stiffening"] = stiffening;
         if (stiffening > 1)
           out << "  penalties times " << short_text(stiffening) << std::endl;
@@ -114,7 +114,7 @@ namespace Signorini
     if (control.needs_mesh())
       {
         next_quadratic =
-          bodies_to_enrich(*mesh, indicators, scene.open_degrees(), control.excess());
+          bodies_to_enrich(*mesh, indicators, decisions.open_degrees, control.excess());
         if (next_quadratic.empty())
           mark_share(scene.refinement, *mesh, indicators, control.share());
       }
@@ -155,9 +155,9 @@ namespace Signorini
   Simulation<dim>::enrich(const std::vector<unsigned int> &bodies)
   {
     for (const unsigned int body : bodies)
-      scene.bodies[body].degree = 2;
-    mesh->set_degrees(scene.degrees());
-    auto richer = make_elasticity(scene, *mesh);
+      decisions.raise_degree(body);
+    mesh->set_degrees(decisions.degrees);
+    auto richer = make_elasticity(decisions, *mesh);
     richer->setup(elasticity->time_of_supports());
     State carried        = state;
     carried.bulk_stress  = LA::Vector();
@@ -276,7 +276,7 @@ namespace Signorini
     const Snapshot<dim>       now = equilibrium->snapshot(0);
     std::vector<Functional>   functionals;
     std::vector<DualSolution> duals;
-    for (const QuantityName &name : scene.quantities())
+    for (const QuantityName &name : decisions.quantities())
       {
         functionals.push_back(functional(name, now, scene.output.probes));
         duals.push_back(equilibrium->dual(functionals.back()));

@@ -18,7 +18,7 @@ namespace Signorini
   {
     if (!elasticity->has_supports_of(t))
       change_supports(t);
-    if (scene.deformation != Deformation::automatic)
+    if (scene.deformation != Deformation::automatic || decisions.finite_strain)
       return equilibrium->solve(t, tolerance);
     const State before = state;
     if (!equilibrium->solve(t, tolerance))
@@ -38,7 +38,7 @@ namespace Signorini
     out << "  supports: others hold from here on" << std::endl;
     former_cycles  = multigrid_cycles();
     former_seconds = mesh_seconds();
-    auto other     = make_elasticity(scene, *mesh);
+    auto other     = make_elasticity(decisions, *mesh);
     other->setup(t);
     const State carried = state;
     replace_elasticity(std::move(other), carried, equilibrium->follows(), contact->memory());
@@ -56,9 +56,9 @@ namespace Signorini
     for (const double target : scene.goals.targets)
       limit = std::min(limit, target);
     std::vector<std::shared_ptr<const ConstitutiveLaw>> laws;
-    for (const Body<dim> &body : scene.bodies)
-      for (const Material *material : body.materials())
-        laws.push_back(law_of(*material).make(*material));
+    for (unsigned int body = 0; body < scene.bodies.size(); ++body)
+      for (const Material &material : decisions.materials(body))
+        laws.push_back(law_of(material).make(material));
     const DeformationChange change   = deformation_change(*elasticity, laws, state.displacement);
     const bool              is_small = change.work <= limit;
     neglected_work                   = std::max(neglected_work.value_or(0), change.work);
@@ -75,10 +75,10 @@ namespace Signorini
   void
   Simulation<dim>::become_finite(const State &before)
   {
-    scene.become_finite();
+    decisions.finite_strain = true;
     try
       {
-        scene.check(); // what goes with small deformation alone
+        decisions.check(); // what goes with small deformation alone
       }
     catch (const SceneError &error)
       {
@@ -88,7 +88,7 @@ namespace Signorini
           short_text(100 * *neglected_work, 2) +
           " % of the work of the stresses; take Deformation = small, or a larger Deformation share");
       }
-    auto finite = make_elasticity(scene, *mesh);
+    auto finite = make_elasticity(decisions, *mesh);
     finite->setup(elasticity->time_of_supports());
     Json known = contact->memory();
     for (Json &pair : known) // how far to look is another matter there

@@ -105,7 +105,7 @@ namespace Signorini
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       {
         if (!goes_on)
-          write_origin(recorder->directory(), origin_of(scene.name, text_with_defaults(scene)));
+          write_origin(recorder->directory(), origin_of(scene.name, text_with_defaults(decisions)));
         origin = checksum_of_origin(recorder->directory());
       }
     origin = Utilities::MPI::broadcast(comm, origin);
@@ -132,15 +132,9 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::restore_choices()
+  Simulation<dim>::restore_decisions()
   {
-    const std::vector<unsigned int> degrees = former->head.at("degrees");
-    const std::vector<bool>         is_open = scene.open_degrees();
-    for (unsigned int body = 0; body < is_open.size(); ++body)
-      if (is_open[body] && degrees.at(body) > 1)
-        scene.bodies[body].degree = degrees[body];
-    if (former->head.value("finite", false) && scene.deformation == Deformation::automatic)
-      scene.become_finite();
+    decisions.load(former->head.at("decisions"));
     if (const double share = former->head.value("neglected_work", -1.); share >= 0)
       neglected_work = share;
   }
@@ -185,11 +179,8 @@ namespace Signorini
     former_seconds = head.at("mesh_seconds");
     recorder->restore(head.at("results"));
     for (const Json &cycle : recorder->cycles())
-      {
-        if (!cycle.at("accuracy").contains("time")) // of the end of the load history
-          control.add(quantities_of(cycle.at("accuracy")));
-        scene.contact.stiffen(cycle.at("accuracy").value("stiffening", 1.));
-      }
+      if (!cycle.at("accuracy").contains("time")) // of the end of the load history
+        control.add(quantities_of(cycle.at("accuracy")));
     tolerance = head.at("tolerance");
     former.reset();
     is_restored = true;
@@ -217,8 +208,7 @@ namespace Signorini
                  {"state_time", state.time},
                  {"follows", equilibrium->follows()},
                  {"tolerance", tolerance},
-                 {"degrees", scene.degrees()},
-                 {"finite", elasticity->is_finite()},
+                 {"decisions", decisions.save()},
                  {"neglected_work", neglected_work.value_or(-1)},
                  {"multigrid_cycles", multigrid_cycles()},
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
@@ -310,7 +300,7 @@ namespace Signorini
   template std::optional<ExitCode> Simulation<dim>::code_of_finished_run() const;                  \
   template bool                    Simulation<dim>::is_over() const;                               \
   template void                    Simulation<dim>::find_checkpoint();                             \
-  template void                    Simulation<dim>::restore_choices();                             \
+  template void                    Simulation<dim>::restore_decisions();                           \
   template void                    Simulation<dim>::restore_mesh();                                \
   template void                    Simulation<dim>::restore_state();                               \
   template void                    Simulation<dim>::reach();                                       \

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <signorini/elasticity/elasticity.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene/decisions.h>
 
 #include <memory>
 
@@ -10,10 +10,10 @@ namespace Signorini
   /// The bodies of a scene in one mesh, refined where the scene says. Collective.
   template <int dim>
   std::unique_ptr<Mesh<dim>>
-  make_mesh(const Scene<dim> &scene, MPI_Comm comm);
+  make_mesh(const Decisions<dim> &decisions, MPI_Comm comm);
 
   /// Their elasticity, with what acts on them, on that mesh; not set up yet.
   template <int dim>
   std::unique_ptr<Elasticity<dim>>
-  make_elasticity(const Scene<dim> &scene, const Mesh<dim> &mesh);
+  make_elasticity(const Decisions<dim> &decisions, const Mesh<dim> &mesh);
 } // namespace Signorini

@@ -3,7 +3,7 @@
 #include <signorini/contact/discretisation/gap_operator.h>
 #include <signorini/contact/discretisation/geometry_change.h>
 #include <signorini/contact/discretisation/surface.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene/decisions.h>
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
@@ -23,8 +23,8 @@ namespace Signorini
   class ContactSetup
   {
   public:
-    /// @param scene whose pairs may be exchanged by build()
-    ContactSetup(Scene<dim>                 &scene,
+    /// @param decisions whose pairs may be exchanged by build()
+    ContactSetup(Decisions<dim>             &decisions,
                  const Elasticity<dim>      &elasticity,
                  dealii::TimerOutput        &timer,
                  dealii::ConditionalOStream &out);
@@ -165,7 +165,8 @@ namespace Signorini
     void
     exchange_sides(const Configuration<dim> &configuration, unsigned int i);
 
-    Scene<dim>                 &scene;
+    Decisions<dim>             &decisions;
+    const Scene<dim>           &scene;
     const Elasticity<dim>      &elasticity;
     dealii::TimerOutput        &timer;
     dealii::ConditionalOStream &out;

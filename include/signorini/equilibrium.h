@@ -19,7 +19,7 @@ namespace Signorini
     /// Refers to all of them.
     /// @param watch makes what is called in each step of Newton's method; what it throws ends the
     /// solution, with `state` as the last iterate left it
-    Equilibrium(const Scene<dim>            &scene,
+    Equilibrium(const Decisions<dim>        &decisions,
                 Elasticity<dim>             &elasticity,
                 ContactSetup<dim>           &contact,
                 State                       &state,
@@ -171,6 +171,7 @@ namespace Signorini
              const LA::Vector   &active,
              unsigned int        step) const;
 
+    const Decisions<dim>       &decisions;
     const Scene<dim>           &scene;
     Elasticity<dim>            &elasticity;
     ContactSetup<dim>          &contact;

@@ -7,7 +7,7 @@
 #include <signorini/exit_code.h>
 #include <signorini/interruption/interruption.h>
 #include <signorini/output/recorder.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene/decisions.h>
 #include <signorini/solve/newton.h>
 #include <signorini/state/state.h>
 
@@ -154,9 +154,8 @@ namespace Signorini
     code_of_finished_run() const;
     void
     find_checkpoint();
-    /// What the program chose: degrees, deformation.
     void
-    restore_choices();
+    restore_decisions();
     /// The mesh as it was.
     void
     restore_mesh();
@@ -179,7 +178,8 @@ namespace Signorini
     StepVisitor
     watch();
 
-    Scene<dim>                 scene;
+    const Scene<dim>           scene;
+    Decisions<dim>             decisions;
     const MPI_Comm             comm;
     dealii::ConditionalOStream out;
     dealii::TimerOutput        timer;

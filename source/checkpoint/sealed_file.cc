@@ -14,7 +14,7 @@ namespace Signorini
   namespace
   {
     /// The last word is the version of all that is in sealed files: others are not read.
-    const std::string mark = "Signorini checkpoint 2";
+    const std::string mark = "Signorini checkpoint 3";
 
     /// False if the disk does not take all of it.
     bool

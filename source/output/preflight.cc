@@ -132,8 +132,9 @@ namespace Signorini
 
     template <int dim>
     Json
-    bodies(const Scene<dim> &scene, const Elasticity<dim> &elasticity)
+    bodies(const Decisions<dim> &decisions, const Elasticity<dim> &elasticity)
     {
+      const Scene<dim> &scene = decisions.scene;
       const Mesh<dim>           &mesh = elasticity.mesh();
       std::vector<unsigned long> cells(mesh.n_bodies());
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
@@ -154,7 +155,7 @@ namespace Signorini
             {"boundaries", describe_boundaries(boundaries, mesh, b)},
             {"youngs_modulus", scene.bodies[b].material.youngs_modulus},
             {"poissons_ratio", scene.bodies[b].material.poissons_ratio},
-            {"formulation", scene.bodies[b].material.is_mixed ? "mixed" : "displacement"},
+            {"formulation", decisions.has_pressure_field[b].front() ? "mixed" : "displacement"},
             {"law", elasticity.is_finite() ? scene.bodies[b].material.law : "linear"}};
           if (elasticity.thermal().expands(b))
             result[scene.bodies[b].name]["thermal"] = thermal(scene, elasticity, b);
@@ -267,7 +268,7 @@ namespace Signorini
 
     template <int dim>
     Json
-    pairs(const Scene<dim>                       &scene,
+    pairs(const Decisions<dim>                   &decisions,
           const Elasticity<dim>                  &elasticity,
           const std::vector<ContactSurface<dim>> &surfaces,
           Json                                   &warnings)
@@ -277,7 +278,7 @@ namespace Signorini
       Json           result   = Json::object();
       for (unsigned int i = 0; i < surfaces.size(); ++i)
         {
-          const ContactPair<dim> &pair = scene.pairs[i];
+          const ContactPair<dim> &pair = decisions.pairs[i];
           const Side<dim>         slave(elasticity, pair.slave);
           Json                    one = {{"slave", pair.slave},
                                          {"slave_faces", slave.n},
@@ -309,7 +310,7 @@ namespace Signorini
               where + "normals of what touches at the start are up to " +
               std::to_string(one["largest_angle"].template get<int>()) +
               " degrees from opposite; contact there is badly resolved: refine, or split the surface");
-          if (!scene.obstacle_of(pair))
+          if (!decisions.scene.obstacle_of(pair))
             {
               const Side<dim> master(elasticity, pair.master);
               one["master_faces"]     = master.n;
@@ -333,26 +334,26 @@ namespace Signorini
 
     template <int dim>
     Json
-    left_out(const Scene<dim>                       &scene,
+    left_out(const Decisions<dim>                   &decisions,
              const std::vector<ContactSurface<dim>> &surfaces,
              const GapOperator                      &contact)
     {
       Json result = Json::array();
       for (unsigned int i = 0; i < surfaces.size(); ++i)
         if (surfaces[i].is_apart)
-          result.push_back("pair " + scene.pairs[i].name +
+          result.push_back("pair " + decisions.pairs[i].name +
                            (surfaces[i].sees_nothing ?
                               ": its surfaces do not see each other" :
                               ": its surfaces are farther apart than bodies should move") +
                            " (checked after each solution)");
       if (contact.empty())
         result.push_back(
-          scene.deformation == Deformation::finite ?
+          decisions.finite_strain ?
             "contact: nothing can touch" :
             "contact: nothing can touch, the scene is one linear problem a load step");
       else
         result.push_back("friction: contact slides freely, nothing tangential is stored or solved");
-      for (const Obstacle<dim> &obstacle : scene.obstacles)
+      for (const Obstacle<dim> &obstacle : decisions.scene.obstacles)
         {
           unsigned int n_free = 0;
           for (unsigned int d = 0; d < RigidBody<dim>::n_dofs; ++d)
@@ -366,15 +367,15 @@ namespace Signorini
 
     template <int dim>
     void
-    warn_of_bodies(const Scene<dim> &scene, Json &warnings)
+    warn_of_bodies(const Decisions<dim> &decisions, Json &warnings)
     {
-      const std::vector<unsigned int> degrees = scene.degrees();
-      auto                            degree  = degrees.begin();
-      for (const Body<dim> &body : scene.bodies)
+      const Scene<dim> &scene = decisions.scene;
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         {
-          const unsigned int p          = *degree++;
+          const Body<dim>   &body       = scene.bodies[b];
+          const unsigned int p          = decisions.degrees[b];
           const bool         wants_bars = !scene.goals.quantities.empty(); // mixed bodies have none
-          if (body.material.poissons_ratio <= 0.49 || body.material.is_mixed ||
+          if (body.material.poissons_ratio <= 0.49 || decisions.has_pressure_field[b].front() ||
               model_of(scene.model) == Model::plane_stress) // free to become thinner
             continue;
           if (p == 1)
@@ -423,19 +424,20 @@ namespace Signorini
 
   template <int dim>
   Json
-  preflight(const Scene<dim>                       &scene,
+  preflight(const Decisions<dim>                   &decisions,
             const Elasticity<dim>                  &elasticity,
             const std::vector<ContactSurface<dim>> &surfaces,
             const GapOperator                      &contact,
             const double                            seconds)
   {
+    const Scene<dim> &scene = decisions.scene;
     unsigned int n_points = 0;
     for (const ContactSurface<dim> &surface : surfaces)
       n_points += surface.points.size();
     const Prediction prediction = predict(scene, elasticity, n_points, seconds);
     Json             warnings   = Json::array();
-    warn_of_bodies(scene, warnings);
-    const Json of_bodies = bodies(scene, elasticity);
+    warn_of_bodies(decisions, warnings);
+    const Json of_bodies = bodies(decisions, elasticity);
     warn_of_heat(of_bodies, warnings);
     Json report = {
       {"model", scene.model},
@@ -445,8 +447,8 @@ namespace Signorini
        word_of(stiffness_forms(),
                choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity))},
       {"held_by_contact_alone", elasticity.free_motion_names()},
-      {"pairs", pairs(scene, elasticity, surfaces, warnings)},
-      {"left_out", left_out(scene, surfaces, contact)},
+      {"pairs", pairs(decisions, elasticity, surfaces, warnings)},
+      {"left_out", left_out(decisions, surfaces, contact)},
       {"warnings", warnings},
       {"predicted",
        {{"seconds", prediction.seconds},
@@ -459,13 +461,13 @@ namespace Signorini
 
 
   template Json
-  preflight(const Scene<2> &,
+  preflight(const Decisions<2> &,
             const Elasticity<2> &,
             const std::vector<ContactSurface<2>> &,
             const GapOperator &,
             double);
   template Json
-  preflight(const Scene<3> &,
+  preflight(const Decisions<3> &,
             const Elasticity<3> &,
             const std::vector<ContactSurface<3>> &,
             const GapOperator &,

@@ -28,12 +28,12 @@ namespace Signorini
 
   template <int dim>
   std::string
-  text_with_defaults(const Scene<dim> &scene)
+  text_with_defaults(const Decisions<dim> &decisions)
   {
     std::ostringstream text;
     text << mark_of_scene_file();
-    Section section(text, false, 0, &scene.given);
-    Scene<dim>(scene).declare(section);
+    Section section(text, false, 0, &decisions.scene.given);
+    decisions.explicit_scene().declare(section);
     return text.str();
   }
 
@@ -67,12 +67,13 @@ namespace Signorini
 
 
   template <int dim>
-  Recorder<dim>::Recorder(const Scene<dim>  &scene,
+  Recorder<dim>::Recorder(const Decisions<dim> &decisions,
                           const Timer       &clock,
                           const TimerOutput &timer,
                           const MPI_Comm     comm,
                           const bool         goes_on)
-    : scene(scene)
+    : decisions(decisions)
+    , scene(decisions.scene)
     , clock(clock)
     , timer(timer)
     , comm(comm)
@@ -84,7 +85,7 @@ namespace Signorini
     if (goes_on)
       return;
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      replace_file(path + "/scene.prm", text_with_defaults(scene));
+      replace_file(path + "/scene.prm", text_with_defaults(decisions));
     begin();
     write();
   }
@@ -102,7 +103,7 @@ namespace Signorini
                              {"libraries", library_versions()},
                              {"ranks", Utilities::MPI::n_mpi_processes(comm)},
                              {"dimension", dim},
-                             {"method", scene.contact.method},
+                             {"method", scene.contact.chosen_name()},
                              {"complete", false},
                              {"converged", false},
                              {"reason", unfinished},
@@ -289,7 +290,7 @@ namespace Signorini
     one["multigrid_cycles"] = multigrid_cycles;
     one.update(results_at(scene, now, scene.output.probes));
     largest_force = std::max(largest_force, one["largest_force"].get<double>());
-    verdict.add(check_solution(scene, now, one, largest_force), now.time);
+    verdict.add(check_solution(decisions, now, one, largest_force), now.time);
     results["verdict"] = verdict.json();
     if (!scene.goals.quantities.empty())
       one["accuracy"] = accuracy; // null: not judged
@@ -361,7 +362,7 @@ namespace Signorini
     results["cells"] = elasticity.mesh().triangulation().n_global_active_cells();
     results["dofs"]  = elasticity.dof_handler().n_dofs();
     for (unsigned int body = 0; body < scene.bodies.size(); ++body)
-      results["degrees"][scene.bodies[body].name] = scene.degrees()[body];
+      results["degrees"][scene.bodies[body].name] = decisions.degrees[body];
     results["multiplier_dofs"] =
       scene.contact.chosen().has_multipliers() ? contact.n_components() * contact.weight.size() : 0;
     results["left_out"] = left_out;
@@ -461,9 +462,9 @@ namespace Signorini
 
 
   template std::string
-  text_with_defaults(const Scene<2> &);
+  text_with_defaults(const Decisions<2> &);
   template std::string
-  text_with_defaults(const Scene<3> &);
+  text_with_defaults(const Decisions<3> &);
   template Json
   results_at(const Scene<2> &, const Snapshot<2> &, const std::vector<Probe<2>> &);
   template Json

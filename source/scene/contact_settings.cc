@@ -14,22 +14,28 @@ namespace Signorini
 
 
 
-  const ContactMethod &
-  ContactSettings::chosen() const
+  bool
+  ContactSettings::is_automatic() const
   {
-    return *std::find_if(methods.begin(), methods.end(), [&](const auto &m) {
-              return m.first == method;
-            })->second;
+    return method == "auto";
   }
 
 
 
-  void
-  ContactSettings::stiffen(const double factor)
+  std::string
+  ContactSettings::chosen_name() const
   {
-    for (const auto &[name, one] : methods)
-      if (name == method)
-        one->stiffen(factor);
+    return is_automatic() ? ContactSettings().method : method;
+  }
+
+
+
+  const ContactMethod &
+  ContactSettings::chosen() const
+  {
+    return *std::find_if(methods.begin(), methods.end(), [&](const auto &m) {
+              return m.first == chosen_name();
+            })->second;
   }
 
 
@@ -45,11 +51,6 @@ namespace Signorini
       choices,
       "how contact is imposed; auto: what costs least for the Target error, and the "
       "degree of bodies, if nobody sets it");
-    if (method == choices.back())
-      {
-        is_automatic = true;
-        method       = ContactSettings().method;
-      }
     section.add_choice(
       "Integration",
       integration,

@@ -1,8 +1,6 @@
-#include <signorini/elasticity/material_law.h>
 #include <signorini/parameters/section.h>
 #include <signorini/parameters/text.h>
 #include <signorini/scene/descriptions.h>
-#include <signorini/scene/formulation.h>
 #include <signorini/scene/left_out.h>
 #include <signorini/scene/scene.h>
 
@@ -39,16 +37,13 @@ namespace Signorini
                 "polynomial degree of the displacement of this body; 0: Mesh/Degree",
                 Range{0, 2});
     material.declare(section);
-    expansion.declare(section, !mesh.generator->temperature().empty());
+    expansion.declare(section, mesh.generator->has_temperature());
     section.add_named("Materials",
                       others,
                       "Of sets of cells of a Mesh = file, instead of that of the body.");
     mesh.cells_of_materials.clear();
     for (const MaterialOfCells &one : others)
       {
-        const std::vector<std::string> sets = mesh.generator->cell_sets();
-        if (section.reading() && std::find(sets.begin(), sets.end(), one.cells) == sets.end())
-          throw SceneError(one.place + ": there is no such set of cells; there are: " + join(sets));
         if (!one.expansion.empty() && !expansion.given())
           section.fail("Thermal expansion",
                        "is needed where one of the Materials has one: 0, if the rest of the body "
@@ -60,13 +55,13 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<Material *>
-  Body<dim>::materials()
+  void
+  Body<dim>::check() const
   {
-    std::vector<Material *> result{&material};
-    for (MaterialOfCells &one : others)
-      result.push_back(&one.material);
-    return result;
+    const std::vector<std::string> sets = mesh.generator->cell_sets();
+    for (const MaterialOfCells &one : others)
+      if (std::find(sets.begin(), sets.end(), one.cells) == sets.end())
+        throw SceneError(one.place + ": there is no such set of cells; there are: " + join(sets));
   }
 
 
@@ -139,13 +134,13 @@ namespace Signorini
           throw SceneError(
             "Contact pairs/" + pair.name +
             ": a pair needs a Slave and a Master; Names = auto stands alone, and finds both");
-    bool has_degree = false;
     section.add_section(
       "Mesh",
       "What is done to the meshes of all bodies before the first solution.",
       [&](Section &s) {
         mesh.declare(s);
-        has_degree = s.reading() && s.is_set("Degree");
+        if (s.reading())
+          degree_is_set = s.is_set("Degree");
         s.add(
           "Degree",
           degree,
@@ -162,12 +157,6 @@ namespace Signorini
                           goals.declare(s);
                           refinement.declare(s);
                         });
-    if (section.reading() && contact.is_automatic)
-      choose(has_degree);
-    if (section.reading())
-      choose_formulations(*this, has_degree);
-    if (section.reading() && deformation == Deformation::finite)
-      become_finite();
     section.add_section("Load steps", "The history of loading.", [&](Section &s) {
       load_steps.declare(s);
     });
@@ -209,28 +198,17 @@ namespace Signorini
 
   template <int dim>
   void
-  Scene<dim>::become_finite()
+  Scene<dim>::read_files(const std::string &folder)
   {
-    deformation = Deformation::finite;
+    const auto add = [&](const std::vector<std::string> &more) {
+      for (const std::string &note : more) // several bodies may share a file
+        if (std::find(notes.begin(), notes.end(), note) == notes.end())
+          notes.push_back(note);
+    };
     for (Body<dim> &body : bodies)
-      for (Material *material : body.materials())
-        material->constitutive_law = law_of(*material).make(*material);
-  }
-
-
-
-  // By the curves of doc/accuracy.md: with multipliers nothing is left to choose and nothing
-  // overlaps, at the price of the others.
-  template <int dim>
-  void
-  Scene<dim>::choose(const bool has_degree)
-  {
-    choice = contact.method + ", which needs no parameter and leaves no gap";
-    if (has_degree)
-      return;
-    degree = 0;
-    choice += goals.has_targets() ? "; degree 1, or 2 where bodies are far from the target" :
-                                    "; degree 1, since there is no Target error";
+      add(body.mesh.generator->read_file(folder));
+    for (Obstacle<dim> &obstacle : obstacles)
+      obstacle.shape->read_file(folder);
   }
 
 
@@ -241,75 +219,6 @@ namespace Signorini
   {
     constexpr unsigned int most = 40; // cells are too many before, or too small
     return goals.has_targets() && refinement.cycles == 0 ? most : refinement.cycles;
-  }
-
-
-
-  template <int dim>
-  std::vector<QuantityName>
-  Scene<dim>::quantities() const
-  {
-    QuantityNames names{names_of(pairs), names_of(supports), {}, {}, {}};
-    for (const Probe<dim> &probe : output.probes)
-      if (!probe.is_line())
-        (probe.is_on_pair() ? names.surface_probes : names.probes).push_back(probe.name);
-    for (const Obstacle<dim> &obstacle : obstacles)
-      if (obstacle.body.can_move())
-        names.obstacles.push_back(obstacle.name);
-    std::vector<QuantityName> result;
-    for (const std::string &text : goals.quantities)
-      result.push_back(read_quantity(text, "Accuracy/Quantity", names, dim));
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  Scene<dim>::degrees() const
-  {
-    std::vector<unsigned int> result;
-    for (const Body<dim> &body : bodies)
-      result.push_back(body.degree > 0 ? body.degree : std::max(degree, 1u));
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<bool>
-  Scene<dim>::open_degrees() const
-  {
-    std::vector<bool> result;
-    for (const Body<dim> &body : bodies)
-      result.push_back(goals.has_targets() && degree + body.degree == 0);
-    return result;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Scene<dim>::degree_of(const std::string &surface) const
-  {
-    const auto dot = surface.find('.');
-    for (const Body<dim> &body : bodies)
-      if (dot != std::string::npos && body.name == surface.substr(0, dot))
-        return body.degree > 0 ? body.degree : std::max(degree, 1u);
-    return 0;
-  }
-
-
-
-  template <int dim>
-  Integration
-  Scene<dim>::integration_of(const ContactPair<dim> &pair) const
-  {
-    const unsigned int slave = degree_of(pair.slave), master = degree_of(pair.master);
-    // Without bias each is the slave once.
-    const unsigned int largest = std::max(slave, master);
-    return contact.chosen().unbiased() ? contact.integration_of_degrees(largest, largest) :
-                                         contact.integration_of_degrees(slave, master);
   }
 
 

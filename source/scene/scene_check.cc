@@ -1,5 +1,5 @@
 #include <signorini/parameters/raw.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene/decisions.h>
 
 #include <algorithm>
 
@@ -98,7 +98,7 @@ namespace Signorini
         {
           const std::string reason = body.mesh.generator->needs_pair(), start = body.name + ".";
           bool              joined = false;
-          for (const ContactPair<dim> &pair : scene.known_pairs())
+          for (const ContactPair<dim> &pair : scene.named_pairs())
             joined |= pair.slave.compare(0, start.size(), start) == 0 &&
                       pair.master.compare(0, start.size(), start) == 0;
           if (!reason.empty() && !joined)
@@ -163,6 +163,8 @@ namespace Signorini
   {
     if (bodies.empty())
       throw SceneError("Bodies/Names: a scene needs at least one body");
+    for (const Body<dim> &body : bodies)
+      body.check();
     const auto body_names     = names_of(bodies);
     const auto obstacle_names = names_of(obstacles);
     const auto boundaries     = boundary_names(bodies);
@@ -191,7 +193,7 @@ namespace Signorini
       }
     std::vector<std::string> masters = boundaries;
     masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
-    for (const ContactPair<dim> &pair : known_pairs())
+    for (const ContactPair<dim> &pair : named_pairs())
       {
         require("boundary", {pair.slave}, boundaries, pair.slave_place, sets);
         require("boundary or obstacle", {pair.master}, masters, pair.master_place, sets);
@@ -201,17 +203,13 @@ namespace Signorini
           throw SceneError(pair.master_place +
                            ": is the name of a boundary and of an obstacle; rename the obstacle");
       }
-    check_same_pairs(known_pairs());
+    check_same_pairs(named_pairs());
     for (const RefinementZone<dim> &zone : mesh.zones)
       require("body", zone.bodies, body_names, zone.place);
     check_pieces(*this);
     check_axisymmetric(*this);
-    check_integration();
     check_contrast(bodies);
-    if (deformation == Deformation::finite)
-      check_finite();
-    if (!auto_pairs)
-      quantities();
+    Decisions<dim>(*this).check();
     if (mesh.distribution == Distribution::METIS && most_cycles() > 0)
       throw SceneError("Mesh/Distribution = METIS has a fixed mesh, but " +
                        (goals.has_targets() ?
@@ -222,53 +220,6 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
-  Scene<dim>::check_finite() const
-  {
-    const auto refuse = [](const std::string &key, const std::string &why) {
-      throw SceneError(key + ": " + why + " with Deformation = finite");
-    };
-    if (contact.geometry == ContactGeometry::reference)
-      refuse("Contact method/Contact geometry = reference", "surfaces are not where they were");
-    for (const Load<dim> &load : loads)
-      if (model_of(model) == Model::plane_stress && !load.pressure.is_zero())
-        refuse(
-          "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
-          "is not there for Model = plane stress, whose edges become thinner: take a Traction,");
-    for (const Body<dim> &body : bodies)
-      if (body.expansion.given())
-        refuse("Bodies/" + body.name + "/Thermal expansion", "is not there");
-    if (!goals.quantities.empty())
-      refuse("Accuracy/Quantity = " + goals.quantities.front(), "errors are not estimated");
-    if (output.linear_reference)
-      refuse("Output/Linear reference = yes", "nothing is linear");
-  }
-
-
-
-  template <int dim>
-  void
-  Scene<dim>::check_integration() const
-  {
-    for (const ContactPair<dim> &pair : known_pairs())
-      {
-        const Integration integration = integration_of(pair);
-        contact.chosen().check(integration, degree_of(pair.slave));
-        if (integration.rule == Rule::segments && contact.quadrature_points > 7)
-          throw SceneError(
-            "Contact method/Quadrature points = " + std::to_string(contact.quadrature_points) +
-            ": on segments there are rules with up to 7");
-      }
-  }
-
-
-
-#define INSTANTIATE(dim)                                                                           \
-  template void Scene<dim>::check() const;                                                         \
-  template void Scene<dim>::check_finite() const;                                                  \
-  template void Scene<dim>::check_integration() const;
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template void Scene<2>::check() const;
+  template void Scene<3>::check() const;
 } // namespace Signorini

@@ -247,11 +247,12 @@ namespace Signorini
 
   template <int dim>
   std::vector<Finding>
-  check_solution(const Scene<dim>             &scene,
+  check_solution(const Decisions<dim>         &decisions,
                  const Snapshot<dim>          &now,
                  const nlohmann::ordered_json &results,
                  const double                  largest_force)
   {
+    const Scene<dim> &scene = decisions.scene;
     constexpr double rounding = 1e-6; // of elastic forces that are in balance inside of bodies
     // Iterations end where they do not count beside a target.
     double small = 1e-5;
@@ -265,7 +266,7 @@ namespace Signorini
     const bool           acts  = acts_on_bodies(now, extremes, results["largest_force"]);
     all.push_back(check_something_acts(scene, now, acts));
     for (const auto &some : {check_locking(scene, now),
-                             check_pairs(scene, now, extremes, results, scale),
+                             check_pairs(decisions, now, extremes, results, scale),
                              check_normal_forces(results, scale),
                              check_peaks(results, scale),
                              check_loads(scene, now),
@@ -285,7 +286,7 @@ namespace Signorini
 
 
   template std::vector<Finding>
-  check_solution(const Scene<2> &, const Snapshot<2> &, const nlohmann::ordered_json &, double);
+  check_solution(const Decisions<2> &, const Snapshot<2> &, const nlohmann::ordered_json &, double);
   template std::vector<Finding>
-  check_solution(const Scene<3> &, const Snapshot<3> &, const nlohmann::ordered_json &, double);
+  check_solution(const Decisions<3> &, const Snapshot<3> &, const nlohmann::ordered_json &, double);
 } // namespace Signorini

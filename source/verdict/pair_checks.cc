@@ -463,7 +463,7 @@ namespace Signorini
 
   template <int dim>
   std::vector<Finding>
-  check_pairs(const Scene<dim>             &scene,
+  check_pairs(const Decisions<dim>         &decisions,
               const Snapshot<dim>          &now,
               const std::vector<Extremes>  &extremes,
               const nlohmann::ordered_json &results,
@@ -476,7 +476,7 @@ namespace Signorini
       {
         const ContactPair<dim>    &pair     = now.pairs[i];
         const ContactSurface<dim> &surface  = now.surfaces[i];
-        const Obstacle<dim>       *obstacle = scene.obstacle_of(pair);
+        const Obstacle<dim>       *obstacle = decisions.scene.obstacle_of(pair);
         const Zone                 zone     = zone_of(now, i);
         Tip                        tip{zone.deepest, surface.face_size};
         if (obstacle && zone.active == 0 && !pair.gap_is_given())
@@ -496,7 +496,7 @@ namespace Signorini
           continue;
         if (now.contact.at_rest())
           findings.push_back(stays(now, pair, obstacle, displacements));
-        findings.push_back(resolved<dim>(pair.name, scene.degree_of(pair.slave), zone));
+        findings.push_back(resolved<dim>(pair.name, decisions.degree_of(pair.slave), zone));
         findings.push_back(is_patchy(pair.name, zone));
         findings.push_back(finding_of("overlap / face",
                                       pair.name,
@@ -513,16 +513,16 @@ namespace Signorini
                      "refine there, or divide the boundary"));
         findings.push_back(smooth(now, i, zone));
         // Of quadratic functions it is the recovered pressure that is reported.
-        if (now.contact.origin.regions.has_nodes() && scene.degree_of(pair.slave) == 1)
+        if (now.contact.origin.regions.has_nodes() && decisions.degree_of(pair.slave) == 1)
           findings.push_back(even(now, i, zone));
         if (pair.separates)
           findings.push_back(tight(now, i, zone, extremes));
-        if (!scene.contact.chosen().has_multipliers())
+        if (!decisions.scene.contact.chosen().has_multipliers())
           findings.push_back(exact(now, i, zone));
         if (obstacle)
           continue;
         findings.push_back(stands(pair.name, surface.sides));
-        if (scene.contact.method == "direct elimination")
+        if (decisions.scene.contact.chosen_name() == "direct elimination")
           findings.push_back(finding_of("partners off nodes",
                                         pair.name,
                                         surface.off_nodes,
@@ -537,7 +537,7 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template std::vector<Finding> check_pairs(const Scene<dim> &,                                    \
+  template std::vector<Finding> check_pairs(const Decisions<dim> &,                                    \
                                             const Snapshot<dim> &,                                 \
                                             const std::vector<Extremes> &,                         \
                                             const nlohmann::ordered_json &,                        \

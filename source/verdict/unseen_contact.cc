@@ -467,8 +467,8 @@ namespace Signorini
           {
             // Where it holds another body, as the ground does, there may be a hole for this one.
             const Obstacle<dim> &obstacle = scene.obstacles[i];
-            const bool           is_used  = std::any_of(scene.pairs.begin(),
-                                             scene.pairs.end(),
+            const bool           is_used  = std::any_of(now.pairs.begin(),
+                                             now.pairs.end(),
                                              [&](const ContactPair<dim> &pair) {
                                                return scene.obstacle_of(pair) == &obstacle;
                                              });

@@ -48,6 +48,7 @@ namespace
     Scene<dim>         scene;
     scene.declare(section);
     section.close();
+    scene.read_files("");
     scene.check();
     return scene;
   }

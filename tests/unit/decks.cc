@@ -46,6 +46,7 @@ namespace
     Section             section(raw);
     scene.declare(section);
     section.close();
+    scene.read_files("");
     scene.check();
     return scene;
   }
@@ -308,6 +309,7 @@ TEST_CASE("a force on each node of a set is not one on nodes that divided cells 
         raw.set_value("Part", part, "test");
         Section section(raw);
         body.declare(section);
+        body.generator->read_file("");
         const Mesh<3>        mesh({{"block", body}}, {}, {}, MPI_COMM_WORLD);
         std::vector<Load<3>> loads(1);
         loads[0].nodes.sets                             = {"block." + set};

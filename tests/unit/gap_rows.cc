@@ -196,7 +196,7 @@ namespace
       {
         CAPTURE(integration);
         scene.use({"Method=penalty", "Integration=" + integration});
-        const std::string  slave = scene.scene.pairs[0].slave;
+        const std::string  slave = scene.decisions.pairs[0].slave;
         const unsigned int slave_body =
           slave.substr(0, slave.find('.')) == scene.mesh->body_name(0) ? 0 : 1;
         CHECK(Utilities::MPI::sum(scene.contact->surfaces()[0].points.size(), MPI_COMM_WORLD) > 0);

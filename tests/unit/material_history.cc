@@ -102,7 +102,7 @@ namespace
       std::vector<Material> all    = scene.elasticity->all_materials();
       all[0].constitutive_law      = std::make_shared<Relaxing>(all[0], k, tau);
       all[0].strain_measure        = measure;
-      moduli = {all[0].lambda() + 2 * all[0].mu(), all[1].lambda() + 2 * all[1].mu()};
+      moduli = {{all[0].lambda() + 2 * all[0].mu(), all[1].lambda() + 2 * all[1].mu()}};
       scene.elasticity =
         std::make_unique<Elasticity<dim>>(*scene.mesh,
                                           all,
@@ -113,7 +113,7 @@ namespace
       scene.elasticity->setup();
       CHECK(scene.elasticity->is_nonlinear());
       CHECK(scene.elasticity->is_finite() == (measure == StrainMeasure::finite));
-      scene.contact = std::make_unique<ContactSetup<dim>>(scene.scene,
+      scene.contact = std::make_unique<ContactSetup<dim>>(scene.decisions,
                                                           *scene.elasticity,
                                                           scene.timer,
                                                           scene.silence);

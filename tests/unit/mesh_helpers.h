@@ -28,7 +28,7 @@ namespace MeshTests
 
   template <int dim>
   std::unique_ptr<MeshGenerator<dim>>
-  generator(const std::string &name, const Keys &keys)
+  generator(const std::string &name, const Keys &keys, const std::string &folder = "")
   {
     RawSection raw;
     for (const auto &[key, value] : keys)
@@ -37,6 +37,7 @@ namespace MeshTests
     auto    result = MeshGenerator<dim>::create(name);
     result->declare(section);
     section.close();
+    result->read_file(folder);
     return result;
   }
 

@@ -209,7 +209,7 @@ namespace
         CAPTURE(integration);
         SmallScene<dim> scene(which.lines + Lines{"Dimension=" + std::to_string(dim),
                                                   "Contact pairs/pair/Initial gap=from geometry"});
-        if (scene.scene.obstacle_of(scene.scene.pairs[0]))
+        if (scene.scene.obstacle_of(scene.decisions.pairs[0]))
           return;
         scene.use({"Method=penalty", "Integration=" + integration});
         check_points(scene, 0.002);

@@ -71,7 +71,7 @@ namespace
 
     const LA::Vector    u = scene.elasticity->zero_vector(), gap = contact.zero();
     const Snapshot<dim> snapshot{*scene.elasticity,
-                                 scene.scene.pairs,
+                                 scene.decisions.pairs,
                                  scene.contact->surfaces(),
                                  contact,
                                  u,

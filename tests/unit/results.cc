@@ -57,6 +57,7 @@ namespace
       section.close();
       scene.given = raw;
       scene.name  = "test";
+      scene.read_files("");
       scene.check();
 
       std::ostringstream printed;

@@ -29,6 +29,7 @@ namespace TestScene
       Scene<dim> scene;
       scene.declare(section);
       section.close();
+      scene.read_files("");
       scene.check();
       return scene;
     }
@@ -39,10 +40,11 @@ namespace TestScene
   template <int dim>
   SmallScene<dim>::SmallScene(const Lines &lines)
     : scene(read<dim>(lines))
+    , decisions(scene)
     , silence(std::cout, false)
     , timer(MPI_COMM_SELF, silence, TimerOutput::never, TimerOutput::wall_times)
-    , mesh(make_mesh(scene, MPI_COMM_WORLD))
-    , elasticity(make_elasticity(scene, *mesh))
+    , mesh(make_mesh(decisions, MPI_COMM_WORLD))
+    , elasticity(make_elasticity(decisions, *mesh))
   {
     elasticity->setup();
     elasticity->assemble();
@@ -60,8 +62,8 @@ namespace TestScene
     settings.declare(section);
     section.close();
     scene.contact = settings;
-    scene.check_integration();
-    contact = std::make_unique<ContactSetup<dim>>(scene, *elasticity, timer, silence);
+    decisions.check();
+    contact = std::make_unique<ContactSetup<dim>>(decisions, *elasticity, timer, silence);
     contact->build(Configuration<dim>(*elasticity));
   }
 

@@ -61,6 +61,7 @@ namespace TestScene
     rough_field(double amplitude, double seed) const;
 
     Scene<dim>                         scene;
+    Decisions<dim>                     decisions;
     ConditionalOStream                 silence;
     TimerOutput                        timer;
     std::unique_ptr<Mesh<dim>>         mesh;

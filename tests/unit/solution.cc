@@ -51,7 +51,7 @@ namespace
     CHECK(std::abs(residual) < 2 * scene.scene.newton.tolerance * scale * w.l2_norm());
 
     unsigned int n_active  = 0;
-    const bool   permanent = !scene.scene.pairs[0].separates;
+    const bool   permanent = !scene.decisions.pairs[0].separates;
     for (unsigned int i = 0; i < all_p.size(); ++i)
       {
         const double predicted  = scene.method().predictor() == Predictor::none ? 0 :

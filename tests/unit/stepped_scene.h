@@ -28,7 +28,7 @@ namespace TestScene
       state.displacement = scene.elasticity->zero_vector();
       state.contact      = SurfaceField(dim);
       equilibrium        = std::make_unique<Equilibrium<dim>>(
-        scene.scene, *scene.elasticity, *scene.contact, state, scene.timer, out, [this] {
+        scene.decisions, *scene.elasticity, *scene.contact, state, scene.timer, out, [this] {
           return print_steps(out);
         });
       equilibrium->find_contact();

@@ -125,6 +125,7 @@ namespace
     Obstacle<3> result;
     result.declare(section);
     section.close();
+    result.shape->read_file("");
     return result;
   }
 

@@ -134,7 +134,7 @@ namespace
       Law result = law(scene, reference, sum(state.all_u, a, state.all_du), given);
       for (unsigned int i = 0; i < given.size(); ++i)
         {
-          const bool always = scene.scene.pairs[0].separates == false;
+          const bool always = scene.decisions.pairs[0].separates == false;
           result.pressure.push_back(always ? result.argument[i] : std::max(0., result.argument[i]));
         }
       return result;
@@ -151,7 +151,7 @@ namespace
                      p          = contact_law.traction(in, active)[0];
     const unsigned int n_active = active.l1_norm() + 0.5;
     CHECK(size_of(sum(everywhere(p), -1, start.pressure)) < 1e-12 * size_of(start.pressure));
-    if (scene.scene.pairs[0].separates)
+    if (scene.decisions.pairs[0].separates)
       {
         CHECK(n_active > 0);
         CHECK(n_active < start.gap.size());
@@ -170,7 +170,7 @@ namespace
     direction.block(0) = state.du;
     system.contact_terms(change, direction);
     const double derivative = change.block(0) * state.w;
-    const double longest    = scene.scene.pairs[0].separates ? first_change(start, end) : 1;
+    const double longest    = scene.decisions.pairs[0].separates ? first_change(start, end) : 1;
     for (const double step : {longest / 2, longest / 16})
       {
         const Law    next = residual(step);
@@ -210,7 +210,7 @@ namespace
     const LA::Vector active    = contact_law.status(contact_law.trial({{gap}, {none}, {p}, {}}));
     const Values     is_active = everywhere(active);
     for (unsigned int i = 0; i < is_active.size(); ++i)
-      CHECK((is_active[i] > 0) == (start.argument[i] > 0 || !scene.scene.pairs[0].separates));
+      CHECK((is_active[i] > 0) == (start.argument[i] > 0 || !scene.decisions.pairs[0].separates));
     system.set_status(active);
 
     LA::BlockVector direction = system.zero(), change = system.zero();

@@ -39,7 +39,7 @@ namespace
     settings.geometry    = ContactGeometry::reference;
     scene.contact.reset();
     scene.scene.contact = settings;
-    scene.contact       = std::make_unique<ContactSetup<dim>>(scene.scene,
+    scene.contact       = std::make_unique<ContactSetup<dim>>(scene.decisions,
                                                         *scene.elasticity,
                                                         scene.timer,
                                                         scene.silence);
@@ -208,7 +208,7 @@ namespace
     Tensor<1, dim> motion;
     for (unsigned int d = 0; d < dim; ++d)
       motion[d] = 0.3 - 0.2 * d;
-    const std::string &name  = scene.scene.pairs[0].slave;
+    const std::string &name  = scene.decisions.pairs[0].slave;
     unsigned int       slave = 0;
     while (name.find(scene.scene.bodies[slave].name + ".") != 0)
       ++slave;
@@ -684,7 +684,7 @@ namespace
     CAPTURE(degree);
     const auto             scene      = moving_scene<dim>(which, sampling, degree);
     const Elasticity<dim> &elasticity = *scene->elasticity;
-    const std::string     &name       = scene->scene.pairs[0].slave;
+    const std::string     &name       = scene->decisions.pairs[0].slave;
     unsigned int           slave      = 0;
     while (name.find(scene->scene.bodies[slave].name + ".") != 0)
       ++slave;

@@ -196,7 +196,7 @@ namespace
     after.elasticity.reset();
     restore_cells(*after.mesh, cells);
     CHECK_NOTHROW(check_mark(*after.mesh, mark));
-    after.elasticity = make_elasticity(after.scene, *after.mesh);
+    after.elasticity = make_elasticity(after.decisions, *after.mesh);
     after.elasticity->setup();
     CHECK(after.elasticity->dof_handler().n_dofs() == before.elasticity->dof_handler().n_dofs());
     CHECK(difference<dim>(vector_of_cells(*after.elasticity, cells),
@@ -223,9 +223,9 @@ namespace
     CHECK(growth_of_enrichment(*scene.mesh, {0, 1}) == std::pow(2, dim));
 
     const auto before            = std::move(scene.elasticity);
-    scene.scene.bodies[0].degree = 2;
-    scene.mesh->set_degrees(scene.scene.degrees());
-    scene.elasticity = make_elasticity(scene.scene, *scene.mesh);
+    scene.decisions.raise_degree(0);
+    scene.mesh->set_degrees(scene.decisions.degrees);
+    scene.elasticity = make_elasticity(scene.decisions, *scene.mesh);
     scene.elasticity->setup();
     CHECK(scene.elasticity->dof_handler().n_dofs() > before->dof_handler().n_dofs());
     CHECK(difference<dim>(enriched(*before, poor, *scene.elasticity),

@@ -106,6 +106,15 @@ namespace Signorini
     virtual void
     declare(Section &section) = 0;
 
+    /// Read what is in a file: after declare(), before all else. Throws SceneError.
+    /// @param folder in which the file is looked for after the present one
+    /// @return notes for the user
+    virtual std::vector<std::string>
+    read_file(const std::string & /*folder*/)
+    {
+      return {};
+    }
+
     /// Names of the boundaries, known before any mesh is made.
     virtual std::vector<std::string>
     boundaries() const = 0;
@@ -164,6 +173,13 @@ namespace Signorini
     {
       return "";
     }
+    /// Does the mesh come with a temperature? Known before the file is read.
+    virtual bool
+    has_temperature() const
+    {
+      return false;
+    }
+
     /// A temperature at the vertices of generate(); empty if the mesh comes without one.
     virtual const std::vector<double> &
     temperature() const;

@@ -2,7 +2,7 @@
 
 #include <signorini/contact/discretisation/surface.h>
 #include <signorini/output/prediction.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene/decisions.h>
 
 #include <nlohmann/json.hpp>
 
@@ -15,7 +15,7 @@ namespace Signorini
   /// run will take. Keys in words; the printed report shows the same. Collective.
   template <int dim>
   nlohmann::ordered_json
-  preflight(const Scene<dim>                       &scene,
+  preflight(const Decisions<dim>                   &decisions,
             const Elasticity<dim>                  &elasticity,
             const std::vector<ContactSurface<dim>> &surfaces,
             const GapOperator                      &contact,

@@ -6,7 +6,7 @@
 #include <signorini/output/probe_results.h>
 #include <signorini/output/results.h>
 #include <signorini/output/writer.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene/decisions.h>
 #include <signorini/solve/linear_reference.h>
 #include <signorini/solve/newton_report.h>
 #include <signorini/verdict/verdict.h>
@@ -27,7 +27,7 @@ namespace Signorini
   /// The scene as it is left in the output directory, runnable again.
   template <int dim>
   std::string
-  text_with_defaults(const Scene<dim> &scene);
+  text_with_defaults(const Decisions<dim> &decisions);
 
   /// What a run leaves behind: results.json, which grows from step to step and says `unfinished`
   /// until the end, so that a run that is killed leaves what it had; the files of Writer; and
@@ -38,7 +38,7 @@ namespace Signorini
   public:
     /// Takes the output directory. Throws SceneError if that cannot be had. Collective.
     /// @param goes_on what is there stays, and nothing is written before restore()
-    Recorder(const Scene<dim>          &scene,
+    Recorder(const Decisions<dim>      &decisions,
              const dealii::Timer       &clock,
              const dealii::TimerOutput &timer,
              MPI_Comm                   comm,
@@ -137,6 +137,7 @@ namespace Signorini
     void
     write();
 
+    const Decisions<dim>      &decisions;
     const Scene<dim>          &scene;
     const dealii::Timer       &clock;
     const dealii::TimerOutput &timer;

@@ -21,8 +21,7 @@ namespace Signorini
   /// The method by which contact is imposed, and how its surfaces are integrated.
   struct ContactSettings
   {
-    std::string method       = "Lagrange multiplier";
-    bool        is_automatic = false; ///< nobody has chosen it
+    std::string method = "Lagrange multiplier"; ///< or "auto"
     std::vector<std::pair<std::string, std::shared_ptr<ContactMethod>>>
                         methods;               ///< all, each with its keys
     std::optional<Rule> integration;           ///< none: what suits the method
@@ -33,12 +32,16 @@ namespace Signorini
 
     ContactSettings();
 
+    /// Nobody has chosen the method.
+    bool
+    is_automatic() const;
+
+    /// The name of the method; with "auto" that of the one which the program takes.
+    std::string
+    chosen_name() const;
+
     const ContactMethod &
     chosen() const;
-
-    /// See ContactMethod::stiffen().
-    void
-    stiffen(double factor);
 
     /// With the number of points that the method needs where slave and master have elements of
     /// these degrees.

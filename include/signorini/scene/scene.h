@@ -47,10 +47,12 @@ namespace Signorini
     declare(Section &section);
 
     /// `material` and the others, in the order of their ids.
-    std::vector<Material *>
-    materials();
     std::vector<const Material *>
     materials() const;
+
+    /// Throws SceneError where the body refers to what its mesh does not have.
+    void
+    check() const;
   };
 
   template <typename Items>
@@ -72,6 +74,7 @@ namespace Signorini
   };
 
   /// All that the user said, in the order of the scene file, which is the order of the data.
+  /// Nothing of it changes after it was read; what the program decides are Decisions.
   template <int dim>
   struct Scene
   {
@@ -92,6 +95,7 @@ namespace Signorini
     bool auto_pairs = false; ///< to be found: the one pair says what they have in common
     MeshSettings<dim>           mesh;
     unsigned int                degree = 1; ///< of bodies that do not say theirs; 0: by the target
+    bool                        degree_is_set = false; ///< the user has set that
     ContactSettings             contact;
     Goals                       goals;
     RefinementSettings          refinement;
@@ -102,20 +106,24 @@ namespace Signorini
     KnownSolution<dim>          known;
     std::vector<ExpectedResult> expected;
 
-    /// What the program has chosen, and why; empty: the user has.
-    std::string choice;
+    std::vector<std::string> notes; ///< of what was read from files, for the user
 
     void
     declare(Section &section);
+
+    /// Read the files that the scene names, relative to the present folder, or to that of the
+    /// scene. Throws SceneError where they are not good, or without what the scene names in them.
+    void
+    read_files(const std::string &folder);
 
     /// Everything that can be wrong before a mesh is made: names that do not exist, choices that
     /// contradict each other. Throws SceneError.
     void
     check() const;
 
-    /// The pairs, but those that are still to be found.
+    /// The pairs that the user names; none where Names = auto.
     std::vector<ContactPair<dim>>
-    known_pairs() const
+    named_pairs() const
     {
       return auto_pairs ? std::vector<ContactPair<dim>>() : pairs;
     }
@@ -124,47 +132,13 @@ namespace Signorini
     unsigned int
     most_cycles() const;
 
-    /// The quantities of `goals`. Throws SceneError for those that the scene has not.
-    std::vector<QuantityName>
-    quantities() const;
-
-    /// Of the displacement, one a body.
-    std::vector<unsigned int>
-    degrees() const;
-
-    /// Bodies of degree 1 that may become quadratic for a target's sake.
-    std::vector<bool>
-    open_degrees() const;
-
-    /// Of the body that a boundary BODY.BOUNDARY belongs to; of obstacles 0.
-    unsigned int
-    degree_of(const std::string &surface) const;
-
-    Integration
-    integration_of(const ContactPair<dim> &pair) const;
-
-    /// Throws SceneError where the method and the integration of a pair do not go together.
-    void
-    check_integration() const;
-
     /// The obstacle that is a pair's master, or null.
     const Obstacle<dim> *
     obstacle_of(const ContactPair<dim> &pair) const;
-
-    /// What automatic has come to.
-    void
-    become_finite();
 
   private:
     /// Throws SceneError where a support begins after the end.
     void
     end_steps_where_supports_change();
-    /// What goes with Deformation = finite alone, or not with it. Throws SceneError.
-    void
-    check_finite() const;
-
-    /// What Method = auto leaves open. @param has_degree the user has chosen that
-    void
-    choose(bool has_degree);
   };
 } // namespace Signorini

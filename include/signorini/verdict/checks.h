@@ -2,7 +2,7 @@
 
 #include <signorini/accuracy/error_control.h>
 #include <signorini/fields/snapshot.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene/decisions.h>
 #include <signorini/verdict/verdict.h>
 
 namespace Signorini
@@ -12,7 +12,7 @@ namespace Signorini
   /// @param largest_force of all load steps so far
   template <int dim>
   std::vector<Finding>
-  check_solution(const Scene<dim>             &scene,
+  check_solution(const Decisions<dim>         &decisions,
                  const Snapshot<dim>          &now,
                  const nlohmann::ordered_json &results,
                  double                        largest_force);
@@ -61,7 +61,7 @@ namespace Signorini
   /// whose force does not count beside the scale, those that never act alone.
   template <int dim>
   std::vector<Finding>
-  check_pairs(const Scene<dim>             &scene,
+  check_pairs(const Decisions<dim>         &decisions,
               const Snapshot<dim>          &now,
               const std::vector<Extremes>  &extremes,
               const nlohmann::ordered_json &results,

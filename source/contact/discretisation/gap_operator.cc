@@ -135,7 +135,7 @@ namespace Signorini
             const Tensor<1, 3>       moment = moment_of(point.slave_place, point.normal),
                                on_master    = moment_of(point.master_place, point.normal);
             const double epsilon =
-              method.epsilon({point.stiffness, size / point.depth, point.bound});
+              method.penalty({point.stiffness, size / point.depth, point.bound});
             for (const auto &[row, weight] : rows.shares[p][q])
               {
                 contact.weight(row) += weight;

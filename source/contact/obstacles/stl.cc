@@ -21,8 +21,33 @@ namespace Signorini
         section.add("File", file, "STL file, text or binary, beside the scene; 3D only");
         section.add("Scale", scale, "factor of the file's coordinates", positive);
         section.add("Offset", offset, "added to them after that [length]");
-        if (section.reading())
-          read(section);
+        if (!section.reading())
+          return;
+        if (dim == 2)
+          section.fail("Shape", "a surface of triangles needs Dimension = 3");
+        if (file.empty())
+          section.fail("File", "an obstacle from a file needs its name");
+        place = section.place_of("File");
+      }
+
+      void
+      read_file(const std::string &folder) override
+      {
+        try
+          {
+            const std::string path = found_beside_scene(file, folder);
+            if (file_exists(path))
+              file = std::filesystem::absolute(path).lexically_normal(); // for the written scene
+            Triangles triangles = read_stl(path);
+            for (auto &vertex : triangles.vertices)
+              for (unsigned int d = 0; d < dim; ++d)
+                vertex[d] = scale * vertex[d] + offset[d];
+            surface = surface_of(triangles, path);
+          }
+        catch (const SceneError &error)
+          {
+            throw SceneError(place + ": " + error.what());
+          }
       }
 
       ObstaclePlace<dim>
@@ -48,31 +73,7 @@ namespace Signorini
           }
       }
 
-      void
-      read(const Section &section)
-      {
-        if (dim == 2)
-          section.fail("Shape", "a surface of triangles needs Dimension = 3");
-        if (file.empty())
-          section.fail("File", "an obstacle from a file needs its name");
-        try
-          {
-            const std::string path = found_beside_scene(file);
-            if (file_exists(path))
-              file = std::filesystem::absolute(path).lexically_normal(); // for the written scene
-            Triangles triangles = read_stl(path);
-            for (auto &vertex : triangles.vertices)
-              for (unsigned int d = 0; d < dim; ++d)
-                vertex[d] = scale * vertex[d] + offset[d];
-            surface = surface_of(triangles, path);
-          }
-        catch (const SceneError &error)
-          {
-            section.fail("File", error.what());
-          }
-      }
-
-      std::string                            file;
+      std::string                            file, place; ///< in the scene
       double                                 scale = 1;
       Point<dim>                             offset;
       std::shared_ptr<const TriangleSurface> surface;

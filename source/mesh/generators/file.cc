@@ -12,12 +12,10 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/geometry_info.h>
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <limits>
 
 namespace Signorini
@@ -58,17 +56,10 @@ namespace Signorini
 
 
 
-    /// All ranks read the file, one speaks; what several bodies share is said once.
     void
-    tell(const std::string &body, const std::string &path, const std::vector<std::string> &notes)
+    append(const std::vector<std::string> &more, std::vector<std::string> &notes)
     {
-      static std::set<std::string> said;
-      // Of several ranks all have MPI by now, of one none has.
-      if (!Utilities::MPI::job_supports_mpi() ||
-          Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        for (const std::string &note : notes)
-          if (said.insert(path + note).second)
-            std::cout << body << ", mesh file '" << path << "': " << note << std::endl;
+      notes.insert(notes.end(), more.begin(), more.end());
     }
 
 
@@ -146,8 +137,9 @@ namespace Signorini
 
 
     /// Plane cells that lie across y or x, and not across z, are turned into the plane of x and y.
-    void
-    lay_flat(MeshFile &file, const std::string &body, const std::string &path)
+    /// @return a note that says so, or none
+    std::vector<std::string>
+    lay_flat(MeshFile &file)
     {
       BoundingBox<3> box;
       bool           has_cells = false;
@@ -170,15 +162,13 @@ namespace Signorini
         return box.side_length(d) <= rounding * size;
       };
       if (!has_cells || is_flat(2) || (!is_flat(0) && !is_flat(1)))
-        return;
+        return {};
       const bool across_y = is_flat(1);
       for (Point<3> &node : file.nodes)
         node =
           across_y ? Point<3>(node[0], node[2], -node[1]) : Point<3>(node[1], node[2], node[0]);
-      tell(body,
-           path,
-           {"the cells lie in the plane of " + std::string(across_y ? "x and z" : "y and z") +
-            " of the file, which are x and y of the scene"});
+      return {"the cells lie in the plane of " + std::string(across_y ? "x and z" : "y and z") +
+              " of the file, which are x and y of the scene"};
     }
 
 
@@ -192,15 +182,6 @@ namespace Signorini
 
 
 
-  std::vector<std::string> &
-  mesh_search_path()
-  {
-    static std::vector<std::string> path;
-    return path;
-  }
-
-
-
   bool
   file_exists(const std::string &name)
   {
@@ -211,17 +192,12 @@ namespace Signorini
 
 
   std::string
-  found_beside_scene(const std::string &file)
+  found_beside_scene(const std::string &file, const std::string &folder)
   {
     if (file_exists(file) || std::filesystem::path(file).is_absolute())
       return file;
-    for (const std::string &folder : mesh_search_path())
-      {
-        const auto candidate = std::filesystem::path(folder) / file;
-        if (file_exists(candidate.string()))
-          return candidate.string();
-      }
-    return file;
+    const auto candidate = std::filesystem::path(folder) / file;
+    return file_exists(candidate.string()) ? candidate.string() : file;
   }
 
 
@@ -290,8 +266,20 @@ namespace Signorini
                 cell_set_text,
                 "sets of elements of the part beside those of the file, by its numbers: NAME: 3, "
                 "5-8; NAME: ...");
-    if (section.reading())
-      read(section);
+    if (!section.reading())
+      return;
+    if (file.empty())
+      section.fail("File", "a mesh from a file needs its name");
+    surfaces = read_curved_boundaries<dim>(curved_text, section);
+    for (const char *key : {"File",
+                            "Part",
+                            "Boundaries",
+                            "Curved boundaries",
+                            "Temperature field",
+                            "Node sets",
+                            "Face sets",
+                            "Cell sets"})
+      place_of[key] = section.place_of(key);
   }
 
 
@@ -313,7 +301,7 @@ namespace Signorini
 
   template <int dim>
   FileSelection
-  FileMesh<dim>::divide(MeshFile &all, const std::string &body, const std::string &path) const
+  FileMesh<dim>::divide(MeshFile &all, std::vector<std::string> &notes) const
   {
     FileSelection result = selection;
     recognise_collapsed_cells(all, cells_of_part(all, dim, selection.part));
@@ -325,28 +313,26 @@ namespace Signorini
         result.coinciding_nodes = AtOnePlace::refuse;
         result.node_distance    = 0;
       }
-    tell(body, path, divide_cells(all, dim, selection.part, mid_side_nodes));
+    append(divide_cells(all, dim, selection.part, mid_side_nodes), notes);
     return result;
   }
 
 
 
   template <int dim>
-  void
-  FileMesh<dim>::read(const Section &section)
+  std::vector<std::string>
+  FileMesh<dim>::read_file(const std::string &folder)
   {
-    if (file.empty())
-      section.fail("File", "a mesh from a file needs its name");
-    const auto        surfaces = read_curved_boundaries<dim>(curved_text, section);
-    const std::string path     = found_beside_scene(file);
+    const std::string path = found_beside_scene(file, folder);
     if (file_exists(path))
       file = std::filesystem::absolute(path).lexically_normal(); // for the scene that is written
+    std::vector<std::string> notes;
     std::string key = "File";
     try
       {
         MeshFile all = read_mesh_file(path);
         if (dim == 2)
-          lay_flat(all, section.path(), path);
+          append(lay_flat(all), notes);
         add_pieces(all, dim);
 
         key                                  = "Part";
@@ -360,14 +346,14 @@ namespace Signorini
         check_groups(all, selection.boundaries);
 
         key                       = "File";
-        const FileSelection after = divide(all, section.path(), path);
+        const FileSelection after = divide(all, notes);
         const FilePart<dim> part(all, after);
-        tell(section.path(), path, part.notes);
+        append(part.notes, notes);
         nodes         = part.nodes;
         sets_of_cells = cell_sets_of(all, part);
         if (!part.touching_pieces.empty())
           unless_pair =
-            section.place_of("File") + ": mesh file '" + path + "' " + part.touching_pieces;
+            place_of["File"] + ": mesh file '" + path + "' " + part.touching_pieces;
 
         key          = "Temperature field";
         temperatures = temperatures_of(all, part, temperature_field);
@@ -397,7 +383,7 @@ namespace Signorini
         const Rounding rounding = n_curved == 0 && surfaces.empty() ?
                                     round_off(triangulation, part, curved_text == "automatic") :
                                     Rounding();
-        tell(section.path(), path, rounding.notes);
+        append(rounding.notes, notes);
         is_curved = n_curved + surfaces.size() + rounding.notes.size() > 0;
         key       = "Curved boundaries";
         check_not_folded(triangulation, part);
@@ -410,8 +396,11 @@ namespace Signorini
         // The readers name the file that they read, which may be an included one.
         const std::string what = error.what(), named = "mesh file '";
         const bool        is_it = what.compare(0, named.size(), named) == 0;
-        section.fail(key, is_it ? what : named + path + "' " + what);
+        throw SceneError(place_of[key] + ": " + (is_it ? what : named + path + "' " + what));
       }
+    for (std::string &note : notes)
+      note = "mesh file '" + path + "': " + note;
+    return notes;
   }
 
 

@@ -85,20 +85,6 @@ namespace Signorini
       return needs_slip();
     }
 
-    /// penalty(), and what stiffen() has made of it.
-    double
-    epsilon(const PenaltyScale &scale) const
-    {
-      return stiffening * penalty(scale);
-    }
-
-    /// Multiply all penalties, so that surfaces overlap less.
-    void
-    stiffen(const double factor)
-    {
-      stiffening *= factor;
-    }
-
     /// Nitsche's method: weight of the normal stress of virtual displacements.
     virtual double
     theta() const
@@ -129,9 +115,6 @@ namespace Signorini
     /// `name` is one of method_names().
     static std::shared_ptr<ContactMethod>
     create(const std::string &name);
-
-  private:
-    double stiffening = 1;
   };
 
   const std::vector<std::string> &

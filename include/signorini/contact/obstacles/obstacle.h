@@ -32,6 +32,12 @@ namespace Signorini
     virtual void
     declare(Section &section) = 0;
 
+    /// Read what is in a file: after declare(), before all else. Throws SceneError.
+    /// @param folder in which the file is looked for after the present one
+    virtual void
+    read_file(const std::string & /*folder*/)
+    {}
+
     /// Does it change with time, beside the motion of its obstacle?
     virtual bool
     depends_on_time() const

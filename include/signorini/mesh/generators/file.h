@@ -6,18 +6,13 @@
 
 namespace Signorini
 {
-  /// Folders in which mesh files are looked for after the current one: main() adds that of the
-  /// scene.
-  std::vector<std::string> &
-  mesh_search_path();
-
   /// True if a file is there; false also for names that no file can have.
   bool
   file_exists(const std::string &name);
 
-  /// Where a file is: as named, or in one of those folders; the name itself if it is not there.
+  /// Where a file is: as named, or in that folder; the name itself if it is not there.
   std::string
-  found_beside_scene(const std::string &file);
+  found_beside_scene(const std::string &file, const std::string &folder);
 
   /// A mesh file, or one part of it. Boundaries: the names that the file gives to faces of the
   /// part, and `unnamed`, or `unnamed1` and so on, for faces without.
@@ -25,10 +20,12 @@ namespace Signorini
   class FileMesh : public MeshGenerator<dim>
   {
   public:
-    /// While reading, reads the file too: the mesh must be good, and the names in the section in
-    /// it.
     void
     declare(Section &section) override;
+
+    /// The mesh must be good, and the names in the section in it.
+    std::vector<std::string>
+    read_file(const std::string &folder) override;
 
     std::vector<std::string>
     boundaries() const override
@@ -40,6 +37,12 @@ namespace Signorini
     generate() const override
     {
       return mesh;
+    }
+
+    bool
+    has_temperature() const override
+    {
+      return !temperature_field.empty();
     }
 
     const std::vector<double> &
@@ -89,20 +92,21 @@ namespace Signorini
     }
 
   private:
-    void
-    read(const Section &section);
     /// The sets that the scene makes, as if they were in the file.
     void
     add_sets(MeshFile &all, std::string &key) const;
 
-    /// Divide cells that are no quadrilaterals or hexahedra, and say so. Returns how to go on.
+    /// Divide cells that are no quadrilaterals or hexahedra. Returns how to go on.
+    /// @param notes what was divided is added
     FileSelection
-    divide(MeshFile &all, const std::string &body, const std::string &path) const;
+    divide(MeshFile &all, std::vector<std::string> &notes) const;
 
     std::string   file, curved_text = "automatic", temperature_field;
     std::string   node_set_text, face_set_text, cell_set_text;
     FileSelection selection;
     bool          mid_side_nodes = true;
+    std::vector<CurvedBoundary<dim>>   surfaces; ///< those that `curved_text` names
+    std::map<std::string, std::string> place_of; ///< keys, in the scene
 
     CoarseMesh<dim>                                  mesh;
     std::vector<double>                              temperatures; ///< at its vertices

@@ -1,0 +1,288 @@
+#include <signorini/elasticity/material_law.h>
+#include <signorini/scene/decisions.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  namespace
+  {
+    /// From here on degree 1 is too stiff by several per cent, and multigrid takes twice the
+    /// iterations.
+    constexpr double nearly_incompressible = 0.48;
+
+    /// Mesh/Degree as the bodies take it: with Method = auto nobody has chosen it unless it is set.
+    template <int dim>
+    unsigned int
+    degree_of_all(const Scene<dim> &scene)
+    {
+      return scene.contact.is_automatic() && !scene.degree_is_set ? 0 : scene.degree;
+    }
+
+    /// What keeps a material from a displacement-pressure formulation, and the cure; empty: nothing.
+    template <int dim>
+    std::string
+    obstacle_to_mixed(const Scene<dim> &scene, const Body<dim> &body, const Material &material)
+    {
+      if (model_of(scene.model) == Model::plane_stress)
+        return "a sheet, with Model = plane stress, is free to become thinner: it is for "
+               "displacement";
+      if (body.degree == 1 || (body.degree == 0 && scene.degree_is_set && scene.degree == 1))
+        return "degree 1 has no stable bulk stress; set Degree = 2";
+      if (!(material.poissons_ratio > 0))
+        return "needs a Poisson's ratio above 0";
+      if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
+        return "Law = Saint Venant-Kirchhoff has no volumetric part; take neo-Hooke";
+      if (!scene.goals.quantities.empty() || scene.goals.has_targets())
+        return "errors of the bulk stress are not estimated; take Accuracy/Quantity and Target "
+               "error out";
+      return {};
+    }
+
+    /// Those that the user wants to be mixed are, and those that displacements alone would lock or
+    /// take hundreds of iterations for, if nothing in the scene is against it. Throws SceneError
+    /// where that is impossible. @param place of the material in the scene
+    template <int dim>
+    bool
+    is_mixed(const Scene<dim>  &scene,
+             const Body<dim>   &body,
+             const Material    &material,
+             const std::string &place)
+    {
+      const std::string obstacle = obstacle_to_mixed(scene, body, material);
+      if (material.formulation == Formulation::mixed && !obstacle.empty())
+        throw SceneError(place + "/Formulation = mixed: " + obstacle);
+      const bool result = material.formulation == Formulation::mixed ||
+                          (material.formulation == Formulation::automatic &&
+                           material.poissons_ratio >= nearly_incompressible && obstacle.empty());
+      if (!result && material.poissons_ratio == 0.5)
+        throw SceneError(place + "/Poisson's ratio = 0.5 is for Formulation = mixed" +
+                         (obstacle.empty() ? "" : ", but " + obstacle) +
+                         "; or take a Poisson's ratio below 0.5");
+      return result;
+    }
+
+    /// Nothing but cells of degree 1 that lock would be refined for a quantity, without end.
+    template <int dim>
+    bool
+    needs_degree_2(const Scene<dim> &scene, const Material &material)
+    {
+      return model_of(scene.model) != Model::plane_stress &&
+             material.poissons_ratio >= nearly_incompressible && !scene.goals.quantities.empty();
+    }
+  } // namespace
+
+
+
+  // The method by the curves of doc/accuracy.md: with multipliers nothing is left to choose and
+  // nothing overlaps, at the price of the others.
+  template <int dim>
+  Decisions<dim>::Decisions(const Scene<dim> &scene)
+    : scene(scene)
+    , pairs(scene.named_pairs())
+    , pairs_are_open(scene.auto_pairs)
+    , finite_strain(scene.deformation == Deformation::finite)
+  {
+    for (const Body<dim> &body : scene.bodies)
+      {
+        const std::string  place   = "Bodies/" + body.name;
+        const bool         is_open = body.degree == 0 && (!scene.degree_is_set || scene.degree == 0);
+        unsigned int       degree  = body.degree > 0 ? body.degree : degree_of_all(scene);
+        std::vector<bool> &flags   = has_pressure_field.emplace_back();
+        for (const Material *material : body.materials())
+          {
+            const std::string of_cells =
+              flags.empty() ? "" : "/Materials/" + body.others[flags.size() - 1].name;
+            flags.push_back(is_mixed(scene, body, *material, place + of_cells));
+            if (is_open && (flags.back() || needs_degree_2(scene, *material)))
+              degree = 2;
+          }
+        open_degrees.push_back(scene.goals.has_targets() && degree == 0);
+        degrees.push_back(std::max(degree, 1u));
+      }
+    if (!scene.contact.is_automatic())
+      return;
+    reason = scene.contact.chosen_name() + ", which needs no parameter and leaves no gap";
+    if (!scene.degree_is_set)
+      reason += scene.goals.has_targets() ?
+                  "; degree 1, or 2 where bodies are far from the target" :
+                  "; degree 1, since there is no Target error";
+  }
+
+
+
+  template <int dim>
+  void
+  Decisions<dim>::raise_degree(const unsigned int body)
+  {
+    degrees[body]      = 2;
+    open_degrees[body] = false;
+  }
+
+
+
+  template <int dim>
+  std::vector<Material>
+  Decisions<dim>::materials(const unsigned int body) const
+  {
+    std::vector<Material> result;
+    for (const Material *material : scene.bodies[body].materials())
+      {
+        const bool is_mixed = has_pressure_field[body][result.size()];
+        result.push_back(*material);
+        result.back().is_mixed = is_mixed;
+        if (finite_strain)
+          result.back().constitutive_law = law_of(*material).make(result.back());
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Decisions<dim>::degree_of(const std::string &surface) const
+  {
+    const auto dot = surface.find('.');
+    for (unsigned int body = 0; body < degrees.size(); ++body)
+      if (dot != std::string::npos && scene.bodies[body].name == surface.substr(0, dot))
+        return degrees[body];
+    return 0;
+  }
+
+
+
+  template <int dim>
+  Integration
+  Decisions<dim>::integration_of(const ContactPair<dim> &pair) const
+  {
+    const unsigned int slave = degree_of(pair.slave), master = degree_of(pair.master);
+    // Without bias each is the slave once.
+    const unsigned int largest = std::max(slave, master);
+    return scene.contact.chosen().unbiased() ?
+             scene.contact.integration_of_degrees(largest, largest) :
+             scene.contact.integration_of_degrees(slave, master);
+  }
+
+
+
+  template <int dim>
+  std::vector<QuantityName>
+  Decisions<dim>::quantities() const
+  {
+    QuantityNames names{names_of(pairs), names_of(scene.supports), {}, {}, {}};
+    for (const Probe<dim> &probe : scene.output.probes)
+      if (!probe.is_line())
+        (probe.is_on_pair() ? names.surface_probes : names.probes).push_back(probe.name);
+    for (const Obstacle<dim> &obstacle : scene.obstacles)
+      if (obstacle.body.can_move())
+        names.obstacles.push_back(obstacle.name);
+    std::vector<QuantityName> result;
+    for (const std::string &text : scene.goals.quantities)
+      result.push_back(read_quantity(text, "Accuracy/Quantity", names, dim));
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  Decisions<dim>::geometry_tolerance() const
+  {
+    double result = scene.contact.geometry_share;
+    for (const double target : scene.goals.targets)
+      result = std::min(result, 0.8 * target);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Decisions<dim>::check() const
+  {
+    for (const ContactPair<dim> &pair : pairs)
+      {
+        const Integration integration = integration_of(pair);
+        scene.contact.chosen().check(integration, degree_of(pair.slave));
+        if (integration.rule == Rule::segments && scene.contact.quadrature_points > 7)
+          throw SceneError(
+            "Contact method/Quadrature points = " + std::to_string(scene.contact.quadrature_points) +
+            ": on segments there are rules with up to 7");
+      }
+    if (finite_strain)
+      check_finite_strain();
+    if (!pairs_are_open)
+      quantities();
+  }
+
+
+
+  template <int dim>
+  void
+  Decisions<dim>::check_finite_strain() const
+  {
+    const auto refuse = [](const std::string &key, const std::string &why) {
+      throw SceneError(key + ": " + why + " with Deformation = finite");
+    };
+    if (scene.contact.geometry == ContactGeometry::reference)
+      refuse("Contact method/Contact geometry = reference", "surfaces are not where they were");
+    for (const Load<dim> &load : scene.loads)
+      if (model_of(scene.model) == Model::plane_stress && !load.pressure.is_zero())
+        refuse(
+          "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
+          "is not there for Model = plane stress, whose edges become thinner: take a Traction,");
+    for (const Body<dim> &body : scene.bodies)
+      if (body.expansion.given())
+        refuse("Bodies/" + body.name + "/Thermal expansion", "is not there");
+    if (!scene.goals.quantities.empty())
+      refuse("Accuracy/Quantity = " + scene.goals.quantities.front(), "errors are not estimated");
+    if (scene.output.linear_reference)
+      refuse("Output/Linear reference = yes", "nothing is linear");
+  }
+
+
+
+  template <int dim>
+  Scene<dim>
+  Decisions<dim>::explicit_scene() const
+  {
+    const Decisions<dim> before(scene);
+    Scene<dim>           result = scene;
+    result.contact.method       = scene.contact.chosen_name();
+    result.degree               = degree_of_all(scene);
+    for (unsigned int body = 0; body < result.bodies.size(); ++body)
+      if (before.degrees[body] != std::max(degree_of_all(scene), 1u))
+        result.bodies[body].degree = before.degrees[body];
+    return result;
+  }
+
+
+
+  template <int dim>
+  nlohmann::ordered_json
+  Decisions<dim>::save() const
+  {
+    return {{"degrees", degrees},
+            {"finite_strain", finite_strain},
+            {"penalty_factor", penalty_factor}};
+  }
+
+
+
+  template <int dim>
+  void
+  Decisions<dim>::load(const nlohmann::ordered_json &saved)
+  {
+    for (unsigned int body = 0; body < degrees.size(); ++body)
+      if (saved.at("degrees").at(body) > degrees[body])
+        raise_degree(body);
+    finite_strain  = saved.at("finite_strain");
+    penalty_factor = saved.at("penalty_factor");
+  }
+
+
+
+  template struct Decisions<2>;
+  template struct Decisions<3>;
+} // namespace Signorini
