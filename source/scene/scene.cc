@@ -219,8 +219,8 @@ namespace Signorini
 
 
 
-  // By the curves of doc/accuracy.md: with multipliers nothing is left to choose and nothing
-  // overlaps, at the price of the others.
+  // By the curves of doc/benchmarks/accuracy.md: with multipliers nothing is left to choose and
+  // nothing overlaps, at the price of the others.
   template <int dim>
   void
   Scene<dim>::choose(const bool has_degree)
