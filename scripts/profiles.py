@@ -11,7 +11,7 @@ def read_results(directory):
 
 
 def read_profiles(directory, step=None):
-    """Pair -> table with the columns that doc/results.md names, of a load step by its number or of the last one."""
+    """Pair -> table with the columns that doc/guide/results.md names, of a load step by its number or of the last one."""
     profiles = {}
     for file in sorted(directory.glob("profiles/*.csv" if step is None else f"profiles/step-{step:04d}/*.csv")):
         table = np.atleast_1d(np.genfromtxt(file, delimiter=",", names=True))

@@ -24,7 +24,7 @@ namespace
   signorini --print-template [2|3] [--set ...]         a complete commented scene
   signorini --print-template [2|3] WORDS...            its parts about a mesh, an obstacle's shape, a method,
                                                        a preconditioner, a section: ring plane penalty "Load steps"
-  signorini --print-reference                          all keys, as doc/reference.md
+  signorini --print-reference                          all keys, as doc/guide/reference.md
   signorini --help | --version
 
 In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal error or full disk,

@@ -74,7 +74,7 @@ namespace Signorini
 
 
 
-  // The method by the curves of doc/accuracy.md: with multipliers nothing is left to choose and
+  // The method by the curves of doc/benchmarks/accuracy.md: with multipliers nothing is left to choose and
   // nothing overlaps, at the price of the others.
   template <int dim>
   Decisions<dim>::Decisions(const Scene<dim> &scene)

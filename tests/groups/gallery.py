@@ -1,6 +1,6 @@
-"""The scenes of the gallery: read by --check, and solved: they know their answer too."""
+"""The scenes of the gallery and of the tutorials: read by --check, solved, and compared with their expected results."""
 
-from case import PRM, Case, scenes_in
+from case import PRM, ROOT, Case, scenes_in
 from scenes import solved
 
 
@@ -23,6 +23,6 @@ def solved_on_two(scene):
 
 
 def cases():
-    for scene in scenes_in(PRM):
+    for scene in [*scenes_in(PRM), *(ROOT / "doc" / "tutorials").glob("*.prm")]:
         yield Case("gallery/check", scene.stem, checked(scene))
         yield Case("gallery/solve", scene.stem, solved_on_two(scene), ranks=2, labels={"full"})

@@ -102,14 +102,14 @@ end
 )";
 } // namespace
 
-TEST_CASE("doc/reference.md is what the program says")
+TEST_CASE("doc/guide/reference.md is what the program says")
 {
   std::ostringstream now;
   print_reference(now);
-  std::ifstream      file(source_directory() + "/doc/reference.md");
+  std::ifstream      file(source_directory() + "/doc/guide/reference.md");
   std::ostringstream stored;
   stored << file.rdbuf();
-  INFO("keys have changed: signorini --print-reference > doc/reference.md");
+  INFO("keys have changed: signorini --print-reference > doc/guide/reference.md");
   CHECK((now.str() == stored.str()));
 }
 

@@ -1,5 +1,5 @@
-// What a run leaves behind against doc/results.md: nothing undocumented, nothing documented that is
-// not there; and the stress in all its forms against closed forms.
+// What a run leaves behind against doc/guide/results.md: nothing undocumented, nothing documented
+// that is not there; and the stress in all its forms against closed forms.
 #include <signorini/mesh/formats/vtu_data.h>
 #include <signorini/parameters/section.h>
 #include <signorini/simulation.h>
@@ -101,7 +101,7 @@ namespace
   std::set<std::string>
   documented(const std::string &heading)
   {
-    std::istringstream    page(text_of(source_directory() + "/doc/results.md"));
+    std::istringstream    page(text_of(source_directory() + "/doc/guide/results.md"));
     std::set<std::string> result;
     bool                  here = false;
     for (std::string line; std::getline(page, line);)
@@ -271,7 +271,7 @@ namespace
 
 
 
-TEST_CASE("doc/results.md describes what is written, and all of that is written")
+TEST_CASE("doc/guide/results.md describes what is written, and all of that is written")
 {
   const std::string warm = replaced(blocks,
                                     "end\nsubsection upper",
@@ -299,16 +299,16 @@ TEST_CASE("doc/results.md describes what is written, and all of that is written"
     collect_paths(run->results, "", paths);
   const std::set<std::string> page = documented("results.json");
   CHECK_MESSAGE(without(paths, page).empty(),
-                "doc/results.md lacks, under results.json: ",
+                "doc/guide/results.md lacks, under results.json: ",
                 listed(without(paths, page)));
   CHECK_MESSAGE(without(page, paths).empty(),
-                "doc/results.md has what results.json lacks: ",
+                "doc/guide/results.md has what results.json lacks: ",
                 listed(without(page, paths)));
 }
 
 
 
-TEST_CASE("doc/results.md describes the fields of VTU files and the columns of profiles")
+TEST_CASE("doc/guide/results.md describes the fields of VTU files and the columns of profiles")
 {
   const Solved   run(Two(), pressed_block<2>());
   const fs::path out = run.folder / "out";

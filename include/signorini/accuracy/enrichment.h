@@ -7,8 +7,9 @@ namespace Signorini
   /// The bodies for which quadratic elements are worth more than smaller ones.
   ///
   /// On meshes for a quantity its error falls as N^(-2/dim) with degree 1, and as N^(-4/dim) with
-  /// degree 2 (doc/accuracy.md). To divide it by `excess`, degree 1 takes N excess^(dim/2) degrees
-  /// of freedom; degree 2 has 2^dim N of them on the same cells, each about twice as expensive.
+  /// degree 2 (doc/benchmarks/accuracy.md). To divide it by `excess`, degree 1 takes N
+  /// excess^(dim/2) degrees of freedom; degree 2 has 2^dim N of them on the same cells, each about
+  /// twice as expensive.
   ///
   /// @param indicators of the cells, in units of what their sum may be
   /// @param is_open bodies whose degree is 1 and may be raised

@@ -31,7 +31,7 @@ namespace Signorini
 
   /// What a run leaves behind: results.json, which grows from step to step and says `unfinished`
   /// until the end, so that a run that is killed leaves what it had; the files of Writer; and
-  /// scene.prm. doc/results.md describes all of it. Keeps references to its arguments.
+  /// scene.prm. doc/guide/results.md describes all of it. Keeps references to its arguments.
   template <int dim>
   class Recorder
   {

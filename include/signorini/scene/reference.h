@@ -4,7 +4,7 @@
 
 namespace Signorini
 {
-  /// All sections and keys of both dimensions, as the page doc/reference.md.
+  /// All sections and keys of both dimensions, as the page doc/guide/reference.md.
   void
   print_reference(std::ostream &out);
 } // namespace Signorini

@@ -16,8 +16,8 @@ namespace Signorini
     /// master follows only what its own faces are fine enough for. What it does not follow, some
     /// h_M^2 of its curved displacement p h_M/E_M over h_M^2, the slave alone makes up for, by a
     /// pressure of E_S/h_S times that: relative to p it is E_S/E_M (h_M/h_S), and what is left of
-    /// the smooth part goes with (h_M/h_S)^2 more. Measured (doc/measurements.md): some percents of
-    /// waves of the pressure from 4 on, as much as the pressure from some hundreds on.
+    /// the smooth part goes with (h_M/h_S)^2 more. Measured (doc/benchmarks/measurements.md): some
+    /// percents of waves of the pressure from 4 on, as much as the pressure from some hundreds on.
     double
     risk() const;
 
