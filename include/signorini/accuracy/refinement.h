@@ -1,31 +1,12 @@
 #pragma once
 
+#include <signorini/accuracy/refinement_settings.h>
 #include <signorini/elasticity/elasticity.h>
 
 #include <vector>
 
 namespace Signorini
 {
-  struct RefinementSettings
-  {
-    /// Which cells are refined.
-    enum class Strategy
-    {
-      estimator, ///< where the error estimate is largest
-      global     ///< all
-    };
-
-    unsigned int cycles           = 0;
-    Strategy     strategy         = Strategy::estimator;
-    double       refine_fraction  = 0.15;
-    double       coarsen_fraction = 0.03;
-    unsigned int maximum_cells    = 10000000;
-    double       tolerance        = 1e-4; ///< of Newton's method on all meshes but the last
-
-    void
-    declare(Section &section);
-  };
-
   /// Mark the shares of the cells with the largest and least errors, or all. Collective.
   /// @param errors of each active cell, of this rank's own
   template <int dim>

@@ -1,27 +1,15 @@
 #pragma once
 
 #include <signorini/elasticity/cell_tangents.h>
+#include <signorini/elasticity/stiffness_form.h>
 #include <signorini/linear_algebra/level_matrix.h>
 #include <signorini/linear_algebra/products.h>
-#include <signorini/parameters/choices.h>
 
 #include <memory>
 #include <vector>
 
 namespace Signorini
 {
-  /// How products with K are made.
-  enum class StiffnessForm
-  {
-    assembled,  ///< from a matrix
-    matrix_free ///< from the cells, each time
-  };
-
-  // As the scene file calls them.
-
-  const Choices<StiffnessForm> &
-  stiffness_forms();
-
   /// What the smoother of a level of multigrid asks of a stiffness K. Vectors are arrays of the
   /// degrees of freedom of this rank; those of levels are in single precision, which is good enough
   /// for a preconditioner.

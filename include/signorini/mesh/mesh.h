@@ -2,6 +2,7 @@
 
 #include <signorini/mesh/body_mesh.h>
 #include <signorini/mesh/coarse_field.h>
+#include <signorini/mesh/mesh_settings.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/distributed/tria_base.h>
@@ -13,47 +14,6 @@
 
 namespace Signorini
 {
-  /// A part of space in which cells are refined before the first solution.
-  template <int dim>
-  struct RefinementZone
-  {
-    std::string     name;
-    Expression<dim> where{"1"}; ///< refined where positive (at a vertex or the center of the cell)
-    std::vector<std::string> bodies; ///< empty: all
-    std::string              place;  ///< of the bodies in the scene file
-    unsigned int             times = 1;
-
-    void
-    declare(Section &section);
-  };
-
-  /// Who distributes the cells.
-  enum class Distribution
-  {
-    p4est,
-    METIS ///< once: the mesh stays as it is
-  };
-
-  template <int dim>
-  struct MeshSettings
-  {
-    std::optional<Distribution>      distribution; ///< none: chosen
-    unsigned int                     refinements         = 0;
-    unsigned int                     contact_refinements = 0;
-    unsigned int                     geometry_degree     = 0; ///< 0: chosen
-    double                           slave_face_weight   = 2;
-    std::vector<RefinementZone<dim>> zones;
-
-    void
-    declare(Section &section);
-
-    /// By p4est, which puts coarse cells into an order in seconds that grow with the square of
-    /// their number (300,000 cells: 70 s); or else by METIS, for which each rank has all cells in
-    /// the beginning.
-    bool
-    by_p4est(std::size_t n_coarse_cells) const;
-  };
-
   /// Boundary ids: those of the faces that have a name.
   using BoundaryIds = std::set<dealii::types::boundary_id>;
 

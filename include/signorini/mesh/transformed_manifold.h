@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/mesh/generator.h>
+#include <signorini/mesh/coarse_mesh.h>
 #include <signorini/mesh/invertible_map.h>
 
 namespace Signorini

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <signorini/accuracy/quantity.h>
 #include <signorini/scene/scene.h>
 
 #include <nlohmann/json.hpp>

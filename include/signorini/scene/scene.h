@@ -2,14 +2,14 @@
 
 #include <signorini/accuracy/goals.h>
 #include <signorini/accuracy/known_solution.h>
-#include <signorini/accuracy/quantity.h>
-#include <signorini/accuracy/refinement.h>
+#include <signorini/accuracy/refinement_settings.h>
 #include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/pair.h>
 #include <signorini/elasticity/boundary_conditions.h>
 #include <signorini/elasticity/model.h>
 #include <signorini/elasticity/thermal_expansion.h>
-#include <signorini/mesh/mesh.h>
+#include <signorini/mesh/body_mesh.h>
+#include <signorini/mesh/mesh_settings.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/scene/contact_settings.h>
 #include <signorini/scene/expected_result.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/elasticity/stiffness.h>
+#include <signorini/elasticity/stiffness_form.h>
 #include <signorini/linear_algebra/direct_library.h>
 #include <signorini/parameters/choices.h>
 

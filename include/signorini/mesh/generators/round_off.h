@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/mesh/generator.h>
+#include <signorini/mesh/coarse_mesh.h>
 #include <signorini/mesh/generators/file_part.h>
 
 #include <deal.II/grid/tria.h>

@@ -1,0 +1,181 @@
+#include <signorini/accuracy/solution_errors.h>
+#include <signorini/elasticity/model.h>
+#include <signorini/elasticity/stress.h>
+#include <signorini/fields/nodal_fields.h>
+#include <signorini/fields/point_values.h>
+#include <signorini/fields/recovered_pressure.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The integral of the square of a deviation, and of what it deviates from.
+    struct Squares
+    {
+      double error = 0, exact = 0;
+
+      void
+      add(const double weight, const double error2, const double exact2)
+      {
+        error += weight * error2;
+        exact += weight * exact2;
+      }
+
+      /// Collective.
+      double
+      relative(const MPI_Comm comm) const
+      {
+        const double e = Utilities::MPI::sum(error, comm), u = Utilities::MPI::sum(exact, comm);
+        return u > 0 ? std::sqrt(e / u) : std::sqrt(e);
+      }
+    };
+
+    /// By central differences of fourth order, whose rounding and truncation are both far below
+    /// what a mesh resolves.
+    template <int dim>
+    Tensor<2, dim>
+    gradient(const VectorExpression<dim> &u, const Point<dim> &x, const double t, const double size)
+    {
+      const double   step = 1e-4 * size;
+      Tensor<2, dim> result; // [component][direction]
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const Tensor<1, dim> e          = step * Point<dim>::unit_vector(d);
+          const Tensor<1, dim> derivative = (8. * (u.value(x + e, t) - u.value(x - e, t)) -
+                                             (u.value(x + 2. * e, t) - u.value(x - 2. * e, t))) /
+                                            (12 * step);
+          for (unsigned int c = 0; c < dim; ++c)
+            result[c][d] = derivative[c];
+        }
+      return result;
+    }
+
+    template <int dim>
+    void
+    add_displacement_errors(const Snapshot<dim>         &s,
+                            const VectorExpression<dim> &exact,
+                            SolutionErrors              &errors)
+    {
+      const Elasticity<dim>           &elasticity = s.elasticity;
+      const LA::Vector                 ghosted    = elasticity.with_ghosts(s.displacement);
+      hp::FEValues<dim>                all_values(elasticity.mesh().mappings(),
+                                   elasticity.finite_elements(),
+                                   hp::QCollection<dim>(QGauss<dim>(elasticity.degree() + 3)),
+                                   update_values | update_gradients | update_quadrature_points |
+                                     update_JxW_values);
+      const FEValuesExtractors::Vector displacement(0);
+      std::vector<Tensor<1, dim>>      u;
+      std::vector<Tensor<2, dim>>      grad_u;
+      Squares                          l2, energy;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const Material &material = elasticity.material(cell->material_id());
+            all_values.reinit(cell);
+            const FEValues<dim> &values = all_values.get_present_fe_values();
+            u.resize(values.n_quadrature_points);
+            grad_u.resize(u.size());
+            values[displacement].get_function_values(ghosted, u);
+            values[displacement].get_function_gradients(ghosted, grad_u);
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                const Point<dim>    &x      = values.quadrature_point(q);
+                const Tensor<1, dim> wanted = exact.value(x, s.time);
+                const Tensor<2, dim> grad   = gradient(exact, x, s.time, cell->diameter());
+                const double         weight = values.JxW(q) * measure(elasticity.model(), x);
+                const auto density = [&](const Tensor<2, dim> &gradient, const Tensor<1, dim> &v) {
+                  const auto eps = strain(elasticity.model(), material, gradient, v, x);
+                  return stress(material, eps) * eps;
+                };
+                l2.add(weight, (u[q] - wanted).norm_square(), wanted.norm_square());
+                energy.add(weight, density(grad_u[q] - grad, u[q] - wanted), density(grad, wanted));
+              }
+          }
+      errors.displacement = l2.relative(elasticity.mesh().communicator());
+      errors.energy       = energy.relative(elasticity.mesh().communicator());
+    }
+
+    template <int dim>
+    void
+    add_bulk_errors(const Snapshot<dim> &s, const Expression<dim> &exact, SolutionErrors &errors)
+    {
+      const Mesh<dim> &mesh = s.elasticity.mesh();
+      FEValues<dim>    values(mesh.mapping(),
+                           s.elasticity.finite_elements()[0],
+                           QGauss<dim>(s.elasticity.degree() + 3),
+                           update_quadrature_points | update_JxW_values);
+      Squares          l2;
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned() && s.elasticity.bulk_stress().is_on(*cell))
+          {
+            values.reinit(cell);
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                const Point<dim> &x      = values.quadrature_point(q);
+                const double      wanted = exact.value(x, s.time),
+                             error       = s.elasticity.bulk_stress().value(*cell, x) - wanted;
+                l2.add(values.JxW(q) * measure(s.elasticity.model(), x),
+                       error * error,
+                       wanted * wanted);
+              }
+          }
+      errors.bulk_stress = l2.relative(mesh.communicator());
+    }
+
+    template <int dim>
+    void
+    add_pressure_errors(const Snapshot<dim>   &s,
+                        const Expression<dim> &exact,
+                        SolutionErrors        &errors)
+    {
+      Squares at_points, recovered;
+      for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
+        {
+          const std::vector<double>  pressure = point_values(s, pair).pressure;
+          const LA::Vector           nodal = s.elasticity.with_ghosts(recovered_pressure(s, pair));
+          const ContactSurface<dim> &surface = s.surfaces[pair];
+          auto                       own     = pressure.begin();
+          for (const ContactPoint<dim> &point : surface.points)
+            {
+              const double wanted = exact.value(point.position, s.time);
+              at_points.add(point.weight, std::pow(*own++ - wanted, 2), wanted * wanted);
+              recovered.add(point.weight,
+                            std::pow(value_at(surface, point, nodal) - wanted, 2),
+                            wanted * wanted);
+            }
+        }
+      errors.pressure           = at_points.relative(s.elasticity.mesh().communicator());
+      errors.recovered_pressure = recovered.relative(s.elasticity.mesh().communicator());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SolutionErrors
+  errors(const Snapshot<dim> &snapshot, const KnownSolution<dim> &exact)
+  {
+    SolutionErrors result;
+    if (!exact.displacement.empty())
+      add_displacement_errors(snapshot, exact.displacement, result);
+    if (!exact.bulk_stress.empty())
+      add_bulk_errors(snapshot, Expression<dim>(exact.bulk_stress), result);
+    if (!exact.pressure.empty())
+      add_pressure_errors(snapshot, Expression<dim>(exact.pressure), result);
+    return result;
+  }
+
+
+
+  template SolutionErrors
+  errors(const Snapshot<2> &, const KnownSolution<2> &);
+  template SolutionErrors
+  errors(const Snapshot<3> &, const KnownSolution<3> &);
+} // namespace Signorini
