@@ -4,7 +4,7 @@
 // and answers each by a line on standard output, after ANSWER,
 //   {"code": exit code, "out": TEXT, "err": TEXT}
 
-#include <signorini/run_scene.h>
+#include <signorini/driver/run_scene.h>
 
 #include <deal.II/base/mpi.h>
 

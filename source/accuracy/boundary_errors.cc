@@ -1,6 +1,6 @@
-#include <signorini/accuracy/boundary_errors.h>
-#include <signorini/elasticity/model.h>
-#include <signorini/elasticity/stress.h>
+#include "accuracy/boundary_errors.h"
+#include <signorini/solid/model.h>
+#include "solid/stress.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

@@ -1,6 +1,6 @@
-#include <signorini/accuracy/cell_errors.h>
-#include <signorini/accuracy/recovered_stress.h>
-#include <signorini/elasticity/stress.h>
+#include "accuracy/cell_errors.h"
+#include "accuracy/recovered_stress.h"
+#include "solid/stress.h"
 
 namespace Signorini
 {

@@ -1,9 +1,9 @@
-#include <signorini/accuracy/contact_errors.h>
-#include <signorini/contact/discretisation/openings.h>
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/point_values.h>
-#include <signorini/fields/recovered_pressure.h>
-#include <signorini/linear_algebra/row_view.h>
+#include "accuracy/contact_errors.h"
+#include "contact/constraints/openings.h"
+#include "fields/nodal_fields.h"
+#include "fields/point_values.h"
+#include "fields/recovered_pressure.h"
+#include "linear_algebra/row_view.h"
 
 #include <algorithm>
 #include <cmath>

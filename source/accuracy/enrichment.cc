@@ -1,4 +1,4 @@
-#include <signorini/accuracy/enrichment.h>
+#include "accuracy/enrichment.h"
 
 #include <deal.II/fe/fe_tools.h>
 

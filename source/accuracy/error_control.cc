@@ -1,5 +1,5 @@
-#include <signorini/accuracy/error_control.h>
-#include <signorini/parameters/text.h>
+#include "accuracy/error_control.h"
+#include "parameters/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include <signorini/accuracy/boundary_errors.h>
-#include <signorini/accuracy/contact_errors.h>
-#include <signorini/accuracy/error_estimate.h>
+#include "accuracy/boundary_errors.h"
+#include "accuracy/contact_errors.h"
+#include "accuracy/error_estimate.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include <signorini/accuracy/error_history.h>
+#include "accuracy/error_history.h"
 
 #include <algorithm>
 #include <cmath>

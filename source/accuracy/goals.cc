@@ -1,6 +1,6 @@
 #include <signorini/accuracy/goals.h>
 #include <signorini/parameters/section.h>
-#include <signorini/parameters/text.h>
+#include "parameters/text.h"
 
 namespace Signorini
 {

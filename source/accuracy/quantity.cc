@@ -1,5 +1,5 @@
-#include <signorini/accuracy/quantities/kinds.h>
-#include <signorini/parameters/text.h>
+#include "accuracy/quantities/kinds.h"
+#include "parameters/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include <signorini/accuracy/recovered_stress.h>
-#include <signorini/elasticity/model.h>
-#include <signorini/elasticity/stress.h>
-#include <signorini/linear_algebra/dense.h>
+#include "accuracy/recovered_stress.h"
+#include <signorini/solid/model.h>
+#include "solid/stress.h"
+#include "linear_algebra/dense.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

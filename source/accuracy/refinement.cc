@@ -1,4 +1,4 @@
-#include <signorini/accuracy/refinement.h>
+#include "accuracy/refinement.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/distributed/grid_refinement.h>

@@ -1,9 +1,9 @@
-#include <signorini/accuracy/solution_errors.h>
-#include <signorini/elasticity/model.h>
-#include <signorini/elasticity/stress.h>
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/point_values.h>
-#include <signorini/fields/recovered_pressure.h>
+#include "accuracy/solution_errors.h"
+#include <signorini/solid/model.h>
+#include "solid/stress.h"
+#include "fields/nodal_fields.h"
+#include "fields/point_values.h"
+#include "fields/recovered_pressure.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

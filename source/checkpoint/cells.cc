@@ -1,5 +1,5 @@
-#include <signorini/checkpoint/cells.h>
-#include <signorini/mesh/cells_by_name.h>
+#include "checkpoint/cells.h"
+#include "mesh/cells_by_name.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/distributed/tria.h>

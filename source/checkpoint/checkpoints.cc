@@ -1,6 +1,6 @@
-#include <signorini/checkpoint/checkpoints.h>
-#include <signorini/checkpoint/sealed_file.h>
-#include <signorini/output/directory.h>
+#include "checkpoint/checkpoints.h"
+#include "checkpoint/sealed_file.h"
+#include "output/directory.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/timer.h>

@@ -1,8 +1,8 @@
-#include <signorini/checkpoint/origin.h>
-#include <signorini/checkpoint/sealed_file.h>
-#include <signorini/mesh/generators/file.h>
+#include "checkpoint/origin.h"
+#include "checkpoint/sealed_file.h"
+#include "mesh/generators/file.h"
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/text.h>
+#include "parameters/text.h"
 
 #include <nlohmann/json.hpp>
 

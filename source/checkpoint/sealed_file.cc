@@ -1,5 +1,5 @@
-#include <signorini/checkpoint/sealed_file.h>
-#include <signorini/output/directory.h>
+#include "checkpoint/sealed_file.h"
+#include "output/directory.h"
 
 #include <fcntl.h>
 #include <unistd.h>

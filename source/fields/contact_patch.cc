@@ -1,8 +1,8 @@
-#include <signorini/elasticity/model.h>
-#include <signorini/fields/contact_patch.h>
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/surface_parts.h>
-#include <signorini/linear_algebra/dense.h>
+#include <signorini/solid/model.h>
+#include "fields/contact_patch.h"
+#include "fields/nodal_fields.h"
+#include "fields/surface_parts.h"
+#include "linear_algebra/dense.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-#include <signorini/fields/face_vertices.h>
-#include <signorini/mesh/lagrange.h>
+#include "fields/face_vertices.h"
+#include "geometry/lagrange.h"
 
 #include <cmath>
 

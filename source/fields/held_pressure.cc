@@ -1,6 +1,6 @@
-#include <signorini/fields/held_pressure.h>
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/surface_parts.h>
+#include "fields/held_pressure.h"
+#include "fields/nodal_fields.h"
+#include "fields/surface_parts.h"
 
 #include <algorithm>
 

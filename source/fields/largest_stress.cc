@@ -1,5 +1,5 @@
-#include <signorini/elasticity/stress.h>
-#include <signorini/fields/largest_stress.h>
+#include "solid/stress.h"
+#include "fields/largest_stress.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

@@ -1,5 +1,5 @@
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/mesh/lagrange.h>
+#include "fields/nodal_fields.h"
+#include "geometry/lagrange.h"
 
 #include <deal.II/base/mpi.h>
 

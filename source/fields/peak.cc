@@ -1,5 +1,5 @@
-#include <signorini/fields/peak.h>
-#include <signorini/linear_algebra/dense.h>
+#include "fields/peak.h"
+#include "linear_algebra/dense.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
-#include <signorini/contact/discretisation/openings.h>
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/point_values.h>
+#include "contact/constraints/openings.h"
+#include "fields/nodal_fields.h"
+#include "fields/point_values.h"
 
 namespace Signorini
 {

@@ -1,8 +1,8 @@
-#include <signorini/elasticity/cell_nodes.h>
-#include <signorini/elasticity/model.h>
-#include <signorini/elasticity/stress.h>
-#include <signorini/fields/probes.h>
-#include <signorini/fields/surface_probes.h>
+#include "solid/cell_nodes.h"
+#include <signorini/solid/model.h>
+#include "solid/stress.h"
+#include "fields/probes.h"
+#include "fields/surface_probes.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/bounding_box.h>

@@ -1,10 +1,10 @@
-#include <signorini/fields/face_vertices.h>
-#include <signorini/fields/held_pressure.h>
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/recovered_pressure.h>
-#include <signorini/fields/surface_gradient.h>
-#include <signorini/fields/surface_stretch.h>
-#include <signorini/mesh/lagrange.h>
+#include "fields/face_vertices.h"
+#include "fields/held_pressure.h"
+#include "fields/nodal_fields.h"
+#include "fields/recovered_pressure.h"
+#include "fields/surface_gradient.h"
+#include "fields/surface_stretch.h"
+#include "geometry/lagrange.h"
 
 #include <array>
 #include <cmath>

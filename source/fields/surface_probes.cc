@@ -1,10 +1,10 @@
-#include <signorini/contact/geometry/boundary_faces.h>
-#include <signorini/contact/geometry/projection.h>
-#include <signorini/fields/nodal_fields.h>
+#include "contact/search/boundary_faces.h"
+#include "contact/search/projection.h"
+#include "fields/nodal_fields.h"
 #include <signorini/fields/probe.h>
-#include <signorini/fields/recovered_pressure.h>
-#include <signorini/fields/surface_probes.h>
-#include <signorini/mesh/extent.h>
+#include "fields/recovered_pressure.h"
+#include "fields/surface_probes.h"
+#include "geometry/extent.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>

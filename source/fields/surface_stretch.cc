@@ -1,5 +1,5 @@
-#include <signorini/fields/surface_stretch.h>
-#include <signorini/mesh/lagrange.h>
+#include "fields/surface_stretch.h"
+#include "geometry/lagrange.h"
 
 namespace Signorini
 {

@@ -1,4 +1,4 @@
-#include <signorini/linear_algebra/columns.h>
+#include "linear_algebra/columns.h"
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>

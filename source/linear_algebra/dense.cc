@@ -1,4 +1,4 @@
-#include <signorini/linear_algebra/dense.h>
+#include "linear_algebra/dense.h"
 
 #include <Eigen/Dense>
 

@@ -1,5 +1,5 @@
-#include <signorini/linear_algebra/diagonal.h>
-#include <signorini/linear_algebra/values.h>
+#include "linear_algebra/diagonal.h"
+#include "linear_algebra/values.h"
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Vector.h>

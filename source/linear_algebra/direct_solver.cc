@@ -1,4 +1,4 @@
-#include <signorini/linear_algebra/direct_solver.h>
+#include "linear_algebra/direct_solver.h"
 
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>

@@ -1,5 +1,5 @@
-#include <signorini/linear_algebra/entries.h>
-#include <signorini/linear_algebra/row_view.h>
+#include "linear_algebra/entries.h"
+#include "linear_algebra/row_view.h"
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_FECrsMatrix.h>

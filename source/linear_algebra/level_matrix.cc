@@ -1,6 +1,6 @@
-#include <signorini/linear_algebra/columns.h>
-#include <signorini/linear_algebra/level_matrix.h>
-#include <signorini/linear_algebra/row_view.h>
+#include "linear_algebra/columns.h"
+#include "linear_algebra/level_matrix.h"
+#include "linear_algebra/row_view.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <signorini/linear_algebra/products.h>
+#include "linear_algebra/products.h"
 
 #include <EpetraExt_MatrixMatrix.h>
 #include <Epetra_CrsMatrix.h>

@@ -1,4 +1,4 @@
-#include <signorini/linear_algebra/smoothed_aggregation.h>
+#include "linear_algebra/smoothed_aggregation.h"
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_MultiVector.h>

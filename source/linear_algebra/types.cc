@@ -1,4 +1,4 @@
-#include <signorini/linear_algebra/types.h>
+#include "linear_algebra/types.h"
 
 namespace Signorini
 {

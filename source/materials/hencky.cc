@@ -1,4 +1,4 @@
-#include <signorini/materials/hencky.h>
+#include "materials/hencky.h"
 
 namespace Signorini
 {

@@ -1,5 +1,5 @@
-#include <signorini/materials/invariant_energy.h>
-#include <signorini/materials/symmetric_pairs.h>
+#include "materials/invariant_energy.h"
+#include "materials/symmetric_pairs.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include <signorini/materials/mooney_rivlin.h>
+#include "materials/mooney_rivlin.h"
 
 #include <cmath>
 

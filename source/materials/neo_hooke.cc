@@ -1,4 +1,4 @@
-#include <signorini/materials/neo_hooke.h>
+#include "materials/neo_hooke.h"
 
 #include <cmath>
 

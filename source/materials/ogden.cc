@@ -1,4 +1,4 @@
-#include <signorini/materials/ogden.h>
+#include "materials/ogden.h"
 
 #include <cmath>
 

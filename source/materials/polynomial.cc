@@ -1,4 +1,4 @@
-#include <signorini/materials/polynomial.h>
+#include "materials/polynomial.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include <signorini/materials/saint_venant_kirchhoff.h>
+#include "materials/saint_venant_kirchhoff.h"
 
 namespace Signorini
 {

@@ -1,5 +1,5 @@
-#include <signorini/materials/stretch_energy.h>
-#include <signorini/materials/symmetric_pairs.h>
+#include "materials/stretch_energy.h"
+#include "materials/symmetric_pairs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <signorini/materials/yeoh.h>
+#include "materials/yeoh.h"
 
 #include <cmath>
 

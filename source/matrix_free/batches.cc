@@ -1,4 +1,4 @@
-#include <signorini/matrix_free/batches.h>
+#include "matrix_free/batches.h"
 
 #include <algorithm>
 #include <cmath>

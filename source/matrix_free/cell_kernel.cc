@@ -3,17 +3,17 @@
 // (GCC's vector types and std::experimental::simd have the width of the compiler's flags: they
 // would ask for a file per set, whose inline functions the linker then mixes.)
 
-#include <signorini/matrix_free/batches.h>
-#include <signorini/matrix_free/instruction_sets.h>
-#include <signorini/matrix_free/tangent_kernel.h>
-#include <signorini/matrix_free/targets.h>
+#include "matrix_free/batches.h"
+#include "matrix_free/instruction_sets.h"
+#include "matrix_free/tangent_kernel.h"
+#include "matrix_free/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "matrix_free/cell_kernel.cc"
 // clang-format off
 #include <hwy/foreach_target.h> // first
 #include <hwy/highway.h>
-#include <signorini/matrix_free/cell_lattice.h>
+#include "matrix_free/cell_lattice.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();

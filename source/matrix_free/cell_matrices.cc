@@ -1,4 +1,4 @@
-#include <signorini/matrix_free/cell_matrices.h>
+#include "matrix_free/cell_matrices.h"
 
 namespace Signorini
 {

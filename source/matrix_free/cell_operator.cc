@@ -1,5 +1,5 @@
-#include <signorini/linear_algebra/values.h>
-#include <signorini/matrix_free/cell_operator.h>
+#include "linear_algebra/values.h"
+#include "matrix_free/cell_operator.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include <signorini/elasticity/cell_nodes.h>
-#include <signorini/linear_algebra/diagonal.h>
-#include <signorini/linear_algebra/values.h>
-#include <signorini/matrix_free/cell_stiffness.h>
+#include "solid/cell_nodes.h"
+#include "linear_algebra/diagonal.h"
+#include "linear_algebra/values.h"
+#include "matrix_free/cell_stiffness.h"
 
 #include <algorithm>
 

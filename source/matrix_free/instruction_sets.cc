@@ -1,5 +1,5 @@
-#include <signorini/matrix_free/instruction_sets.h>
-#include <signorini/matrix_free/targets.h>
+#include "matrix_free/instruction_sets.h"
+#include "matrix_free/targets.h"
 #include <signorini/parameters/raw.h>
 
 #include <hwy/highway.h>

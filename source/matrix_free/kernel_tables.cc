@@ -1,4 +1,4 @@
-#include <signorini/matrix_free/kernel_tables.h>
+#include "matrix_free/kernel_tables.h"
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>

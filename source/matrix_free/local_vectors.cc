@@ -1,5 +1,5 @@
-#include <signorini/linear_algebra/own_range.h>
-#include <signorini/matrix_free/local_vectors.h>
+#include "linear_algebra/own_range.h"
+#include "matrix_free/local_vectors.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include <signorini/elasticity/pressure_kernel.h>
-#include <signorini/matrix_free/cell_stiffness.h>
-#include <signorini/matrix_free/make_stiffness.h>
+#include "solid/pressure_kernel.h"
+#include "matrix_free/cell_stiffness.h"
+#include "matrix_free/make_stiffness.h"
 #include <signorini/parameters/raw.h>
 
 namespace Signorini

@@ -1,4 +1,4 @@
-#include <signorini/matrix_free/tangent_batches.h>
+#include "matrix_free/tangent_batches.h"
 
 #include <algorithm>
 

@@ -1,16 +1,16 @@
 // Compiled once for each instruction set, as cell_kernel.cc is.
 
-#include <signorini/matrix_free/instruction_sets.h>
-#include <signorini/matrix_free/tangent_batches.h>
-#include <signorini/matrix_free/tangent_kernel.h>
-#include <signorini/matrix_free/targets.h>
+#include "matrix_free/instruction_sets.h"
+#include "matrix_free/tangent_batches.h"
+#include "matrix_free/tangent_kernel.h"
+#include "matrix_free/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "matrix_free/tangent_kernel.cc"
 // clang-format off
 #include <hwy/foreach_target.h> // first
 #include <hwy/highway.h>
-#include <signorini/matrix_free/cell_lattice.h>
+#include "matrix_free/cell_lattice.h"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();

@@ -1,4 +1,4 @@
-#include <signorini/matrix_free/tangent_stiffness.h>
+#include "matrix_free/tangent_stiffness.h"
 
 namespace Signorini
 {

@@ -1,4 +1,4 @@
-#include <signorini/mesh/cell_mapping.h>
+#include "mesh/cell_mapping.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,4 +1,4 @@
-#include <signorini/mesh/coarse_field.h>
+#include "mesh/coarse_field.h"
 
 #include <deal.II/base/geometry_info.h>
 

@@ -1,5 +1,5 @@
-#include <signorini/mesh/memory.h>
-#include <signorini/mesh/mesh.h>
+#include "geometry/memory.h"
+#include "mesh/mesh.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/distributed/tria.h>

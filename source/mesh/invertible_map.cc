@@ -1,4 +1,4 @@
-#include <signorini/mesh/invertible_map.h>
+#include "mesh/invertible_map.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

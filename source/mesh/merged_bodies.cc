@@ -1,6 +1,6 @@
-#include <signorini/mesh/mesh.h>
-#include <signorini/mesh/pieces.h>
-#include <signorini/mesh/transformed_manifold.h>
+#include "mesh/mesh.h"
+#include "mesh_import/pieces.h"
+#include "mesh/transformed_manifold.h"
 
 #include <algorithm>
 #include <sstream>

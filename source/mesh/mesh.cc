@@ -1,7 +1,7 @@
-#include <signorini/compatibility.h>
-#include <signorini/mesh/cell_mapping.h>
-#include <signorini/mesh/extent.h>
-#include <signorini/mesh/mesh.h>
+#include "base/compatibility.h"
+#include "mesh/cell_mapping.h"
+#include "geometry/extent.h"
+#include "mesh/mesh.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/distributed/fully_distributed_tria.h>

@@ -1,4 +1,4 @@
-#include <signorini/mesh/mesh.h>
+#include "mesh/mesh.h"
 
 #include <deal.II/boost_adaptors/point.h>
 #include <deal.II/grid/grid_tools.h>

@@ -1,4 +1,4 @@
-#include <signorini/mesh/transformed_manifold.h>
+#include "mesh/transformed_manifold.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/geometry_info.h>

@@ -1,4 +1,4 @@
-#include <signorini/output/accuracy_results.h>
+#include "output/accuracy_results.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/recovered_pressure.h>
-#include <signorini/output/contact_vtu.h>
-#include <signorini/output/pieces.h>
+#include "fields/nodal_fields.h"
+#include "fields/recovered_pressure.h"
+#include "output/contact_vtu.h"
+#include "output/pieces.h"
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/hp/fe_values.h>

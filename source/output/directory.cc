@@ -1,4 +1,4 @@
-#include <signorini/output/directory.h>
+#include "output/directory.h"
 #include <signorini/parameters/raw.h>
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-#include <signorini/output/memory.h>
+#include "output/memory.h"
 
 #include <fstream>
 #include <limits>

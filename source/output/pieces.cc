@@ -1,6 +1,6 @@
-#include <signorini/output/directory.h>
-#include <signorini/output/pieces.h>
-#include <signorini/output/pvd.h>
+#include "output/directory.h"
+#include "output/pieces.h"
+#include "output/pvd.h"
 
 #include <deal.II/base/mpi.h>
 

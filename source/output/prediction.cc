@@ -1,6 +1,6 @@
-#include <signorini/elasticity/kernel.h>
-#include <signorini/matrix_free/make_stiffness.h>
-#include <signorini/output/prediction.h>
+#include "solid/kernel.h"
+#include "matrix_free/make_stiffness.h"
+#include "output/prediction.h"
 
 #include <deal.II/base/utilities.h>
 

@@ -1,7 +1,7 @@
-#include <signorini/contact/geometry/boundary_faces.h>
-#include <signorini/contact/geometry/face_patches.h>
-#include <signorini/matrix_free/make_stiffness.h>
-#include <signorini/output/preflight.h>
+#include "contact/search/boundary_faces.h"
+#include "contact/search/face_patches.h"
+#include "matrix_free/make_stiffness.h"
+#include "output/preflight.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,4 +1,4 @@
-#include <signorini/output/preflight.h>
+#include "output/preflight.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <signorini/fields/surface_probes.h>
-#include <signorini/output/probe_results.h>
+#include "fields/surface_probes.h"
+#include "output/probe_results.h"
 
 #include <array>
 #include <cmath>

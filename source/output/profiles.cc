@@ -1,6 +1,6 @@
-#include <signorini/fields/recovered_pressure.h>
-#include <signorini/output/directory.h>
-#include <signorini/output/profiles.h>
+#include "fields/recovered_pressure.h"
+#include "output/directory.h"
+#include "output/profiles.h"
 
 #include <deal.II/base/mpi.h>
 

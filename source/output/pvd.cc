@@ -1,6 +1,6 @@
-#include <signorini/compatibility.h>
-#include <signorini/output/directory.h>
-#include <signorini/output/pvd.h>
+#include "base/compatibility.h"
+#include "output/directory.h"
+#include "output/pvd.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
-#include <signorini/output/recorder.h>
-#include <signorini/output/summary.h>
+#include "output/recorder.h"
+#include "output/summary.h"
 #include <signorini/parameters/section.h>
-#include <signorini/verdict/checks.h>
+#include "verdict/checks.h"
 
 #include <algorithm>
 #include <sstream>

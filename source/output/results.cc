@@ -1,13 +1,13 @@
-#include <signorini/elasticity/reactions.h>
-#include <signorini/elasticity/rigid_pose.h>
-#include <signorini/fields/contact_force.h>
-#include <signorini/fields/contact_patch.h>
-#include <signorini/fields/largest_stress.h>
-#include <signorini/fields/peak.h>
-#include <signorini/fields/point_values.h>
-#include <signorini/fields/recovered_pressure.h>
-#include <signorini/output/json.h>
-#include <signorini/output/results.h>
+#include "solid/reactions.h"
+#include <signorini/solid/rigid_pose.h>
+#include "fields/contact_force.h"
+#include "fields/contact_patch.h"
+#include "fields/largest_stress.h"
+#include "fields/peak.h"
+#include "fields/point_values.h"
+#include "fields/recovered_pressure.h"
+#include "output/json.h"
+#include "output/results.h"
 
 #include <deal.II/base/utilities.h>
 

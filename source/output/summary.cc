@@ -1,4 +1,4 @@
-#include <signorini/output/summary.h>
+#include "output/summary.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
-#include <signorini/elasticity/model.h>
-#include <signorini/elasticity/stress.h>
-#include <signorini/output/pieces.h>
-#include <signorini/output/vtu.h>
+#include <signorini/solid/model.h>
+#include "solid/stress.h"
+#include "output/pieces.h"
+#include "output/vtu.h"
 
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>

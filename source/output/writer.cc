@@ -1,7 +1,7 @@
-#include <signorini/output/contact_vtu.h>
-#include <signorini/output/profiles.h>
-#include <signorini/output/vtu.h>
-#include <signorini/output/writer.h>
+#include "output/contact_vtu.h"
+#include "output/profiles.h"
+#include "output/vtu.h"
+#include "output/writer.h"
 
 #include <filesystem>
 

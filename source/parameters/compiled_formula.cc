@@ -1,6 +1,6 @@
-#include <signorini/parameters/compiled_formula.h>
+#include "parameters/compiled_formula.h"
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/text.h>
+#include "parameters/text.h"
 
 #include <muParser.h>
 

@@ -1,7 +1,7 @@
-#include <signorini/parameters/compiled_formula.h>
+#include "parameters/compiled_formula.h"
 #include <signorini/parameters/definitions.h>
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/text.h>
+#include "parameters/text.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/text.h>
+#include "parameters/text.h"
 
 #include <algorithm>
 #include <cctype>

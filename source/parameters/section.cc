@@ -1,6 +1,6 @@
 #include <signorini/parameters/section.h>
-#include <signorini/parameters/text.h>
-#include <signorini/parameters/values.h>
+#include "parameters/text.h"
+#include "parameters/values.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <signorini/parameters/values.h>
+#include "parameters/values.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include <signorini/parameters/section.h>
 #include <signorini/scene/contact_settings.h>
-#include <signorini/scene/descriptions.h>
+#include "scene/descriptions.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#include <signorini/elasticity/material_law.h>
-#include <signorini/scene/decisions.h>
+#include "materials/material_law.h"
+#include "scene/decisions.h"
 
 #include <algorithm>
 

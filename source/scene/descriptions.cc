@@ -1,4 +1,4 @@
-#include <signorini/scene/descriptions.h>
+#include "scene/descriptions.h"
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include <signorini/scene/expected_motion.h>
+#include "scene/expected_motion.h"
 
 #include <deal.II/base/utilities.h>
 

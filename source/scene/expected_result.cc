@@ -1,4 +1,4 @@
-#include <signorini/parameters/compiled_formula.h>
+#include "parameters/compiled_formula.h"
 #include <signorini/parameters/section.h>
 #include <signorini/scene/expected_result.h>
 

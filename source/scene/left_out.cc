@@ -1,5 +1,5 @@
 #include <signorini/parameters/raw.h>
-#include <signorini/scene/left_out.h>
+#include "scene/left_out.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include <signorini/parameters/section.h>
-#include <signorini/parameters/values.h>
+#include "parameters/values.h"
 #include <signorini/scene/load_steps.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
-#include <signorini/contact/obstacles/shapes.h>
+#include "contact/obstacles/shapes.h"
 #include <signorini/parameters/section.h>
-#include <signorini/scene/descriptions.h>
-#include <signorini/scene/reference.h>
+#include "scene/descriptions.h"
+#include "scene/reference.h"
 #include <signorini/scene/scene.h>
-#include <signorini/solve/preconditioner.h>
-#include <signorini/solve/preconditioners/schur_complement.h>
+#include "solver/preconditioner.h"
+#include "solver/preconditioners/schur_complement.h"
 
 #include <algorithm>
 #include <ostream>

@@ -1,7 +1,7 @@
 #include <signorini/parameters/section.h>
-#include <signorini/parameters/text.h>
-#include <signorini/scene/descriptions.h>
-#include <signorini/scene/left_out.h>
+#include "parameters/text.h"
+#include "scene/descriptions.h"
+#include "scene/left_out.h"
 #include <signorini/scene/scene.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <signorini/parameters/raw.h>
-#include <signorini/scene/decisions.h>
+#include "scene/decisions.h"
 
 #include <algorithm>
 

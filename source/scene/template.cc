@@ -1,9 +1,9 @@
-#include <signorini/contact/obstacles/shapes.h>
+#include "contact/obstacles/shapes.h"
 #include <signorini/parameters/section.h>
-#include <signorini/parameters/text.h>
+#include "parameters/text.h"
 #include <signorini/scene/scene.h>
-#include <signorini/scene/template.h>
-#include <signorini/solve/preconditioner.h>
+#include "scene/template.h"
+#include "solver/preconditioner.h"
 
 #include <algorithm>
 #include <set>

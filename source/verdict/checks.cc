@@ -1,6 +1,6 @@
-#include <signorini/elasticity/model.h>
-#include <signorini/fields/peak.h>
-#include <signorini/verdict/checks.h>
+#include <signorini/solid/model.h>
+#include "fields/peak.h"
+#include "verdict/checks.h"
 
 #include <algorithm>
 #include <cmath>

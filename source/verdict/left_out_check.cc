@@ -1,5 +1,5 @@
-#include <signorini/scene/left_out.h>
-#include <signorini/verdict/checks.h>
+#include "scene/left_out.h"
+#include "verdict/checks.h"
 
 namespace Signorini
 {

@@ -1,6 +1,6 @@
-#include <signorini/contact/geometry/boundary_faces.h>
-#include <signorini/elasticity/model.h>
-#include <signorini/verdict/checks.h>
+#include "contact/search/boundary_faces.h"
+#include <signorini/solid/model.h>
+#include "verdict/checks.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

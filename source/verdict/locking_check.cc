@@ -1,6 +1,6 @@
-#include <signorini/elasticity/deformation.h>
-#include <signorini/elasticity/stress.h>
-#include <signorini/verdict/checks.h>
+#include "solid/deformation.h"
+#include "solid/stress.h"
+#include "verdict/checks.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

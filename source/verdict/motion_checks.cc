@@ -1,6 +1,6 @@
-#include <signorini/elasticity/model.h>
-#include <signorini/parameters/text.h>
-#include <signorini/verdict/checks.h>
+#include <signorini/solid/model.h>
+#include "parameters/text.h"
+#include "verdict/checks.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

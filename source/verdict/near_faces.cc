@@ -1,7 +1,7 @@
-#include <signorini/elasticity/cell_nodes.h>
-#include <signorini/mesh/cell_size.h>
+#include "solid/cell_nodes.h"
+#include "geometry/cell_size.h"
 #include <signorini/parameters/raw.h>
-#include <signorini/verdict/near_faces.h>
+#include "verdict/near_faces.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,10 +1,10 @@
-#include <signorini/contact/geometry/boundary_faces.h>
-#include <signorini/contact/geometry/reach.h>
-#include <signorini/contact/geometry/search.h>
-#include <signorini/elasticity/model.h>
-#include <signorini/fields/point_values.h>
-#include <signorini/parameters/text.h>
-#include <signorini/verdict/checks.h>
+#include "contact/search/boundary_faces.h"
+#include "contact/search/reach.h"
+#include "contact/search/search.h"
+#include <signorini/solid/model.h>
+#include "fields/point_values.h"
+#include "parameters/text.h"
+#include "verdict/checks.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,5 +1,5 @@
-#include <signorini/contact/geometry/boundary_faces.h>
-#include <signorini/verdict/symmetry_planes.h>
+#include "contact/search/boundary_faces.h"
+#include "verdict/symmetry_planes.h"
 
 #include <cmath>
 

@@ -1,12 +1,12 @@
-#include <signorini/contact/geometry/boundary_faces.h>
-#include <signorini/contact/geometry/deep_overlap.h>
-#include <signorini/contact/geometry/reach.h>
-#include <signorini/contact/geometry/search.h>
-#include <signorini/contact/geometry/self_contact.h>
-#include <signorini/parameters/text.h>
-#include <signorini/verdict/checks.h>
-#include <signorini/verdict/near_faces.h>
-#include <signorini/verdict/symmetry_planes.h>
+#include "contact/search/boundary_faces.h"
+#include "contact/search/deep_overlap.h"
+#include "contact/search/reach.h"
+#include "contact/search/search.h"
+#include "contact/search/self_contact.h"
+#include "parameters/text.h"
+#include "verdict/checks.h"
+#include "verdict/near_faces.h"
+#include "verdict/symmetry_planes.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

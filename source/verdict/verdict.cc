@@ -1,4 +1,4 @@
-#include <signorini/verdict/verdict.h>
+#include "verdict/verdict.h"
 
 #include <algorithm>
 #include <iomanip>

@@ -1,5 +1,5 @@
-#include <signorini/contact/discretisation/idle_pairs.h>
-#include <signorini/verdict/watched_surfaces.h>
+#include "contact/constraints/idle_pairs.h"
+#include "verdict/watched_surfaces.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 // What is found is kept in a folder with the reason; fuzz TARGET --file FILE reads it once more,
 // and so does fuzz TARGET --seed S --first K --mutants 1.
 
-#include <signorini/mesh/memory.h>
+#include "geometry/memory.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/exceptions.h>

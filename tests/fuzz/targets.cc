@@ -1,12 +1,12 @@
 #include "targets.h"
 
-#include <signorini/contact/obstacles/stl_file.h>
-#include <signorini/import/import_deck.h>
-#include <signorini/mesh/mesh.h>
-#include <signorini/parameters/compiled_formula.h>
+#include "contact/obstacles/stl_file.h"
+#include "mesh_import/decks/import_deck.h"
+#include "mesh/mesh.h"
+#include "parameters/compiled_formula.h"
 #include <signorini/parameters/section.h>
-#include <signorini/run_scene.h>
-#include <signorini/scene/template.h>
+#include <signorini/driver/run_scene.h>
+#include "scene/template.h"
 
 #include <unistd.h>
 

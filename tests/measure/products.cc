@@ -6,8 +6,8 @@
 // One process. Affine cells are a cube's; general ones are the same with their vertices moved; then
 // tangents, one a cell and one a point.
 
-#include <signorini/matrix_free/cell_kernel.h>
-#include <signorini/matrix_free/instruction_sets.h>
+#include "matrix_free/cell_kernel.h"
+#include "matrix_free/instruction_sets.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>

@@ -1,6 +1,6 @@
 // An active set that goes round in a circle, if it may.
 
-#include <signorini/solve/contact_solver.h>
+#include "solver/contact_solver.h"
 
 #include <doctest/doctest.h>
 

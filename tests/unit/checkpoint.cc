@@ -1,8 +1,8 @@
 // Checkpoints on the disk: what is damaged is seen, and the one before is taken.
 
-#include <signorini/checkpoint/checkpoints.h>
-#include <signorini/checkpoint/origin.h>
-#include <signorini/checkpoint/sealed_file.h>
+#include "checkpoint/checkpoints.h"
+#include "checkpoint/origin.h"
+#include "checkpoint/sealed_file.h"
 #include <signorini/parameters/raw.h>
 
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
 // What Newton's method decides: which points are active, which motions are loose, what overlaps
 // count; on contact points without bodies.
 
-#include <signorini/contact/law/normal_contact.h>
-#include <signorini/solve/active_set.h>
-#include <signorini/solve/free_motions.h>
+#include "contact/laws/normal_contact.h"
+#include "solver/active_set.h"
+#include "solver/free_motions.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 

@@ -1,8 +1,8 @@
 // Contact problems of a few unknowns, given as matrices.
 #pragma once
 
-#include <signorini/contact/discretisation/gap_operator.h>
-#include <signorini/solve/bodies.h>
+#include "contact/constraints/gap_operator.h"
+#include "solver/bodies.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 

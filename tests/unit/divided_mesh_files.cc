@@ -1,4 +1,4 @@
-#include <signorini/mesh/division/division.h>
+#include "mesh_import/division/division.h"
 
 #include <deal.II/base/tensor.h>
 

@@ -1,7 +1,7 @@
 // Recovered stresses, the errors of quantities, and the bars that are made of them.
 
-#include <signorini/accuracy/cell_errors.h>
-#include <signorini/accuracy/error_control.h>
+#include "accuracy/cell_errors.h"
+#include "accuracy/error_control.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include <signorini/parameters/compiled_formula.h>
+#include "parameters/compiled_formula.h"
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>
 

@@ -1,6 +1,6 @@
 // The rows of contact points against how gaps change when bodies move; nodes held by supports.
 
-#include <signorini/elasticity/cell_nodes.h>
+#include "solid/cell_nodes.h"
 
 #include <doctest/doctest.h>
 

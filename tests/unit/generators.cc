@@ -1,5 +1,5 @@
-#include <signorini/mesh/mesh.h>
-#include <signorini/mesh/transformed_manifold.h>
+#include "mesh/mesh.h"
+#include "mesh/transformed_manifold.h"
 
 #include <cmath>
 #include <set>

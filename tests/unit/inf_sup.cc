@@ -4,7 +4,7 @@
 // Bathe, ibid. 79 (2001) 1473-1486), from the eigenvalues of (W B) K^-1 (W B)^T and the scaled mass
 // matrix of the pressure: it must not fall when both bodies are refined.
 
-#include <signorini/linear_algebra/direct_solver.h>
+#include "linear_algebra/direct_solver.h"
 
 #include <doctest/doctest.h>
 

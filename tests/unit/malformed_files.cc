@@ -1,7 +1,7 @@
-#include <signorini/contact/obstacles/stl_file.h>
-#include <signorini/mesh/mesh_file.h>
+#include "contact/obstacles/stl_file.h"
+#include "mesh_import/mesh_file.h"
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/values.h>
+#include "parameters/values.h"
 
 #include <chrono>
 #include <cstdlib>

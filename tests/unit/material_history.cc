@@ -1,6 +1,6 @@
 // Constitutive laws with internal variables: strain measures, load steps, refinement, restarts.
 
-#include <signorini/elasticity/deformation_kernel.h>
+#include "solid/deformation_kernel.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

@@ -1,12 +1,12 @@
 // Stored energies of large deformation: what they exert against what they store.
 
-#include <signorini/materials/hencky.h>
-#include <signorini/materials/mooney_rivlin.h>
-#include <signorini/materials/neo_hooke.h>
-#include <signorini/materials/ogden.h>
-#include <signorini/materials/polynomial.h>
-#include <signorini/materials/saint_venant_kirchhoff.h>
-#include <signorini/materials/yeoh.h>
+#include "materials/hencky.h"
+#include "materials/mooney_rivlin.h"
+#include "materials/neo_hooke.h"
+#include "materials/ogden.h"
+#include "materials/polynomial.h"
+#include "materials/saint_venant_kirchhoff.h"
+#include "materials/yeoh.h"
 
 #include <doctest/doctest.h>
 

@@ -1,14 +1,14 @@
 // Products without a matrix against the assembled matrix, on every kind of cell and constraint, and
 // the level of degree one against its Galerkin product.
 
-#include <signorini/elasticity/rigid_body_modes.h>
-#include <signorini/levels/make_levels.h>
-#include <signorini/linear_algebra/diagonal.h>
-#include <signorini/linear_algebra/row_view.h>
-#include <signorini/linear_algebra/values.h>
-#include <signorini/matrix_free/cell_stiffness.h>
-#include <signorini/matrix_free/instruction_sets.h>
-#include <signorini/solve/preconditioners/amg.h>
+#include "solid/rigid_body_modes.h"
+#include "multigrid/make_levels.h"
+#include "linear_algebra/diagonal.h"
+#include "linear_algebra/row_view.h"
+#include "linear_algebra/values.h"
+#include "matrix_free/cell_stiffness.h"
+#include "matrix_free/instruction_sets.h"
+#include "solver/preconditioners/amg.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/mesh/generators/file.h>
+#include "mesh/generators/file.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/quadrature_lib.h>

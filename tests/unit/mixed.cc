@@ -1,10 +1,10 @@
 // Bodies with a bulk stress of their own: its functions, the derivatives of its equations, and that
 // the pair is stable.
 
-#include <signorini/body_setup.h>
-#include <signorini/elasticity/rigid_body_modes.h>
-#include <signorini/linear_algebra/direct_solver.h>
-#include <signorini/solve/finite_bodies.h>
+#include "driver/body_setup.h"
+#include "solid/rigid_body_modes.h"
+#include "linear_algebra/direct_solver.h"
+#include "solver/finite_bodies.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // The multigrid method and the contact filter as operators.
 
-#include <signorini/contact/law/normal_contact.h>
-#include <signorini/elasticity/rigid_body_modes.h>
-#include <signorini/solve/preconditioners/contact_filter.h>
+#include "contact/laws/normal_contact.h"
+#include "solid/rigid_body_modes.h"
+#include "solver/preconditioners/contact_filter.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // Normal stresses of the bodies at contact points, as Nitsche's method takes them; and the forces
 // of a pressure.
 
-#include <signorini/contact/discretisation/normal_stress.h>
-#include <signorini/elasticity/kernel.h>
-#include <signorini/elasticity/rigid_body_modes.h>
+#include "contact/traction/normal_stress.h"
+#include "solid/kernel.h"
+#include "solid/rigid_body_modes.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>

@@ -1,5 +1,5 @@
-#include <signorini/contact/geometry/face_patch.h>
-#include <signorini/contact/geometry/projection.h>
+#include "contact/search/face_patch.h"
+#include "contact/search/projection.h"
 
 #include <deal.II/base/qprojector.h>
 #include <deal.II/base/quadrature_lib.h>

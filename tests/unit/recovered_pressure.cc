@@ -1,6 +1,6 @@
 // The pressure that is reported for degree 2: exact where it is linear, of fourth order where it is
 // smooth, whatever the mesh, the basis and the number of ranks; zero at open nodes.
-#include <signorini/fields/recovered_pressure.h>
+#include "fields/recovered_pressure.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // Regions of contact points that hang together, against a search over all pairs of points; and what
 // the active set makes of them.
 
-#include <signorini/contact/law/normal_contact.h>
-#include <signorini/solve/active_set.h>
+#include "contact/laws/normal_contact.h"
+#include "solver/active_set.h"
 
 #include <doctest/doctest.h>
 

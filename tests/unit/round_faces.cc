@@ -1,6 +1,6 @@
 // Facets that stand for circles, spheres, cylinders and cones are recognised as these, others are
 // not.
-#include <signorini/mesh/generators/round_faces.h>
+#include "mesh_import/reconstruction/round_faces.h"
 
 #include <doctest/doctest.h>
 

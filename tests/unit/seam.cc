@@ -1,7 +1,7 @@
 // What Newton's method does not know: which bodies, and which law.
 
-#include <signorini/elasticity/rigid_body_modes.h>
-#include <signorini/solve/contact_solver.h>
+#include "solid/rigid_body_modes.h"
+#include "solver/contact_solver.h"
 
 #include <doctest/doctest.h>
 

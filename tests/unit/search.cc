@@ -1,4 +1,4 @@
-#include <signorini/contact/geometry/search.h>
+#include "contact/search/search.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>

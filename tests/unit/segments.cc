@@ -1,5 +1,5 @@
-#include <signorini/contact/discretisation/pairing.h>
-#include <signorini/contact/geometry/segments.h>
+#include "contact/interface/pairing.h"
+#include "contact/search/segments.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

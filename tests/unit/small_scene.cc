@@ -1,8 +1,8 @@
 #include "small_scene.h"
 
-#include <signorini/body_setup.h>
-#include <signorini/elasticity/cell_nodes.h>
-#include <signorini/elasticity/rigid_body_modes.h>
+#include "driver/body_setup.h"
+#include "solid/cell_nodes.h"
+#include "solid/rigid_body_modes.h"
 #include <signorini/parameters/section.h>
 
 #include <cmath>

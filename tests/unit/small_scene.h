@@ -1,9 +1,9 @@
 // A scene in a few lines, set up as the program does, for tests that look inside.
 #pragma once
 
-#include <signorini/contact_setup.h>
-#include <signorini/elasticity/cell_nodes.h>
-#include <signorini/solve/contact_solver.h>
+#include "driver/contact_setup.h"
+#include "solid/cell_nodes.h"
+#include "solver/contact_solver.h"
 
 #include <memory>
 #include <string>

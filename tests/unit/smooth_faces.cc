@@ -1,6 +1,6 @@
 // Facets of smooth surfaces that have no name are replaced by cubic curves and patches, whose
 // distance from the surface is of order four; where there are kinks, facets stay.
-#include <signorini/mesh/generators/smooth_faces.h>
+#include "mesh_import/reconstruction/smooth_faces.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // Solutions of all methods, judged by the weak forms once more from their definitions; and what
 // must not change them: the form of the linear system, and units.
 
-#include <signorini/contact/law/normal_contact.h>
-#include <signorini/solve/preconditioners/direct.h>
+#include "contact/laws/normal_contact.h"
+#include "solver/preconditioners/direct.h"
 
 #include <doctest/doctest.h>
 

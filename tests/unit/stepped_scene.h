@@ -1,8 +1,8 @@
 // A scene that is led through load steps as the program does it.
 #pragma once
 
-#include <signorini/accuracy/refinement.h>
-#include <signorini/equilibrium.h>
+#include "accuracy/refinement.h"
+#include "driver/equilibrium.h"
 
 #include <doctest/doctest.h>
 

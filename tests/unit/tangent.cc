@@ -5,8 +5,8 @@
 // exact up to rounding, whatever the step: half of the distance to the first point that changes,
 // and an eighth of that.
 
-#include <signorini/contact/law/normal_contact.h>
-#include <signorini/solve/contact_system.h>
+#include "contact/laws/normal_contact.h"
+#include "solver/contact_system.h"
 
 #include <doctest/doctest.h>
 

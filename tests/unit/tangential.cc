@@ -1,6 +1,6 @@
 // Laws with tangential tractions and with a history, through all that acts on contact points.
 
-#include <signorini/solve/contact_system.h>
+#include "solver/contact_system.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,7 @@
 // Contact laws with tangential tractions, for tests of all that acts on points and statuses.
 #pragma once
 
-#include <signorini/contact/law/contact_law.h>
+#include "contact/laws/contact_law.h"
 #include <signorini/contact/methods/method.h>
 
 namespace TestScene

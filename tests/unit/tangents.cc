@@ -1,11 +1,11 @@
 // Tangents of large deformation without a matrix, by the points of integration, their means over
 // cells, and those of coarser meshes.
 
-#include <signorini/elasticity/rigid_body_modes.h>
-#include <signorini/levels/make_levels.h>
-#include <signorini/matrix_free/instruction_sets.h>
-#include <signorini/matrix_free/tangent_stiffness.h>
-#include <signorini/solve/finite_bodies.h>
+#include "solid/rigid_body_modes.h"
+#include "multigrid/make_levels.h"
+#include "matrix_free/instruction_sets.h"
+#include "matrix_free/tangent_stiffness.h"
+#include "solver/finite_bodies.h"
 
 #include <doctest/doctest.h>
 

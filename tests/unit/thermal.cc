@@ -1,9 +1,9 @@
 // Thermal strain against closed forms: free bodies, held bodies, normal stresses at contact points.
 
-#include <signorini/contact/law/normal_contact.h>
-#include <signorini/elasticity/rigid_body_modes.h>
-#include <signorini/elasticity/stress.h>
-#include <signorini/mesh/mesh_file.h>
+#include "contact/laws/normal_contact.h"
+#include "solid/rigid_body_modes.h"
+#include "solid/stress.h"
+#include "mesh_import/mesh_file.h"
 
 #include <doctest/doctest.h>
 

@@ -1,12 +1,12 @@
 // What is carried over from mesh to mesh and from run to run, and where meshes are refined.
 
-#include <signorini/accuracy/cell_errors.h>
-#include <signorini/accuracy/enrichment.h>
-#include <signorini/accuracy/refinement.h>
-#include <signorini/body_setup.h>
-#include <signorini/checkpoint/cells.h>
-#include <signorini/elasticity/cell_nodes.h>
-#include <signorini/state/state.h>
+#include "accuracy/cell_errors.h"
+#include "accuracy/enrichment.h"
+#include "accuracy/refinement.h"
+#include "driver/body_setup.h"
+#include "checkpoint/cells.h"
+#include "solid/cell_nodes.h"
+#include "driver/state.h"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 // occur.
 #pragma once
 
-#include <signorini/contact/discretisation/gap_operator.h>
+#include "contact/constraints/gap_operator.h"
 #include <signorini/contact/methods/method.h>
 #include <signorini/parameters/section.h>
 

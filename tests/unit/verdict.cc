@@ -1,4 +1,4 @@
-#include <signorini/verdict/checks.h>
+#include "verdict/checks.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // Solvers on small systems against dense matrices.
 
-#include <signorini/contact/law/normal_contact.h>
-#include <signorini/elasticity/rigid_body_modes.h>
-#include <signorini/solve/linear_solver.h>
-#include <signorini/solve/preconditioners/block.h>
+#include "contact/laws/normal_contact.h"
+#include "solid/rigid_body_modes.h"
+#include "solver/linear_solver.h"
+#include "solver/preconditioners/block.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/mesh/coarse_mesh.h>
+#include <signorini/geometry/coarse_mesh.h>
 
 #include <memory>
 #include <string>

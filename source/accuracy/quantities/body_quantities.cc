@@ -1,9 +1,9 @@
-#include <signorini/accuracy/quantities/kinds.h>
-#include <signorini/elasticity/cell_nodes.h>
-#include <signorini/elasticity/reactions.h>
-#include <signorini/elasticity/stress.h>
-#include <signorini/fields/contact_force.h>
-#include <signorini/fields/probes.h>
+#include "accuracy/quantities/kinds.h"
+#include "solid/cell_nodes.h"
+#include "solid/reactions.h"
+#include "solid/stress.h"
+#include "fields/contact_force.h"
+#include "fields/probes.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
-#include <signorini/accuracy/quantities/kinds.h>
-#include <signorini/elasticity/cell_nodes.h>
-#include <signorini/elasticity/model.h>
-#include <signorini/elasticity/stress.h>
+#include "accuracy/quantities/kinds.h"
+#include "solid/cell_nodes.h"
+#include <signorini/solid/model.h>
+#include "solid/stress.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

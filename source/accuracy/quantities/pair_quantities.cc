@@ -1,11 +1,11 @@
-#include <signorini/accuracy/quantities/kinds.h>
-#include <signorini/elasticity/model.h>
-#include <signorini/fields/contact_patch.h>
-#include <signorini/fields/nodal_fields.h>
-#include <signorini/fields/peak.h>
-#include <signorini/fields/probes.h>
-#include <signorini/fields/recovered_pressure.h>
-#include <signorini/fields/surface_probes.h>
+#include "accuracy/quantities/kinds.h"
+#include <signorini/solid/model.h>
+#include "fields/contact_patch.h"
+#include "fields/nodal_fields.h"
+#include "fields/peak.h"
+#include "fields/probes.h"
+#include "fields/recovered_pressure.h"
+#include "fields/surface_probes.h"
 
 #include <algorithm>
 #include <cmath>

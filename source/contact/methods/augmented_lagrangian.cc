@@ -1,4 +1,4 @@
-#include <signorini/contact/methods/augmented_lagrangian.h>
+#include "contact/methods/augmented_lagrangian.h"
 #include <signorini/parameters/section.h>
 
 namespace Signorini

@@ -1,4 +1,4 @@
-#include <signorini/contact/methods/direct_elimination.h>
+#include "contact/methods/direct_elimination.h"
 #include <signorini/parameters/section.h>
 
 namespace Signorini

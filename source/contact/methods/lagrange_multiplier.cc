@@ -1,4 +1,4 @@
-#include <signorini/contact/methods/lagrange_multiplier.h>
+#include "contact/methods/lagrange_multiplier.h"
 #include <signorini/parameters/section.h>
 
 namespace Signorini

@@ -1,11 +1,11 @@
-#include <signorini/contact/law/normal_contact.h>
-#include <signorini/contact/methods/augmented_lagrangian.h>
-#include <signorini/contact/methods/direct_elimination.h>
-#include <signorini/contact/methods/lagrange_multiplier.h>
+#include "contact/laws/normal_contact.h"
+#include "contact/methods/augmented_lagrangian.h"
+#include "contact/methods/direct_elimination.h"
+#include "contact/methods/lagrange_multiplier.h"
 #include <signorini/contact/methods/method.h>
-#include <signorini/contact/methods/nitsche.h>
-#include <signorini/contact/methods/penalty.h>
-#include <signorini/contact/methods/perturbed_lagrangian.h>
+#include "contact/methods/nitsche.h"
+#include "contact/methods/penalty.h"
+#include "contact/methods/perturbed_lagrangian.h"
 
 #include <deal.II/base/exceptions.h>
 

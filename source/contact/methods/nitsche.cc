@@ -1,4 +1,4 @@
-#include <signorini/contact/methods/nitsche.h>
+#include "contact/methods/nitsche.h"
 #include <signorini/parameters/section.h>
 
 #include <sstream>

@@ -1,4 +1,4 @@
-#include <signorini/contact/methods/penalty.h>
+#include "contact/methods/penalty.h"
 #include <signorini/parameters/section.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <signorini/contact/methods/penalty_factor.h>
+#include "contact/methods/penalty_factor.h"
 #include <signorini/parameters/section.h>
 
 #include <cmath>

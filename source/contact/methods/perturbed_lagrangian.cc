@@ -1,4 +1,4 @@
-#include <signorini/contact/methods/perturbed_lagrangian.h>
+#include "contact/methods/perturbed_lagrangian.h"
 #include <signorini/parameters/section.h>
 
 namespace Signorini

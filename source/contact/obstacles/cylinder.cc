@@ -1,4 +1,4 @@
-#include <signorini/contact/obstacles/shapes.h>
+#include "contact/obstacles/shapes.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/symmetric_tensor.h>

@@ -1,6 +1,6 @@
-#include <signorini/contact/obstacles/shapes.h>
-#include <signorini/contact/obstacles/stl_file.h>
-#include <signorini/mesh/generators/file.h>
+#include "contact/obstacles/shapes.h"
+#include "contact/obstacles/stl_file.h"
+#include "mesh/generators/file.h"
 #include <signorini/parameters/section.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include <signorini/contact/obstacles/stl_file.h>
+#include "contact/obstacles/stl_file.h"
 #include <signorini/parameters/raw.h>
-#include <signorini/parameters/text.h>
+#include "parameters/text.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,5 @@
-#include <signorini/contact/obstacles/triangle_surface.h>
-#include <signorini/mesh/extent.h>
+#include "contact/obstacles/triangle_surface.h"
+#include "geometry/extent.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include <signorini/mesh/generators/box.h>
-#include <signorini/mesh/memory.h>
+#include "mesh/generators/box.h"
+#include "geometry/memory.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_generator.h>

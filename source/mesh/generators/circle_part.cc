@@ -1,4 +1,4 @@
-#include <signorini/mesh/generators/circle_part.h>
+#include "mesh/generators/circle_part.h"
 
 #include <utility>
 

@@ -1,13 +1,13 @@
-#include <signorini/mesh/division/chosen_cells.h>
-#include <signorini/mesh/division/collapsed_cells.h>
-#include <signorini/mesh/division/division.h>
-#include <signorini/mesh/division/merged_nodes.h>
-#include <signorini/mesh/generators/cells.h>
-#include <signorini/mesh/generators/curved_cells.h>
-#include <signorini/mesh/generators/file.h>
-#include <signorini/mesh/generators/numbered_sets.h>
-#include <signorini/mesh/generators/round_off.h>
-#include <signorini/mesh/pieces.h>
+#include "mesh_import/division/chosen_cells.h"
+#include "mesh_import/division/collapsed_cells.h"
+#include "mesh_import/division/division.h"
+#include "mesh_import/division/merged_nodes.h"
+#include "mesh_import/cells.h"
+#include "mesh_import/curved_cells.h"
+#include "mesh/generators/file.h"
+#include "mesh_import/numbered_sets.h"
+#include "mesh_import/reconstruction/round_off.h"
+#include "mesh_import/pieces.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/bounding_box.h>

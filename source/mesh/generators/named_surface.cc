@@ -1,4 +1,4 @@
-#include <signorini/mesh/generators/named_surface.h>
+#include "mesh/generators/named_surface.h"
 #include <signorini/parameters/section.h>
 
 #include <algorithm>

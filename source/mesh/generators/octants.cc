@@ -1,4 +1,4 @@
-#include <signorini/mesh/generators/octants.h>
+#include "mesh/generators/octants.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>

@@ -1,7 +1,7 @@
-#include <signorini/mesh/generators/circle_part.h>
-#include <signorini/mesh/generators/ring.h>
-#include <signorini/mesh/memory.h>
-#include <signorini/mesh/round_manifold.h>
+#include "mesh/generators/circle_part.h"
+#include "mesh/generators/ring.h"
+#include "geometry/memory.h"
+#include "geometry/round_manifold.h"
 #include <signorini/parameters/section.h>
 
 #include <array>

@@ -1,6 +1,6 @@
-#include <signorini/mesh/generators/octants.h>
-#include <signorini/mesh/generators/sphere.h>
-#include <signorini/mesh/round_manifold.h>
+#include "mesh/generators/octants.h"
+#include "mesh/generators/sphere.h"
+#include "geometry/round_manifold.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_generator.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <signorini/elasticity/rigid_body.h>
+#include <signorini/solid/rigid_body.h>
 
 #include <memory>
 #include <string>

@@ -1,0 +1,98 @@
+#include "base/interruption.h"
+#include "parameters/text.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    struct Watched
+    {
+      int         number;
+      const char *name;
+    };
+
+    constexpr Watched signals[] = {{SIGTERM, "SIGTERM"}, {SIGINT, "SIGINT"}, {SIGUSR1, "SIGUSR1"}};
+
+    // Handlers may touch nothing else.
+    volatile std::sig_atomic_t received    = 0;
+    volatile std::time_t       received_at = 0;
+
+    Interruption *living = nullptr;
+
+    extern "C" void
+    note_signal(const int number)
+    {
+      // Launchers may tell a process the same thing twice.
+      const std::time_t now = std::time(nullptr);
+      if (received != 0 && now > received_at + 1)
+        {
+          std::signal(number, SIG_DFL);
+          std::raise(number);
+        }
+      if (received == 0)
+        received_at = now;
+      received = number;
+    }
+  } // namespace
+
+
+
+  Interruption::Interruption(const Timer &clock, const double limit, const MPI_Comm comm)
+    : clock(clock)
+    , limit(limit)
+    , comm(comm)
+  {
+    received = 0;
+    living   = this;
+    for (const Watched &one : signals)
+      {
+        struct sigaction action = {}, before = {};
+        action.sa_handler = note_signal;
+        action.sa_flags   = SA_RESTART;
+        sigaction(one.number, &action, &before);
+        former.push_back(before);
+      }
+  }
+
+
+
+  Interruption::~Interruption()
+  {
+    living = nullptr;
+    for (unsigned int i = 0; i < former.size(); ++i)
+      sigaction(signals[i].number, &former[i], nullptr);
+  }
+
+
+
+  void
+  Interruption::check()
+  {
+    const double now = clock.wall_time();
+    longest_pause    = std::max(longest_pause, now - last_call);
+    last_call        = now;
+    const bool is_late =
+      limit > 0 && Utilities::MPI::max(now + longest_pause + reserve, comm) > limit;
+    const int signal = Utilities::MPI::max(int(received), comm);
+    for (const Watched &one : signals)
+      if (one.number == signal)
+        throw Interrupted(std::string("interrupted by ") + one.name);
+    if (is_late)
+      throw Interrupted("interrupted: the next step may not end within Output/Time limit = " +
+                        short_text(limit / 60, 4) + " minutes");
+  }
+
+
+
+  void
+  look_for_interruption()
+  {
+    if (living)
+      living->check();
+  }
+} // namespace Signorini

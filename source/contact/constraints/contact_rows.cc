@@ -1,0 +1,267 @@
+#include "contact/constraints/contact_rows.h"
+#include "contact/search/bytes.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    FaceId
+    face_id(const unsigned int pair, const SlaveFace<dim> &face)
+    {
+      return {pair, face.cell, face.face};
+    }
+
+    template <int dim>
+    FacePlace
+    place_at(const Point<dim - 1> &xi)
+    {
+      return {{xi[0], dim == 3 ? xi[dim - 2] : 0.}};
+    }
+
+    /// Of seams, where points are rows: all of that of the closest point of the face.
+    template <int dim>
+    std::vector<std::vector<Share>>
+    shares_of_closest(const ContactSurface<dim> &surface, const types::global_dof_index first_row)
+    {
+      std::vector<std::vector<Share>> result(surface.seams.size());
+      std::vector<double> closest(surface.seams.size(), std::numeric_limits<double>::max());
+      std::map<unsigned int, std::vector<std::size_t>> seams_of_face;
+      for (std::size_t i = 0; i < surface.seams.size(); ++i)
+        seams_of_face[surface.seams[i].face].push_back(i);
+      for (std::size_t q = 0; q < surface.points.size(); ++q)
+        if (const auto seams = seams_of_face.find(surface.points[q].face);
+            seams != seams_of_face.end())
+          for (const std::size_t i : seams->second)
+            if (const double distance = surface.seams[i].xi.distance(surface.points[q].xi);
+                distance < closest[i])
+              {
+                closest[i] = distance;
+                result[i]  = {{types::global_dof_index(first_row + q), surface.seams[i].weight}};
+              }
+      return result;
+    }
+
+    template <int dim>
+    ContactRows
+    quadrature_rows(const std::vector<ContactSurface<dim>> &surfaces, const MPI_Comm comm)
+    {
+      ContactRows rows;
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        rows.pair.insert(rows.pair.end(), surfaces[p].points.size(), p);
+      rows.owned    = LA::contiguous_partition(rows.pair.size(), comm);
+      rows.writable = rows.owned;
+      auto row      = rows.owned.begin();
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        {
+          rows.shares.emplace_back();
+          if (!surfaces[p].points.empty())
+            rows.seam_shares.push_back(shares_of_closest(surfaces[p], *row));
+          else
+            rows.seam_shares.emplace_back(surfaces[p].seams.size());
+          const unsigned int none = numbers::invalid_unsigned_int;
+          unsigned int       face = none;
+          for (const auto &point : surfaces[p].points)
+            {
+              rows.shares.back().push_back({{*row, point.weight}});
+              if (point.face != face)
+                rows.places.push_back({face_id(p, surfaces[p].slave_faces[point.face]), {}});
+              face = point.face;
+              rows.places.back().places.push_back({place_at<dim>(point.xi), {{*row, 1.}}});
+              ++row;
+            }
+        }
+      return rows;
+    }
+
+    using Index = types::global_dof_index;
+
+    /// What a rank knows of a slave node of a pair; and what its owner makes of it.
+    struct NodeOfPair
+    {
+      unsigned int pair;
+      Index        node;
+      double       paired, all; ///< area with a partner, and of all faces around it
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        serialize_bytes(ar, *this);
+      }
+    };
+
+    struct RowOfNode
+    {
+      unsigned int pair;
+      Index        node, row;
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        serialize_bytes(ar, *this);
+      }
+    };
+
+    using Key = std::pair<unsigned int, Index>; ///< pair, first degree of freedom of the node
+
+    template <typename T>
+    using ByRank = std::map<unsigned int, std::vector<T>>;
+
+    /// The areas of nodes on this rank, sorted by the ranks that own them.
+    template <int dim>
+    ByRank<NodeOfPair>
+    node_areas(const Elasticity<dim> &elasticity, const std::vector<ContactSurface<dim>> &surfaces)
+    {
+      std::map<Key, std::array<double, 2>> areas;
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        {
+          for (const auto &point : surfaces[p].points)
+            for (const auto &[node, value] : point.shape)
+              areas[{p, node}][0] += value * point.weight;
+          if (!surfaces[p].is_apart)
+            for (const auto &[shape, weight] : surfaces[p].whole)
+              for (const auto &[node, value] : shape)
+                areas[{p, node}][1] += std::abs(value) * weight;
+        }
+      // Each rank owns one range of indices, in the order of the ranks.
+      const IndexSet    &owned = elasticity.dof_handler().locally_owned_dofs();
+      std::vector<Index> ends =
+        Utilities::MPI::all_gather(elasticity.mesh().communicator(), Index(owned.n_elements()));
+      std::partial_sum(ends.begin(), ends.end(), ends.begin());
+      ByRank<NodeOfPair> result;
+      for (const auto &[key, area] : areas)
+        {
+          const unsigned int owner =
+            std::upper_bound(ends.begin(), ends.end(), key.second) - ends.begin();
+          result[owner].push_back({key.first, key.second, area[0], area[1]});
+        }
+      return result;
+    }
+
+    /// The nodes of slave faces as places.
+    template <int dim>
+    std::vector<FacePlaces>
+    node_places(const Elasticity<dim>                  &elasticity,
+                const std::vector<ContactSurface<dim>> &surfaces,
+                const std::map<Key, Index>             &row_of)
+    {
+      std::vector<FacePlaces> result;
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        for (const SlaveFace<dim> &face : surfaces[p].slave_faces)
+          {
+            if (face.degree == 0)
+              continue;
+            result.push_back({face_id(p, face), {}});
+            const auto lattice = face_lattice<dim>(face.degree);
+            for (unsigned int k = 0; k < face.nodes.size(); ++k)
+              {
+                SparseRow nodes = {{face.nodes[k], 1.}}, rows;
+                resolve(elasticity.hanging_nodes(), nodes);
+                for (const auto &[node, weight] : nodes)
+                  if (const auto row = row_of.find({p, node}); row != row_of.end())
+                    rows.emplace_back(row->second, weight);
+                result.back().places.emplace_back(place_at<dim>(lattice[k]), rows);
+              }
+          }
+      return result;
+    }
+
+    template <int dim>
+    ContactRows
+    node_rows(const Elasticity<dim> &elasticity, const std::vector<ContactSurface<dim>> &surfaces)
+    {
+      const MPI_Comm comm = elasticity.mesh().communicator();
+      const auto received = Utilities::MPI::some_to_some(comm, node_areas(elasticity, surfaces));
+      std::map<Key, std::array<double, 2>> areas;
+      for (const auto &[rank, nodes] : received)
+        for (const NodeOfPair &one : nodes)
+          {
+            auto &area = areas[{one.pair, one.node}];
+            area[0] += one.paired;
+            area[1] += one.all;
+          }
+
+      ContactRows          rows;
+      std::map<Key, Index> numbers; // on this rank
+      for (const auto &[key, area] : areas)
+        // So small an area is nothing but rounding: it has no gap to speak of.
+        if (area[1] > 0 && area[0] > 1e-10 * area[1])
+          {
+            numbers[key] = rows.node.size();
+            rows.node.push_back(key.second);
+            rows.pair.push_back(key.first);
+          }
+      rows.owned    = LA::contiguous_partition(rows.node.size(), comm);
+      rows.writable = rows.owned;
+
+      ByRank<RowOfNode> answers;
+      for (const auto &[rank, nodes] : received)
+        for (const NodeOfPair &one : nodes)
+          if (const auto row = numbers.find({one.pair, one.node}); row != numbers.end())
+            answers[rank].push_back({one.pair, one.node, row->second + *rows.owned.begin()});
+      std::map<Key, Index> row_of;
+      std::set<Index>      foreign;
+      for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, answers))
+        for (const RowOfNode &one : list)
+          {
+            row_of[{one.pair, one.node}] = one.row;
+            if (!rows.owned.is_element(one.row))
+              foreign.insert(one.row);
+          }
+      rows.writable.add_indices(foreign.begin(), foreign.end());
+
+      const auto shares_of = [&](const unsigned int pair, const auto &points) {
+        std::vector<std::vector<Share>> shares;
+        for (const auto &point : points)
+          {
+            shares.emplace_back();
+            for (const auto &[node, value] : point.shape)
+              if (const auto row = row_of.find({pair, node}); row != row_of.end())
+                shares.back().push_back({row->second, value * point.weight});
+          }
+        return shares;
+      };
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        {
+          rows.shares.push_back(shares_of(p, surfaces[p].points));
+          rows.seam_shares.push_back(shares_of(p, surfaces[p].seams));
+        }
+      rows.places = node_places(elasticity, surfaces, row_of);
+      return rows;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactRows
+  make_contact_rows(const Elasticity<dim>                  &elasticity,
+                    const std::vector<ContactSurface<dim>> &surfaces,
+                    const Sampling                          sampling)
+  {
+    return sampling == Sampling::nodes ?
+             node_rows(elasticity, surfaces) :
+             quadrature_rows(surfaces, elasticity.mesh().communicator());
+  }
+
+
+
+  template ContactRows
+  make_contact_rows(const Elasticity<2> &, const std::vector<ContactSurface<2>> &, Sampling);
+  template ContactRows
+  make_contact_rows(const Elasticity<3> &, const std::vector<ContactSurface<3>> &, Sampling);
+} // namespace Signorini

@@ -1,0 +1,534 @@
+#include "contact/constraints/contact_rows.h"
+#include "contact/traction/face_matrices.h"
+#include "contact/constraints/gap_operator.h"
+#include "contact/constraints/shared_places.h"
+#include "contact/traction/stress_of_fields.h"
+#include "contact/constraints/tangents.h"
+#include "contact/constraints/tied_columns.h"
+#include <signorini/contact/methods/method.h>
+#include "solid/cell_nodes.h"
+#include "solid/resultant.h"
+#include "linear_algebra/diagonal.h"
+#include "linear_algebra/entries.h"
+#include "linear_algebra/sparsity_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    void
+    assemble_slip(GapOperator                            &contact,
+                  const ContactRows                      &rows,
+                  const std::vector<ContactSurface<dim>> &surfaces,
+                  const std::vector<FaceMatrix>          &matrices,
+                  const LA::SparsityPattern              &pattern,
+                  const Tangents<dim>                    &tangents,
+                  const MPI_Comm                          comm)
+    {
+      TangentialRows  &tangential = contact.tangential;
+      const LA::Vector zero(rows.owned, comm);
+      tangential.offset.assign(dim - 1, zero);
+      tangential.at_rest.assign(dim - 1, std::vector<LA::Vector>(dim, zero));
+      for (unsigned int a = 0; a < dim - 1; ++a)
+        {
+          LA::SparseMatrix &B = tangential.B.emplace_back();
+          B.reinit(pattern);
+          for (const FaceMatrix &matrix : matrices)
+            B.add(matrix.rows, matrix.columns, matrix.slip[a]);
+          B.compress(VectorOperation::add);
+          for (const auto row : rows.owned)
+            for (unsigned int d = 0; d < dim; ++d)
+              tangential.at_rest[a][d](row) = tangents.at_rest(row)[a][d];
+          for (LA::Vector &component : tangential.at_rest[a])
+            component.compress(VectorOperation::insert);
+        }
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        for (unsigned int q = 0; q < surfaces[p].frames.size(); ++q)
+          for (const auto &[row, weight] : rows.shares[p][q])
+            {
+              const auto slip =
+                tangents.slip(row, surfaces[p].frames[q], surfaces[p].points[q].direction);
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                tangential.offset[a](row) += weight * slip[a];
+            }
+      for (LA::Vector &offset : tangential.offset)
+        offset.compress(VectorOperation::add);
+    }
+
+    template <int dim>
+    void
+    assemble_matrices(GapOperator                            &contact,
+                      const ContactRows                      &rows,
+                      const std::vector<ContactSurface<dim>> &surfaces,
+                      const ContactMethod                    &method,
+                      const Elasticity<dim>                  &elasticity)
+    {
+      const MPI_Comm               comm = elasticity.mesh().communicator();
+      std::optional<Tangents<dim>> tangents;
+      if (method.needs_slip())
+        tangents.emplace(rows, surfaces, comm);
+      const std::vector<FaceMatrix> matrices = face_matrices(rows,
+                                                             surfaces,
+                                                             method.sampling(),
+                                                             tangents ? &*tangents : nullptr,
+                                                             elasticity.has_inclined_supports());
+      LA::SparsityPattern           pattern(rows.owned, contact.dofs, rows.writable, comm, 0u);
+      for (const FaceMatrix &matrix : matrices)
+        for (const auto row : matrix.rows)
+          pattern.add_entries(row, matrix.columns.begin(), matrix.columns.end(), true);
+      pattern.compress();
+      contact.B.reinit(pattern);
+      for (const FaceMatrix &matrix : matrices)
+        contact.B.add(matrix.rows, matrix.columns, matrix.displacement);
+      contact.B.compress(VectorOperation::add);
+      if (tangents)
+        assemble_slip(contact, rows, surfaces, matrices, pattern, *tangents, comm);
+      if (method.predictor() != Predictor::normal_stress)
+        return;
+      // The term with theta S^T takes s = p for granted at each point, which another pair may
+      // spoil; without it all is consistent.
+      const bool are_shared = Utilities::MPI::max(share_places(surfaces) ? 1 : 0, comm) > 0;
+      contact.theta         = are_shared ? 0. : method.theta();
+      contact.S.reinit(pattern);
+      for (const FaceMatrix &matrix : matrices)
+        contact.S.add(matrix.rows, matrix.columns, matrix.stress);
+      contact.S.compress(VectorOperation::add);
+    }
+
+    template <int dim>
+    void
+    assemble_vectors(GapOperator                            &contact,
+                     const ContactRows                      &rows,
+                     const std::vector<ContactSurface<dim>> &surfaces,
+                     const ContactMethod                    &method,
+                     const double                            size,
+                     const bool                              moved,
+                     const MPI_Comm                          comm)
+    {
+      const unsigned int n_moments = dim == 2 ? 1 : 3;
+      contact.weight.reinit(rows.owned, comm);
+      contact.rest_gap.reinit(contact.weight);
+      contact.coefficients.stiffness.reinit(contact.weight);
+      contact.coefficients.permanent.reinit(contact.weight);
+      contact.coefficients.epsilon.reinit(contact.weight);
+      contact.geometry.position.assign(dim, contact.zero());
+      contact.geometry.normal.assign(dim, contact.zero());
+      contact.geometry.moment.assign(n_moments, contact.zero());
+      if (moved)
+        {
+          contact.moved.drift = contact.zero();
+          contact.geometry.master_moment.assign(n_moments, contact.zero());
+        }
+
+      for (unsigned int p = 0; p < surfaces.size(); ++p)
+        for (unsigned int q = 0; q < surfaces[p].points.size(); ++q)
+          {
+            const ContactPoint<dim> &point  = surfaces[p].points[q];
+            const Tensor<1, 3>       moment = moment_of(point.slave_place, point.normal),
+                               on_master    = moment_of(point.master_place, point.normal);
+            const double epsilon =
+              method.penalty({point.stiffness, size / point.depth, point.bound});
+            for (const auto &[row, weight] : rows.shares[p][q])
+              {
+                contact.weight(row) += weight;
+                contact.rest_gap(row) += weight * point.gap;
+                if (moved)
+                  contact.moved.drift(row) += weight * point.drift;
+                contact.coefficients.stiffness(row) += weight * point.stiffness;
+                contact.coefficients.epsilon(row) += weight * epsilon;
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    contact.geometry.position[d](row) += weight * point.position[d];
+                    contact.geometry.normal[d](row) += weight * point.normal[d];
+                  }
+                for (unsigned int d = 0; d < n_moments; ++d)
+                  {
+                    contact.geometry.moment[d](row) += weight * moment[d];
+                    if (moved)
+                      contact.geometry.master_moment[d](row) += weight * on_master[d];
+                  }
+              }
+          }
+    }
+
+    /// Put the points of nodes where the nodes are, instead of the weighted mean of their
+    /// surroundings.
+    template <int dim>
+    void
+    move_to_nodes(GapOperator &contact, const Elasticity<dim> &elasticity)
+    {
+      // A node that is slave in two pairs has two rows.
+      std::multimap<types::global_dof_index, types::global_dof_index> rows_of;
+      auto row = contact.origin.node.begin();
+      for (const auto i : contact.weight.locally_owned_elements())
+        rows_of.emplace(*row++, i);
+
+      CellNodes<dim> nodes_of(elasticity.mesh(), elasticity.finite_elements());
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            read_indices<dim>(cell, indices);
+            if (std::none_of(indices.begin(), indices.end(), [&](const auto i) {
+                  return rows_of.count(i);
+                }))
+              continue;
+            const std::vector<Point<dim>> &nodes = nodes_of(cell);
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              for (auto [at, last] = rows_of.equal_range(indices[i]); at != last; ++at)
+                for (unsigned int d = 0; d < dim; ++d)
+                  contact.geometry.position[d](at->second) = nodes[i][d];
+          }
+      for (LA::Vector &v : contact.geometry.position)
+        v.compress(VectorOperation::insert);
+    }
+
+    /// From sums over the points' weights to means.
+    void
+    normalise(GapOperator &contact)
+    {
+      contact.weight.compress(VectorOperation::add);
+      LA::Vector inverse = contact.zero();
+      for (const auto i : inverse.locally_owned_elements())
+        inverse(i) = 1 / contact.weight(i);
+      inverse.compress(VectorOperation::insert);
+
+      std::vector<LA::Vector *> means = {&contact.rest_gap,
+                                         &contact.coefficients.stiffness,
+                                         &contact.coefficients.epsilon};
+      if (contact.moved.drift.size() > 0)
+        means.push_back(&contact.moved.drift);
+      for (auto *group : {&contact.geometry.position,
+                          &contact.geometry.normal,
+                          &contact.geometry.moment,
+                          &contact.geometry.master_moment})
+        for (LA::Vector &v : *group)
+          means.push_back(&v);
+      for (LA::Vector *v : means)
+        {
+          v->compress(VectorOperation::add);
+          v->scale(inverse);
+        }
+      LA::scale_rows(contact.B, inverse);
+      for (unsigned int a = 0; a < contact.tangential.B.size(); ++a)
+        {
+          LA::scale_rows(contact.tangential.B[a], inverse);
+          contact.tangential.offset[a].scale(inverse);
+        }
+      if (contact.has_stress())
+        LA::scale_rows(contact.S, inverse);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<GapOperator>
+  make_gap_operator(const Configuration<dim>               &configuration,
+                    const std::vector<ContactSurface<dim>> &surfaces,
+                    const ContactRows                      &rows,
+                    const ContactMethod                    &method)
+  {
+    const Elasticity<dim> &elasticity = configuration.elasticity();
+    const MPI_Comm         comm       = elasticity.mesh().communicator();
+    auto                   result     = std::make_unique<GapOperator>();
+    GapOperator           &contact    = *result;
+    contact.dofs                      = elasticity.owned();
+    contact.origin.pair               = rows.pair;
+    contact.origin.node               = rows.node;
+    contact.origin.places             = rows.places;
+    contact.origin.readable           = rows.writable;
+    contact.origin.regions = ContactRegions(elasticity, surfaces, rows, method.sampling());
+    assemble_matrices(contact, rows, surfaces, method, elasticity);
+    assemble_vectors(
+      contact, rows, surfaces, method, elasticity.mesh().size(), !configuration.is_rest(), comm);
+    normalise(contact);
+    if (contact.has_stress())
+      assemble_stress_of_fields(elasticity, rows, surfaces, contact);
+    auto pair = rows.pair.begin();
+    for (const auto i : rows.owned)
+      {
+        const bool stays                  = !surfaces[*pair++].separates && contact.weight(i) > 0;
+        contact.coefficients.permanent(i) = stays ? 1. : 0.;
+      }
+    contact.coefficients.permanent.compress(VectorOperation::insert);
+    if (method.sampling() == Sampling::nodes)
+      move_to_nodes(contact, elasticity);
+    // So that the slip is true where the surfaces are.
+    for (unsigned int a = 0; a < contact.tangential.B.size() && !configuration.is_rest(); ++a)
+      {
+        LA::Vector linear = contact.zero();
+        contact.tangential.B[a].vmult(linear, configuration.displacement());
+        contact.tangential.offset[a] -= linear;
+      }
+
+    LA::Vector free = elasticity.zero_vector();
+    free            = 1.;
+    elasticity.constraints().set_zero(free);
+    contact.B_free.copy_from(contact.B);
+    LA::scale_columns(contact.B_free, free);
+    for (const LA::SparseMatrix &B : contact.tangential.B)
+      {
+        contact.tangential.B_free.emplace_back();
+        contact.tangential.B_free.back().copy_from(B);
+        LA::scale_columns(contact.tangential.B_free.back(), free);
+      }
+    if (contact.has_stress())
+      {
+        contact.S_free.copy_from(contact.S);
+        LA::scale_columns(contact.S_free, free);
+      }
+    contact.set_interference(std::vector<double>(surfaces.size(), 1.));
+    contact.tied = elasticity.has_inclined_supports();
+    if (contact.tied)
+      add_tied_columns(elasticity, contact);
+    return result;
+  }
+
+
+
+  void
+  GapOperator::set_interference(const std::vector<double> &shares)
+  {
+    interference = shares;
+    auto which   = origin.pair.begin();
+    initial_gap.reinit(rest_gap);
+    for (const auto i : rest_gap.locally_owned_elements())
+      {
+        const double share  = shares[*which++];
+        const bool   counts = rest_gap(i) < 0 || coefficients.permanent(i) > 0;
+        const double change = at_rest() ? 0. : double(moved.drift(i));
+        initial_gap(i)      = (counts ? share : 1.) * rest_gap(i) + change;
+      }
+    initial_gap.compress(VectorOperation::insert);
+  }
+
+
+
+  void
+  GapOperator::set_rises(const LA::Vector &rises)
+  {
+    if (S_thermal.m() == 0)
+      return;
+    thermal_stress = zero();
+    S_thermal.vmult(thermal_stress, rises);
+  }
+
+
+
+  LA::Vector
+  GapOperator::gap(const LA::Vector &u) const
+  {
+    LA::Vector g = zero();
+    if (!empty())
+      B.vmult(g, u);
+    g += initial_gap;
+    return g;
+  }
+
+
+
+  void
+  GapOperator::set_start(const LA::Vector &u)
+  {
+    for (unsigned int a = 0; a < tangential.B.size() && at_rest(); ++a)
+      {
+        tangential.B[a].vmult(tangential.offset[a], u);
+        tangential.offset[a] *= -1;
+      }
+  }
+
+
+
+  PointVectors
+  GapOperator::gaps(const LA::Vector &u) const
+  {
+    PointVectors result = {gap(u)};
+    for (unsigned int a = 0; a < tangential.B.size(); ++a)
+      {
+        result.push_back(zero());
+        tangential.B[a].vmult(result.back(), u);
+        result.back() += tangential.offset[a];
+      }
+    return result;
+  }
+
+
+
+  unsigned int
+  GapOperator::n_pairs() const
+  {
+    const auto        &pair = origin.pair;
+    const unsigned int own  = pair.empty() ? 0 : 1 + *std::max_element(pair.begin(), pair.end());
+    return Utilities::MPI::max(own, weight.get_mpi_communicator());
+  }
+
+
+
+  LA::Vector
+  GapOperator::stress(const LA::Vector &u, const LA::Vector &m) const
+  {
+    LA::Vector s = zero();
+    if (has_stress() && !empty())
+      S.vmult(s, u);
+    for (const LA::Vector *fixed : {&thermal_stress, &fixed_stress})
+      if (fixed->size() > 0)
+        s += *fixed;
+    if (has_bulk_stress())
+      S_bulk.vmult_add(s, m);
+    return s;
+  }
+
+
+
+  LA::Vector
+  GapOperator::transposed(const bool is_free, const PointVectors &p, const LA::Vector &s) const
+  {
+    // Not the communicator of p: an empty vector may have been assigned without one.
+    LA::Vector result(dofs, weight.get_mpi_communicator());
+    if (empty())
+      return result;
+    LA::Vector term;
+    term.reinit(result);
+    for (unsigned int a = 0; a < p.size(); ++a)
+      {
+        LA::Vector weighted = p[a];
+        weighted.scale(weight);
+        (is_free ? free_rows(a) : rows(a)).Tvmult(a == 0 ? result : term, weighted);
+        if (a > 0)
+          result += term;
+      }
+    if (theta == 0)
+      return result;
+    (is_free ? S_free : S).Tvmult(term, lack_of_stress(p[0], s));
+    result += term;
+    return result;
+  }
+
+
+
+  LA::Vector
+  GapOperator::lack_of_stress(const LA::Vector &p, const LA::Vector &s) const
+  {
+    LA::Vector result = zero();
+    for (const auto i : result.locally_owned_elements())
+      result(i) = theta * weight(i) / coefficients.epsilon(i) * (s(i) - p(i));
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  LA::Vector
+  GapOperator::force_on_bulk(const PointVectors &p, const LA::Vector &s) const
+  {
+    LA::Vector result(S_bulk.locally_owned_domain_indices(), weight.get_mpi_communicator());
+    if (theta != 0)
+      S_bulk.Tvmult(result, lack_of_stress(p[0], s));
+    return result;
+  }
+
+
+
+  LA::Vector
+  GapOperator::force(const PointVectors &p, const LA::Vector &s) const
+  {
+    return transposed(true, p, s);
+  }
+
+
+
+  LA::Vector
+  GapOperator::total_force(const PointVectors &p, const LA::Vector &s) const
+  {
+    return transposed(false, p, s);
+  }
+
+
+
+  void
+  GapOperator::add_moved_force(LA::Vector &dst, const LA::Vector &u) const
+  {
+    if (!moved.G)
+      return;
+    LA::Vector change = u;
+    change -= moved.place;
+    moved.G->vmult_add(dst, change, 1);
+  }
+
+
+
+  void
+  GapOperator::subtract_geometric(LA::Vector &dst, const LA::Vector &v) const
+  {
+    if (moved.G)
+      moved.G->vmult_add(dst, v, -1);
+  }
+
+
+
+  void
+  GapOperator::for_each_geometric_entry(
+    const LA::Vector &numbers, const std::function<void(double, double, double)> &add) const
+  {
+    if (moved.G)
+      moved.G->for_each_entry(numbers, add);
+  }
+
+
+
+  std::size_t
+  GapOperator::memory() const
+  {
+    std::size_t                           bytes    = 0;
+    std::vector<const LA::SparseMatrix *> matrices = {
+      &B, &B_free, &S, &S_free, &S_thermal, &S_bulk};
+    for (const auto *more : {&tangential.B, &tangential.B_free})
+      for (const LA::SparseMatrix &matrix : *more)
+        matrices.push_back(&matrix);
+    for (const LA::SparseMatrix *matrix : matrices)
+      if (matrix->m() > 0)
+        bytes += LA::memory(*matrix);
+    if (moved.G)
+      bytes += moved.G->memory();
+    const std::size_t n_vectors =
+      5 + geometry.position.size() + geometry.normal.size() + geometry.moment.size();
+    return bytes + weight.locally_owned_size() * n_vectors * sizeof(double);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<GapOperator>
+  make_gap_operator(const Elasticity<dim>                  &elasticity,
+                    const std::vector<ContactSurface<dim>> &surfaces,
+                    const ContactMethod                    &method)
+  {
+    return make_gap_operator(Configuration<dim>(elasticity),
+                             surfaces,
+                             make_contact_rows(elasticity, surfaces, method.sampling()),
+                             method);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template std::unique_ptr<GapOperator> make_gap_operator(                                         \
+    const Configuration<dim> &,                                                                    \
+    const std::vector<ContactSurface<dim>> &,                                                      \
+    const ContactRows &,                                                                           \
+    const ContactMethod &);                                                                        \
+  template std::unique_ptr<GapOperator> make_gap_operator(                                         \
+    const Elasticity<dim> &, const std::vector<ContactSurface<dim>> &, const ContactMethod &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,272 @@
+#include "contact/constraints/geometric_stiffness.h"
+#include "contact/constraints/pressed_points.h"
+#include "linear_algebra/ghost_exchange.h"
+#include "linear_algebra/values.h"
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class PointwiseStiffness : public GeometricStiffness
+    {
+    public:
+      PointwiseStiffness(const Elasticity<dim> &elasticity, std::vector<PressedPoint<dim>> &&points)
+        : points(std::move(points))
+        , exchange(elasticity.owned(),
+                   dofs(elasticity.owned().size()),
+                   elasticity.mesh().communicator())
+      {
+        use_places();
+        find_constraints(elasticity);
+      }
+
+      void
+      vmult_add(LA::Vector &dst, const LA::Vector &v, const double factor) const override
+      {
+        const std::size_t n_owned = exchange.n_owned();
+        u.assign(n_owned + exchange.n_ghosts(), 0.);
+        std::copy_n(LA::values_of(v), n_owned, u.begin());
+        for (const auto line : fixed)
+          u[line] = 0;
+        for (const auto &[line, other, share] : ties)
+          u[line] += share * u[other];
+        exchange.fetch(u.data(), u.data() + n_owned);
+
+        f.assign(u.size(), 0.);
+        for (const PressedPoint<dim> &point : points)
+          {
+            point.evaluate_rows(u.data(), T);
+            CT.assign(T.size(), 0.);
+            for (std::size_t i = 0; i < T.size(); ++i)
+              for (std::size_t j = 0; j < T.size(); ++j)
+                CT[i] += factor * point.factors[i * T.size() + j] * T[j];
+            point.add_rows(CT, f.data());
+          }
+
+        exchange.add(f.data() + n_owned, f.data());
+        for (const auto &[line, other, share] : ties)
+          f[other] += share * f[line];
+        for (const auto line : fixed)
+          f[line] = 0;
+        double *values = LA::values_of(dst);
+        for (std::size_t i = 0; i < n_owned; ++i)
+          values[i] += f[i];
+      }
+
+      void
+      for_each_entry(const LA::Vector                                  &numbers,
+                     const std::function<void(double, double, double)> &add) const override
+      {
+        const std::size_t n_owned = exchange.n_owned();
+        Names             names;
+        names.numbers.resize(n_owned + exchange.n_ghosts());
+        std::copy_n(LA::values_of(numbers), n_owned, names.numbers.begin());
+        for (const auto line : fixed)
+          names.numbers[line] = -1;
+        exchange.fetch(names.numbers.data(), names.numbers.data() + n_owned);
+        for (std::vector<double> &shares : names.shares)
+          if (has_ties)
+            shares.assign(names.numbers.size(), 0.);
+        for (const auto &[line, other, share] : ties)
+          names.shares[other + dim - 1 - line][line] = share;
+        for (std::vector<double> &shares : names.shares)
+          if (has_ties)
+            exchange.fetch(shares.data(), shares.data() + n_owned);
+        u.assign(names.numbers.size(), 0.);
+        std::vector<Named> named, before;
+        FullMatrix<double> rows, weighted, sum; // of points between the same two faces
+        const auto         hand_on = [&] {
+          for (unsigned int k = 0; k < before.size(); ++k)
+            for (unsigned int l = 0; l < before.size(); ++l)
+              add(before[k].number, before[l].number, sum(k, l));
+        };
+        for (const PressedPoint<dim> &point : points)
+          {
+            name_dofs(point, names, named);
+            if (named.empty())
+              continue;
+            if (named != before)
+              {
+                hand_on();
+                before = named;
+                sum.reinit(named.size(), named.size());
+              }
+            const unsigned int       n = point.n_rows();
+            const FullMatrix<double> C(n, n, point.factors.data());
+            rows.reinit(n, named.size()); // T of the named ones
+            weighted.reinit(n, named.size());
+            for (unsigned int k = 0; k < named.size(); ++k)
+              {
+                u[named[k].place] = named[k].share;
+                point.evaluate_rows(u.data(), T);
+                u[named[k].place] = 0;
+                for (unsigned int i = 0; i < n; ++i)
+                  rows(i, k) = T[i];
+              }
+            C.mmult(weighted, rows);
+            rows.Tmmult(sum, weighted, true);
+          }
+        hand_on();
+      }
+
+      std::size_t
+      memory() const override
+      {
+        std::size_t bytes = 0;
+        for (const PressedPoint<dim> &point : points)
+          bytes += sizeof(point) +
+                   (point.slave.size() + point.master.size()) * sizeof(NodeFunction<dim>) +
+                   point.factors.size() * sizeof(double);
+        return bytes;
+      }
+
+    private:
+      /// A degree of freedom as a share of one that has a number.
+      struct Named
+      {
+        std::uint32_t place;
+        double        share, number;
+
+        bool
+        operator==(const Named &other) const
+        {
+          return std::tie(place, share, number) == std::tie(other.place, other.share, other.number);
+        }
+      };
+
+      /// Of degrees of freedom here.
+      struct Names
+      {
+        std::vector<double> numbers; ///< negative: none
+        /// That one has of another one of its node, which is so many places farther, less dim - 1.
+        std::array<std::vector<double>, 2 * dim - 1> shares;
+      };
+
+      /// Those of a point.
+      void
+      name_dofs(const PressedPoint<dim> &point, const Names &names, std::vector<Named> &named) const
+      {
+        named.clear();
+        const auto take = [&](const std::uint32_t place) {
+          const auto name = [&](const std::uint32_t other, const double share) {
+            if (names.numbers[other] >= 0)
+              named.push_back({place, share, names.numbers[other]});
+          };
+          name(place, 1);
+          for (unsigned int k = 0; k < names.shares.size() && has_ties; ++k)
+            if (const double share = names.shares[k][place]; share != 0)
+              name(place + k + 1 - dim, share);
+        };
+        for (const auto *functions : {&point.slave, &point.master})
+          for (const NodeFunction<dim> &function : *functions)
+            for (unsigned int d = 0; d < dim; ++d)
+              take(function.node + d);
+        std::vector<std::uint32_t> rigid;
+        for (const SparseRow &row : point.rigid)
+          for (const auto &entry : row)
+            rigid.push_back(entry.first);
+        std::sort(rigid.begin(), rigid.end());
+        rigid.erase(std::unique(rigid.begin(), rigid.end()), rigid.end());
+        std::for_each(rigid.begin(), rigid.end(), take);
+      }
+
+      /// All that points refer to.
+      IndexSet
+      dofs(const types::global_dof_index n_dofs) const
+      {
+        std::vector<types::global_dof_index> indices;
+        const PressedPoint<dim>             *before = nullptr;
+        for (const PressedPoint<dim> &point : points)
+          {
+            if (before == nullptr || !same_nodes(*before, point))
+              for (const auto *functions : {&point.slave, &point.master})
+                for (const NodeFunction<dim> &function : *functions)
+                  for (unsigned int d = 0; d < dim; ++d)
+                    indices.push_back(function.node + d);
+            before = &point;
+            for (const SparseRow &row : point.rigid)
+              for (const auto &entry : row)
+                indices.push_back(entry.first);
+          }
+        std::sort(indices.begin(), indices.end());
+        indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+        IndexSet result(n_dofs);
+        result.add_indices(indices.begin(), indices.end());
+        return result;
+      }
+
+      void
+      use_places()
+      {
+        for (PressedPoint<dim> &point : points)
+          {
+            for (auto *functions : {&point.slave, &point.master})
+              for (NodeFunction<dim> &function : *functions)
+                function.node = exchange.place(function.node);
+            for (SparseRow &row : point.rigid)
+              for (auto &entry : row)
+                entry.first = exchange.place(entry.first);
+          }
+      }
+
+      /// Hanging nodes are left out: points do not refer to them.
+      void
+      find_constraints(const Elasticity<dim> &elasticity)
+      {
+        const auto &constraints = elasticity.constraints();
+        const auto &owned       = elasticity.owned();
+        for (const auto line : owned)
+          if (constraints.is_constrained(line))
+            fixed.push_back(exchange.place(line));
+        for (const auto &[first, node] : elasticity.held_nodes())
+          for (const auto line : node.dofs)
+            if (owned.is_element(line) && constraints.is_constrained(line))
+              for (const auto &[other, share] : *constraints.get_constraint_entries(line))
+                ties.emplace_back(exchange.place(line), exchange.place(other), share);
+        has_ties = Utilities::MPI::max(ties.empty() ? 0 : 1, elasticity.mesh().communicator()) == 1;
+      }
+
+      std::vector<PressedPoint<dim>>                                points;
+      const LA::GhostExchange<double>                               exchange;
+      std::vector<std::uint32_t>                                    fixed; ///< constrained
+      std::vector<std::tuple<std::uint32_t, std::uint32_t, double>> ties;
+      bool                                                          has_ties = false; ///< any rank
+      mutable std::vector<double>                                   u, f, T, CT;      ///< T: rows
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<GeometricStiffness>
+  geometric_stiffness(const Elasticity<dim>                  &elasticity,
+                      const std::vector<ContactSurface<dim>> &surfaces,
+                      const ContactRows                      &rows,
+                      const PointVectors                     &traction)
+  {
+    return std::make_unique<PointwiseStiffness<dim>>(
+      elasticity, pressed_points(surfaces, rows, traction, elasticity.mesh().communicator()));
+  }
+
+
+
+  template std::unique_ptr<GeometricStiffness>
+  geometric_stiffness(const Elasticity<2> &,
+                      const std::vector<ContactSurface<2>> &,
+                      const ContactRows &,
+                      const PointVectors &);
+  template std::unique_ptr<GeometricStiffness>
+  geometric_stiffness(const Elasticity<3> &,
+                      const std::vector<ContactSurface<3>> &,
+                      const ContactRows &,
+                      const PointVectors &);
+} // namespace Signorini

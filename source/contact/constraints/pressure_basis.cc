@@ -1,0 +1,250 @@
+#include "contact/constraints/pressure_basis.h"
+#include "linear_algebra/dense.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include <Eigen/LU>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Nodes   = std::vector<FaceNode>;
+    using Numbers = std::vector<unsigned int>;
+
+    Eigen::VectorXd
+    dense(const SparseRow &shape, const Nodes &nodes)
+    {
+      Eigen::VectorXd values = Eigen::VectorXd::Zero(nodes.size());
+      for (const auto &[index, value] : shape)
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          if (nodes[i].index == index)
+            values[i] += value;
+      return values;
+    }
+
+    /// Of functions: int f f^T dA and int f dA.
+    struct Integrals
+    {
+      Eigen::MatrixXd M;
+      Eigen::VectorXd D;
+
+      Integrals
+      combined(const Eigen::MatrixXd &L) const
+      {
+        return {L * M * L.transpose(), L * D};
+      }
+
+      /// D^(-1/2) M D^(-1/2); none if a function has no positive integral.
+      std::optional<Eigen::MatrixXd>
+      scaled() const
+      {
+        if (D.minCoeff() <= 0)
+          return {};
+        const Eigen::VectorXd scale = D.cwiseSqrt().cwiseInverse();
+        return Eigen::MatrixXd(scale.asDiagonal() * M * scale.asDiagonal());
+      }
+
+      /// On whole faces the smallest eigenvalue is 1/9 for degree 1 and 0.16 for degree 2.
+      bool
+      are_independent() const
+      {
+        constexpr double smallest = 0.01;
+        const auto       matrix   = scaled();
+        return matrix && eigenvalues_of_symmetric(*matrix).minCoeff() >= smallest;
+      }
+    };
+
+    Integrals
+    integrals_of(const std::vector<SparseRow> &shapes,
+                 const std::vector<double>    &weights,
+                 const Nodes                  &nodes)
+    {
+      Integrals result{Eigen::MatrixXd::Zero(nodes.size(), nodes.size()),
+                       Eigen::VectorXd::Zero(nodes.size())};
+      for (unsigned int q = 0; q < shapes.size(); ++q)
+        {
+          const Eigen::VectorXd phi = dense(shapes[q], nodes);
+          result.M += weights[q] * phi * phi.transpose();
+          result.D += weights[q] * phi;
+        }
+      return result;
+    }
+
+    double
+    distance2(const FaceNode &a, const FaceNode &b)
+    {
+      const double x = a.xi[0] - b.xi[0], y = a.xi[1] - b.xi[1];
+      return x * x + y * y;
+    }
+
+    /// The nearest of the nodes; several if they are equally near.
+    Numbers
+    nearest(const Nodes &nodes, const Numbers &candidates, const FaceNode &to)
+    {
+      double smallest = std::numeric_limits<double>::max();
+      for (const unsigned int i : candidates)
+        smallest = std::min(smallest, distance2(nodes[i], to));
+      Numbers result;
+      for (const unsigned int i : candidates)
+        if (distance2(nodes[i], to) < smallest + 1e-10)
+          result.push_back(i);
+      return result;
+    }
+
+    /// Adds the functions of nodes to those of the nearest of some of them: a row a node of these.
+    Eigen::MatrixXd
+    taken_over(const Nodes &nodes, const Numbers &takers)
+    {
+      Eigen::MatrixXd L = Eigen::MatrixXd::Zero(takers.size(), nodes.size());
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        {
+          const Numbers near = nearest(nodes, takers, nodes[i]);
+          for (unsigned int k = 0; k < takers.size(); ++k)
+            if (std::find(near.begin(), near.end(), takers[k]) != near.end())
+              L(k, i) = 1. / near.size();
+        }
+      return L;
+    }
+
+    /// Which of the functions depends most on the others: the last pivot of a Cholesky
+    /// factorisation.
+    unsigned int
+    most_dependent(const Integrals &functions)
+    {
+      const auto scaled = functions.scaled();
+      if (!scaled)
+        {
+          unsigned int least;
+          functions.D.minCoeff(&least);
+          return least;
+        }
+      Eigen::MatrixXd rest = *scaled;
+      Numbers         left(rest.rows());
+      std::iota(left.begin(), left.end(), 0);
+      while (left.size() > 1)
+        {
+          const auto            pivot  = std::max_element(left.begin(),
+                                              left.end(),
+                                              [&](const unsigned int a, const unsigned int b) {
+                                                return rest(a, a) < (1 - 1e-10) * rest(b, b);
+                                              });
+          const unsigned int    k      = *pivot;
+          const Eigen::VectorXd column = rest.col(k);
+          rest -= column * column.transpose() / std::max(rest(k, k), 1e-100);
+          left.erase(pivot);
+        }
+      return left.front();
+    }
+
+    /// The nodes that carry the pressure of a face of which only a part has a partner, so that
+    /// their functions are independent there.
+    Numbers
+    bearers(const Nodes &nodes, const Eigen::VectorXd &whole, const Integrals &functions)
+    {
+      constexpr double      enough = 0.25;
+      const Eigen::VectorXd shares = functions.D.cwiseQuotient(whole);
+      const double          limit  = std::min(enough, shares.maxCoeff() / 2);
+      Numbers               result;
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        if (shares[i] >= limit)
+          result.push_back(i);
+      while (result.size() > 1)
+        {
+          const Integrals taken = functions.combined(taken_over(nodes, result));
+          if (taken.are_independent())
+            break;
+          result.erase(result.begin() + most_dependent(taken));
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  PressureBasis::PressureBasis(const std::vector<FaceNode>  &nodes,
+                               const std::vector<SparseRow> &shapes,
+                               const std::vector<double>    &weights,
+                               const double                  area,
+                               const Basis                   basis)
+  {
+    const double covered = std::accumulate(weights.begin(), weights.end(), 0.);
+    const bool   is_part = covered < 0.99 * area;
+    Numbers      own(nodes.size());
+    std::iota(own.begin(), own.end(), 0);
+    Eigen::MatrixXd coefficients = Eigen::MatrixXd::Identity(nodes.size(), nodes.size());
+    if (is_part || basis == Basis::dual)
+      {
+        const Integrals functions = integrals_of(shapes, weights, nodes);
+        Integrals       taken     = functions;
+        if (is_part)
+          {
+            Eigen::VectorXd whole(nodes.size());
+            for (unsigned int i = 0; i < nodes.size(); ++i)
+              whole[i] = nodes[i].share * area;
+            own          = bearers(nodes, whole, functions);
+            coefficients = taken_over(nodes, own);
+            taken        = functions.combined(coefficients);
+          }
+        if (basis == Basis::dual && taken.are_independent())
+          coefficients = (taken.D.asDiagonal() * taken.M.inverse() * coefficients).eval();
+      }
+
+    Numbers free;
+    for (const unsigned int i : own)
+      if (!nodes[i].prescribed)
+        free.push_back(i);
+    for (unsigned int k = 0; k < own.size(); ++k)
+      {
+        if (!nodes[own[k]].prescribed)
+          continue;
+        const Numbers takers = nearest(nodes, free, nodes[own[k]]);
+        for (unsigned int j = 0; j < own.size(); ++j)
+          if (std::find(takers.begin(), takers.end(), own[j]) != takers.end())
+            coefficients.row(j) += coefficients.row(k) / takers.size();
+      }
+    for (unsigned int k = 0; k < own.size(); ++k)
+      {
+        if (nodes[own[k]].prescribed)
+          continue;
+        functions.emplace_back(nodes[own[k]].index, SparseRow());
+        for (unsigned int j = 0; j < nodes.size(); ++j)
+          if (const double c = coefficients(k, j); c != 0)
+            functions.back().second.emplace_back(nodes[j].index, c);
+      }
+  }
+
+
+
+  bool
+  PressureBasis::has(const types::global_dof_index node) const
+  {
+    return std::any_of(functions.begin(), functions.end(), [&](const auto &function) {
+      return function.first == node;
+    });
+  }
+
+
+
+  SparseRow
+  PressureBasis::at(const SparseRow &shape) const
+  {
+    SparseRow result;
+    for (const auto &[node, function] : functions)
+      {
+        double value = 0;
+        for (const auto &[other, coefficient] : function)
+          for (const auto &[index, phi] : shape)
+            if (index == other)
+              value += coefficient * phi;
+        if (value != 0)
+          result.emplace_back(node, value);
+      }
+    return result;
+  }
+} // namespace Signorini

@@ -1,0 +1,185 @@
+#include "contact/constraints/pressure_functions.h"
+#include <signorini/contact/methods/method.h>
+#include "solid/cell_nodes.h"
+#include <signorini/solid/model.h>
+#include "mesh/face_nodes.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  bool
+  carries_pressure(const Elasticity<dim>        &elasticity,
+                   const types::global_dof_index first,
+                   const unsigned int            degree,
+                   const FacePatch<dim>         &face,
+                   const Point<dim - 1>         &xi)
+  {
+    const auto node = elasticity.held_nodes().find(first);
+    if (node != elasticity.held_nodes().end() &&
+        node->second.free_part(face.normal(xi)).norm() < 0.1)
+      return false;
+    return elasticity.model() != Model::axisymmetric || degree < 2 ||
+           face.position(xi)[0] >= 1e-10 * elasticity.lever();
+  }
+
+
+
+  namespace
+  {
+    /// Over [0, 1], of the function of a node at x: weights of the trapezoidal and Simpson's rule.
+    double
+    mean_of_function(const unsigned int degree, const double x)
+    {
+      if (degree == 1)
+        return 1. / 2;
+      return std::abs(x - 0.5) < 0.25 ? 2. / 3 : 1. / 6;
+    }
+
+    template <int dim>
+    double
+    area_of(const FacePatch<dim> &patch, const Model model)
+    {
+      const QGauss<dim - 1> rule(2);
+      double                area = 0;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        area += rule.weight(q) * patch.jacobian(rule.point(q)) *
+                measure(model, patch.position(rule.point(q)));
+      return area;
+    }
+
+    template <int dim>
+    std::vector<FaceNode>
+    face_nodes(const Elasticity<dim>   &elasticity,
+               const CellIterator<dim> &cell,
+               const unsigned int       face,
+               const FacePatch<dim>    &patch)
+    {
+      const FiniteElement<dim>            &fe = cell->get_fe();
+      std::vector<types::global_dof_index> indices;
+      read_indices<dim>(cell, indices);
+      std::vector<FaceNode> nodes;
+      for (const unsigned int i : nodes_of_face(fe.base_element(0), face))
+        {
+          FaceNode   node{indices[fe.component_to_system_index(0, i)], {{0, 0}}, false, 1.};
+          const auto xi = face_parameter<dim>(face, fe.base_element(0).unit_support_point(i));
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            {
+              node.xi[d] = xi[d];
+              node.share *= mean_of_function(fe.degree, xi[d]);
+            }
+          node.prescribed = !carries_pressure(elasticity, node.index, fe.degree, patch, xi);
+          nodes.push_back(node);
+        }
+      return nodes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<PressureNodes>
+  set_pressure_functions(const Elasticity<dim>               &elasticity,
+                         const ContactMethod                 &method,
+                         const Basis                          kind,
+                         const BoundaryFaces<dim>            &slave,
+                         const std::vector<PairedPoint<dim>> &paired_points,
+                         const std::vector<PairedPoint<dim>> &paired_seams,
+                         std::vector<ContactPoint<dim>>      &points,
+                         std::vector<Seam<dim>>              &seams)
+  {
+    // Otherwise a law says what the pressure is, even where nothing can move.
+    const bool must_balance =
+      method.predictor() == Predictor::multiplier || method.predictor() == Predictor::last_pressure;
+    Trace<dim>                 trace(elasticity);
+    std::vector<SparseRow>     shapes;
+    std::vector<double>        weights;
+    auto                       seam = paired_seams.begin();
+    std::vector<PressureNodes> result(slave.faces.size());
+    for (unsigned int first = 0, last = 0; first < points.size(); first = last)
+      {
+        const auto &[cell, face] = slave.faces[points[first].face];
+        trace.reinit(cell, face);
+        shapes.clear();
+        weights.clear();
+        for (; last < points.size() && points[last].face == points[first].face; ++last)
+          {
+            shapes.push_back(trace.unresolved_shape(paired_points[last].xi));
+            weights.push_back(points[last].weight);
+          }
+        auto       nodes = face_nodes(elasticity, cell, face, slave.patches[points[first].face]);
+        const bool all_prescribed =
+          std::all_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.prescribed; });
+        if (all_prescribed && !must_balance)
+          for (FaceNode &node : nodes)
+            node.prescribed = false;
+        const double        area = area_of(slave.rest[points[first].face], elasticity.model());
+        const PressureBasis basis(nodes, shapes, weights, area, kind);
+        const PressureBasis standard(nodes, shapes, weights, area, Basis::standard);
+        PressureNodes      &of_face = result[points[first].face];
+        of_face.covered             = std::accumulate(weights.begin(), weights.end(), 0.) / area;
+        for (const FaceNode &node : nodes)
+          if (basis.has(node.index))
+            of_face.own.push_back(node.index);
+        seam = std::find_if(seam, paired_seams.end(), [&](const auto &paired) {
+          return paired.face >= points[first].face;
+        });
+        for (; seam != paired_seams.end() && seam->face == points[first].face; ++seam)
+          {
+            SparseRow &shape = seams[seam - paired_seams.begin()].shape;
+            shape            = basis.at(trace.unresolved_shape(seam->xi));
+            resolve(elasticity.hanging_nodes(), shape);
+          }
+        for (unsigned int q = first; q < last; ++q)
+          {
+            points[q].shape = basis.at(shapes[q - first]);
+            resolve(elasticity.hanging_nodes(), points[q].shape);
+            if (kind == Basis::standard)
+              continue;
+            points[q].interpolation = standard.at(shapes[q - first]);
+            resolve(elasticity.hanging_nodes(), points[q].interpolation);
+          }
+      }
+    return result;
+  }
+
+
+
+  template bool
+  carries_pressure(const Elasticity<2> &,
+                   types::global_dof_index,
+                   unsigned int,
+                   const FacePatch<2> &,
+                   const Point<1> &);
+  template bool
+  carries_pressure(const Elasticity<3> &,
+                   types::global_dof_index,
+                   unsigned int,
+                   const FacePatch<3> &,
+                   const Point<2> &);
+  template std::vector<PressureNodes>
+  set_pressure_functions(const Elasticity<2> &,
+                         const ContactMethod &,
+                         Basis,
+                         const BoundaryFaces<2> &,
+                         const std::vector<PairedPoint<2>> &,
+                         const std::vector<PairedPoint<2>> &,
+                         std::vector<ContactPoint<2>> &,
+                         std::vector<Seam<2>> &);
+  template std::vector<PressureNodes>
+  set_pressure_functions(const Elasticity<3> &,
+                         const ContactMethod &,
+                         Basis,
+                         const BoundaryFaces<3> &,
+                         const std::vector<PairedPoint<3>> &,
+                         const std::vector<PairedPoint<3>> &,
+                         std::vector<ContactPoint<3>> &,
+                         std::vector<Seam<3>> &);
+} // namespace Signorini

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "contact/constraints/contact_rows.h"
+#include "contact/interface/surface.h"
+#include "contact/search/boundary_faces.h"
+#include "contact/search/vectors_across.h"
+
+#include <array>
+#include <vector>
+
+namespace Signorini
+{
+  /// The frames of the slave surface at paired points. @param slave the faces that points count
+  template <int dim>
+  std::vector<SurfaceFrame<dim>>
+  surface_frames(const BoundaryFaces<dim> &slave, const std::vector<PairedPoint<dim>> &points);
+
+  /// Where the vectors vectors_across(N) of a slave surface at rest have got to: the rotation R of
+  /// the polar decomposition P F = R U is applied to them, with the projection P across the contact
+  /// normal.
+  template <int dim>
+  struct ConvectedFrame
+  {
+    std::array<dealii::Tensor<1, dim>, dim - 1> vectors; ///< orthonormal, across the contact normal
+    double                                      stretch; ///< trace of U
+
+    /// @param normal N, outward unit normal of the slave at rest
+    /// @param F see SurfaceFrame
+    /// @param direction unit contact normal, about opposite to that of the slave
+    ConvectedFrame(const dealii::Tensor<1, dim> &normal,
+                   const dealii::Tensor<2, dim> &F,
+                   const dealii::Tensor<1, dim> &direction);
+  };
+
+  /// The tangents along which the slip of each row of the gap operator is measured.
+  ///
+  /// At rest they are dim - 1 unit vectors across the mean normal of the slave around the row, the
+  /// same on any number of ranks. At a point of integration they are turned with the normal of the
+  /// surface, as little as possible; where surfaces have moved they turn with the material of the
+  /// slave, see ConvectedFrame. So components of a traction by these tangents mean the same before
+  /// and after a rigid motion, and rows around a point know a smooth field of directions on curved
+  /// surfaces.
+  template <int dim>
+  class Tangents
+  {
+  public:
+    using Frame = std::array<dealii::Tensor<1, dim>, dim - 1>;
+
+    /// Refers to the rows. Collective.
+    Tangents(const ContactRows                      &rows,
+             const std::vector<ContactSurface<dim>> &surfaces,
+             MPI_Comm                                comm);
+
+    /// Of a row that points of this rank contribute to, or that it owns.
+    Frame
+    at_rest(dealii::types::global_dof_index row) const;
+
+    /// Those of the row at a point.
+    /// @param direction unit contact normal there
+    Frame
+    at(dealii::types::global_dof_index row,
+       const SurfaceFrame<dim>        &frame,
+       const dealii::Tensor<1, dim>   &direction) const;
+
+    /// Where surfaces have moved, the slip of this load step at a point along the tangents of the
+    /// row: with x and y the slave's point and its partner, and with the tangents t, the change of
+    /// t.(x - y) since the start of the load step, of the points that are partners now. A rigid
+    /// motion of both surfaces does not change it.
+    dealii::Tensor<1, dim - 1>
+    slip(dealii::types::global_dof_index row,
+         const SurfaceFrame<dim>        &frame,
+         const dealii::Tensor<1, dim>   &direction) const;
+
+  private:
+    dealii::Tensor<1, dim>
+    normal(dealii::types::global_dof_index row) const;
+    /// @param F deformation of the slave's surface at the point
+    Frame
+    convected(dealii::types::global_dof_index row,
+              const dealii::Tensor<1, dim>   &normal_at_rest,
+              const dealii::Tensor<2, dim>   &F,
+              const dealii::Tensor<1, dim>   &direction) const;
+
+    std::vector<LA::Vector> normals; ///< component by component, with ghosts; not of unit length
+  };
+} // namespace Signorini

@@ -1,0 +1,234 @@
+#include "contact/constraints/trace.h"
+#include "solid/cell_nodes.h"
+#include "mesh/face_nodes.h"
+#include "geometry/face_parameter.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double zero = 1e-14; // of a shape function
+
+    /// Replace entries for hanging nodes by ones for those that they hang on, each made by
+    /// scaled(entry, index, weight); false if there are none.
+    template <typename Entry, typename Index, typename Scale>
+    bool
+    replace_hanging(const AffineConstraints<double> &hanging,
+                    std::vector<Entry>              &row,
+                    const Index                     &index_of,
+                    const Scale                     &scaled)
+    {
+      const auto hangs = [&](const Entry &entry) {
+        return hanging.is_constrained(index_of(entry));
+      };
+      if (std::none_of(row.begin(), row.end(), hangs))
+        return false;
+      const std::size_t n = row.size();
+      for (std::size_t i = 0; i < n; ++i)
+        if (const auto *entries = hanging.get_constraint_entries(index_of(row[i])))
+          {
+            const Entry entry = row[i];
+            for (const auto &[index, weight] : *entries)
+              row.push_back(scaled(entry, index, weight));
+          }
+      row.erase(std::remove_if(row.begin(), row.end(), hangs), row.end());
+      return true;
+    }
+
+    template <int dim>
+    void
+    unite(FaceFunctions<dim> &functions)
+    {
+      std::sort(functions.begin(), functions.end(), [](const auto &a, const auto &b) {
+        return a.node < b.node;
+      });
+      std::size_t last = 0;
+      for (std::size_t i = 1; i < functions.size(); ++i)
+        if (functions[i].node == functions[last].node)
+          {
+            functions[last].value += functions[i].value;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              functions[last].slopes[a] += functions[i].slopes[a];
+          }
+        else
+          functions[++last] = functions[i];
+      functions.resize(last + 1);
+    }
+
+    template <int dim>
+    void
+    resolve(const AffineConstraints<double> &hanging, FaceFunctions<dim> &functions)
+    {
+      const auto scaled =
+        [](NodeFunction<dim> function, const types::global_dof_index node, const double weight) {
+          function.node = node;
+          function.value *= weight;
+          for (double &slope : function.slopes)
+            slope *= weight;
+          return function;
+        };
+      if (replace_hanging(
+            hanging, functions, [](const auto &function) { return function.node; }, scaled))
+        unite<dim>(functions);
+    }
+  } // namespace
+
+
+
+  void
+  unite(SparseRow &row)
+  {
+    std::sort(row.begin(), row.end());
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < row.size(); ++i)
+      if (row[i].first == row[last].first)
+        row[last].second += row[i].second;
+      else
+        row[++last] = row[i];
+    if (!row.empty())
+      row.resize(last + 1);
+  }
+
+
+
+  void
+  resolve(const AffineConstraints<double> &hanging, SparseRow &row)
+  {
+    using Entry       = SparseRow::value_type;
+    const auto scaled = [](const Entry &entry, const auto index, const double weight) {
+      return Entry(index, weight * entry.second);
+    };
+    if (replace_hanging(
+          hanging, row, [](const Entry &entry) { return entry.first; }, scaled))
+      unite(row);
+  }
+
+
+
+  template <int dim>
+  Trace<dim>::Trace(const Elasticity<dim> &elasticity)
+    : hanging(elasticity.hanging_nodes())
+  {
+    for (const auto &fe : elasticity.finite_elements())
+      elements.push_back(element_of(fe));
+  }
+
+
+
+  template <int dim>
+  typename Trace<dim>::Element
+  Trace<dim>::element_of(const FiniteElement<dim> &fe)
+  {
+    const FiniteElement<dim>   &scalar = fe.base_element(0);
+    const std::vector<Point<1>> places = QGaussLobatto<1>(scalar.degree + 1).get_points();
+    Element                     result{Polynomials::generate_complete_Lagrange_basis(places),
+                   std::vector<std::vector<Node>>(GeometryInfo<dim>::faces_per_cell)};
+    for (unsigned int face = 0; face < result.nodes.size(); ++face)
+      for (const unsigned int i : nodes_of_face(scalar, face))
+        {
+          Node       node{fe.component_to_system_index(0, i), {}};
+          const auto xi = face_parameter<dim>(face, scalar.unit_support_point(i));
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            while (std::abs(places[node.place[d]][0] - xi[d]) > 1e-10)
+              ++node.place[d];
+          result.nodes[face].push_back(node);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Trace<dim>::reinit(const Cell &new_cell, const unsigned int new_face)
+  {
+    if (new_face == face && new_cell == cell)
+      return;
+    cell    = new_cell;
+    face    = new_face;
+    element = &elements[cell->active_fe_index()];
+    read_indices<dim>(cell, indices);
+    nodes.clear();
+    for (const Node &node : element->nodes[face])
+      nodes.push_back(indices[node.dof]);
+  }
+
+
+
+  template <int dim>
+  FaceFunctions<dim>
+  Trace<dim>::unresolved(const Parameter &xi) const
+  {
+    // The polynomials of a line: value and derivative of each, for each parameter.
+    const unsigned int  n = element->line.size();
+    std::vector<double> lines(2 * n * (dim - 1));
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      for (unsigned int i = 0; i < n; ++i)
+        element->line[i].value(xi[d], 1, &lines[2 * (d * n + i)]);
+
+    FaceFunctions<dim> result;
+    result.reserve(nodes.size());
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const auto       &place = element->nodes[face][k].place;
+        NodeFunction<dim> one{nodes[k], 1., {}};
+        one.slopes.fill(1.);
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            const double *of_line = &lines[2 * (d * n + place[d])];
+            one.value *= of_line[0];
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              one.slopes[a] *= of_line[a == d];
+          }
+        result.push_back(one);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  FaceFunctions<dim>
+  Trace<dim>::functions(const Parameter &xi) const
+  {
+    FaceFunctions<dim> result = unresolved(xi);
+    resolve<dim>(hanging, result);
+    return result;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  Trace<dim>::unresolved_shape(const Parameter &xi) const
+  {
+    SparseRow row;
+    for (const NodeFunction<dim> &function : unresolved(xi))
+      if (std::abs(function.value) > zero)
+        row.emplace_back(function.node, function.value);
+    return row;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  Trace<dim>::shape(const Parameter &xi) const
+  {
+    SparseRow row = unresolved_shape(xi);
+    Signorini::resolve(hanging, row);
+    return row;
+  }
+
+
+
+  template class Trace<2>;
+  template class Trace<3>;
+} // namespace Signorini

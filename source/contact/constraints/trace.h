@@ -1,0 +1,80 @@
+#pragma once
+
+#include "contact/search/partner.h"
+#include "solid/elasticity.h"
+
+#include <deal.II/base/polynomial.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /// Sum entries of the same index.
+  void
+  unite(SparseRow &row);
+
+  /// Replace hanging nodes by the nodes that they hang on. Sorts and unites a row that has any.
+  void
+  resolve(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
+
+  /// Shape functions of a cell at points of one of its faces, by nodes. Keeps a reference to its
+  /// argument.
+  template <int dim>
+  class Trace
+  {
+  public:
+    using Cell      = typename dealii::DoFHandler<dim>::active_cell_iterator;
+    using Parameter = dealii::Point<dim - 1>;
+
+    Trace(const Elasticity<dim> &elasticity);
+
+    void
+    reinit(const Cell &cell, unsigned int face);
+
+    /// Hanging nodes resolved.
+    FaceFunctions<dim>
+    functions(const Parameter &xi) const;
+
+    /// The values alone, without those that are zero.
+    SparseRow
+    shape(const Parameter &xi) const;
+
+    /// The same with hanging nodes as they are.
+    SparseRow
+    unresolved_shape(const Parameter &xi) const;
+
+  private:
+    /// A node of a face: which of the cell's degrees of freedom is its first one, and its numbers
+    /// along the parameters of the face.
+    struct Node
+    {
+      unsigned int                      dof;
+      std::array<unsigned int, dim - 1> place;
+    };
+
+    /// What is the same on all cells with an element.
+    struct Element
+    {
+      std::vector<dealii::Polynomials::Polynomial<double>> line;  ///< the shape functions in 1D
+      std::vector<std::vector<Node>>                       nodes; ///< of each face of a cell
+    };
+
+    static Element
+    element_of(const dealii::FiniteElement<dim> &fe);
+
+    FaceFunctions<dim>
+    unresolved(const Parameter &xi) const;
+
+    const dealii::AffineConstraints<double> &hanging;
+    std::vector<Element>                     elements;
+
+    // Of the present face.
+    Cell                                         cell;
+    unsigned int                                 face    = dealii::numbers::invalid_unsigned_int;
+    const Element                               *element = nullptr;
+    std::vector<dealii::types::global_dof_index> indices; ///< of the cell
+    std::vector<dealii::types::global_dof_index> nodes;   ///< of the face
+  };
+} // namespace Signorini

@@ -1,0 +1,219 @@
+#include "mesh/cells_by_name.h"
+#include "geometry/lagrange.h"
+#include "contact/history/surface_field.h"
+
+#include <deal.II/base/geometry_info.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  /// By that of the cell: faces of one cell are known to one rank.
+  static std::uint64_t
+  hash_of(const FaceId &id)
+  {
+    return hash_of(id.cell);
+  }
+
+
+
+  namespace
+  {
+    using Values = std::vector<PlaceValue>;
+
+    /// Where along the axes of a face the child of a cell lies: 0 or 1.
+    std::array<unsigned int, 2>
+    halves(const unsigned int child, const unsigned int face, const unsigned int dim)
+    {
+      std::array<unsigned int, 2> result{};
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        result[d] = (child >> ((face / 2 + 1 + d) % dim)) & 1;
+      return result;
+    }
+
+    /// The child of a cell at that face and those halves of it.
+    unsigned int
+    child_at(const unsigned int                 face,
+             const std::array<unsigned int, 2> &half,
+             const unsigned int                 dim)
+    {
+      unsigned int child = (face % 2) << (face / 2);
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        child |= half[d] << ((face / 2 + 1 + d) % dim);
+      return child;
+    }
+
+    FaceId
+    parent_of(const FaceId &id)
+    {
+      return {id.pair, Signorini::parent_of(id.cell), id.face};
+    }
+
+    FaceId
+    child_of(const FaceId &id, const unsigned int child)
+    {
+      return {id.pair, Signorini::child_of(id.cell, child), id.face};
+    }
+
+    double
+    distance_square(const FacePlace &a, const FacePlace &b)
+    {
+      return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+    }
+
+    /// Of what is computed from the same numbers on another way.
+    constexpr double rounding = 1e-9;
+
+    /// Of the polynomials through nodes that lie as face_lattice() says; 0: they do not.
+    unsigned int
+    degree_of_lattice(const Values &values, const unsigned int dim)
+    {
+      const unsigned int n =
+        dim == 2 ? values.size() : std::lround(std::sqrt(double(values.size())));
+      if (n < 2 || n > max_degree + 1 || (dim == 3 && n * n != values.size()))
+        return 0;
+      for (unsigned int i = 0; i < values.size(); ++i)
+        {
+          const FacePlace node = {
+            {double(i % n) / (n - 1), dim == 3 ? double(i / n) / (n - 1) : 0.}};
+          if (distance_square(values[i].place, node) > rounding * rounding)
+            return 0;
+        }
+      return n - 1;
+    }
+
+    /// A number of a place that is interpolated: the pressure, then the history.
+    double
+    entry(const PlaceValue &value, const unsigned int k)
+    {
+      return k == 0 ? value.pressure : value.history[k - 1];
+    }
+
+    template <int dim>
+    double
+    polynomial(const Values      &values,
+               const unsigned int degree,
+               const FacePlace   &place,
+               const unsigned int k)
+    {
+      Point<dim - 1> xi;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        xi[d] = place[d];
+      const LagrangePolynomials<dim - 1> functions(degree, xi);
+      double                             sum = 0;
+      for (unsigned int i = 0; i < values.size(); ++i)
+        sum += entry(values[i], k) * functions.value(i);
+      return sum;
+    }
+
+    /// The value at the place of the plane that fits best near there (moving least squares,
+    /// Lancaster, Salkauskas, Math. Comp. 37 (1981) 141); a mean where places have no plane.
+    double
+    plane(const Values &values, const FacePlace &place, const unsigned int k)
+    {
+      Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+      Eigen::Vector3d b = Eigen::Vector3d::Zero();
+      for (const PlaceValue &value : values)
+        {
+          const double          square = distance_square(value.place, place) + 1e-6;
+          const double          weight = 1 / (square * square);
+          const Eigen::Vector3d terms(1, value.place[0] - place[0], value.place[1] - place[1]);
+          A += weight * terms * terms.transpose();
+          b += weight * entry(value, k) * terms;
+        }
+      // What the places do not tell has no slope.
+      const double least = 1e-12 * (A(1, 1) + A(2, 2)) + 1e-15 * A(0, 0);
+      A(1, 1) += least;
+      A(2, 2) += least;
+      return A.ldlt().solve(b)[0];
+    }
+
+    PlaceValue
+    interpolate(const Values &values, const FacePlace &place, const unsigned int dim)
+    {
+      for (const PlaceValue &value : values)
+        if (distance_square(value.place, place) < rounding * rounding)
+          return value;
+      PlaceValue result;
+      result.place = place;
+      if (values.empty())
+        return result;
+      const unsigned int degree = degree_of_lattice(values, dim);
+      const auto         at     = [&](const unsigned int k) {
+        return degree == 0 ? plane(values, place, k) :
+                           dim == 2    ? polynomial<2>(values, degree, place, k) :
+                                         polynomial<3>(values, degree, place, k);
+      };
+      result.pressure = at(0);
+      for (unsigned int k = 0; k < values.front().history.size(); ++k)
+        result.history.push_back(at(k + 1));
+      // Closed where there is pressure, and then as the closest place that is.
+      double closest = std::numeric_limits<double>::max();
+      for (const PlaceValue &value : values)
+        if (const double distance = distance_square(value.place, place);
+            result.pressure > 0 && value.status > 0 && distance < closest)
+          {
+            closest       = distance;
+            result.status = value.status;
+          }
+      if (result.pressure > 0 && result.status == 0)
+        result.status = 1;
+      return result;
+    }
+  } // namespace
+
+
+
+  SurfaceField
+  SurfaceField::known_at(const std::vector<FaceId> &wanted, const MPI_Comm comm) const
+  {
+    std::vector<FaceId> names;
+    for (const FaceId &id : wanted)
+      {
+        names.push_back(id);
+        if (has_parent(id.cell))
+          names.push_back(parent_of(id));
+        for (unsigned int half = 0; half < (dim == 3 ? 4u : 2u); ++half)
+          names.push_back(child_of(id, child_at(id.face, {{half % 2, half / 2}}, dim)));
+      }
+    SurfaceField result(dim);
+    result.faces = look_up(faces, names, comm);
+    return result;
+  }
+
+
+
+  std::optional<PlaceValue>
+  SurfaceField::at(const FaceId &face, const FacePlace &place) const
+  {
+    if (const auto own = faces.find(face); own != faces.end())
+      return interpolate(own->second, place, dim);
+
+    if (has_parent(face.cell))
+      if (const auto parent = faces.find(parent_of(face)); parent != faces.end())
+        {
+          const auto half = halves(number_of_child(face.cell), face.face, dim);
+          return interpolate(parent->second,
+                             {{(place[0] + half[0]) / 2, dim == 3 ? (place[1] + half[1]) / 2 : 0.}},
+                             dim);
+        }
+
+    std::array<unsigned int, 2> half{};
+    FacePlace                   there{};
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      {
+        half[d]  = place[d] < 0.5 ? 0 : 1;
+        there[d] = 2 * place[d] - half[d];
+      }
+    const auto child = faces.find(child_of(face, child_at(face.face, half, dim)));
+    if (child == faces.end())
+      return {};
+    return interpolate(child->second, there, dim);
+  }
+} // namespace Signorini

@@ -1,0 +1,83 @@
+#include "contact/interface/candidates.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  drop_empty_points(const std::vector<FacePatch<dim>> &slave, std::vector<PairedPoint<dim>> &points)
+  {
+    const auto is_empty = [&](const PairedPoint<dim> &point) {
+      return point.weight < 1e-13 * slave[point.face].jacobian(point.xi);
+    };
+    points.erase(std::remove_if(points.begin(), points.end(), is_empty), points.end());
+  }
+
+
+
+  template <int dim>
+  void
+  keep_candidates(const double                    reach,
+                  const BoundaryFaces<dim>       &slave,
+                  std::vector<PairedPoint<dim>>  &paired,
+                  std::vector<ContactPoint<dim>> &points)
+  {
+    std::vector<bool> is_near(slave.faces.size(), false);
+    for (const ContactPoint<dim> &point : points)
+      if (point.gap_now() <= reach)
+        is_near[point.face] = true;
+    const auto is_far = [&](const auto &point) { return !is_near[point.face]; };
+    paired.erase(std::remove_if(paired.begin(), paired.end(), is_far), paired.end());
+    points.erase(std::remove_if(points.begin(), points.end(), is_far), points.end());
+  }
+
+
+
+  template <int dim>
+  void
+  keep_touching(const ContactPair<dim>         &pair,
+                const BoundaryFaces<dim>       &slave,
+                std::vector<PairedPoint<dim>>  &paired,
+                std::vector<ContactPoint<dim>> &points)
+  {
+    constexpr double error_of_mesh = 0.1; // in face sizes
+    const bool       is_given      = pair.gap_is_given();
+    unsigned int     n             = 0;
+    for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        const double most = error_of_mesh * slave.patches[points[i].face].diameter();
+        if (!is_given && pair.search_distance == 0 && points[i].gap > most)
+          continue;
+        if (!is_given)
+          points[i].gap = std::min(points[i].gap, 0.);
+        if (n < i)
+          {
+            points[n] = std::move(points[i]);
+            paired[n] = std::move(paired[i]);
+          }
+        ++n;
+      }
+    points.resize(n);
+    paired.resize(n);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template void drop_empty_points(const std::vector<FacePatch<dim>> &,                             \
+                                  std::vector<PairedPoint<dim>> &);                                \
+  template void keep_candidates(double,                                                            \
+                                const BoundaryFaces<dim> &,                                        \
+                                std::vector<PairedPoint<dim>> &,                                   \
+                                std::vector<ContactPoint<dim>> &);                                 \
+  template void keep_touching(const ContactPair<dim> &,                                            \
+                              const BoundaryFaces<dim> &,                                          \
+                              std::vector<PairedPoint<dim>> &,                                     \
+                              std::vector<ContactPoint<dim>> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

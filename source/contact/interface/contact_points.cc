@@ -1,0 +1,300 @@
+#include "contact/interface/contact_points.h"
+#include "contact/constraints/gap_bend.h"
+#include "contact/traction/stress_bounds.h"
+#include <signorini/contact/methods/method.h>
+#include "geometry/lagrange.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What a pair says of its gap at rest.
+    template <int dim>
+    class InitialGap
+    {
+    public:
+      InitialGap(const ContactPair<dim> &pair)
+        : is_given(pair.gap_is_given())
+        , closed_up_to(pair.closed_up_to)
+        , formula(is_given && pair.initial_gap.text != "closed" ? pair.initial_gap : Formula("0"))
+      {}
+
+      double
+      operator()(const Point<dim> &x, const double t, const double from_geometry) const
+      {
+        if (is_given)
+          return formula.value(x, t);
+        return closed_up_to >= 0 && from_geometry <= closed_up_to ? 0. : from_geometry;
+      }
+
+    private:
+      const bool            is_given;
+      const double          closed_up_to;
+      const Expression<dim> formula;
+    };
+
+    template <int dim>
+    ContactPoint<dim>
+    contact_point(const FacePatch<dim>   &patch,
+                  const FacePatch<dim>   &rest,
+                  const PairedPoint<dim> &paired,
+                  const double            stiffness,
+                  const Trace<dim>       &trace)
+    {
+      const Partner<dim> &partner = paired.partner;
+      const Point<dim>    x       = patch.position(paired.xi);
+      ContactPoint<dim>   point;
+      point.position        = rest.position(paired.xi);
+      point.master_position = partner.rest;
+      point.slave_place     = point.position;
+      point.master_place    = partner.rest;
+      point.normal          = partner.normal;
+      point.weight          = paired.weight;
+      point.facing          = -(patch.normal(paired.xi) * partner.normal);
+      point.gap             = gap_of(x, partner);
+      point.stiffness       = 1 / (1 / stiffness + 1 / partner.stiffness);
+      point.direction       = partner.normal;
+      point.slave           = trace.functions(paired.xi);
+      point.master          = partner.functions;
+      point.rigid           = partner.rigid;
+      point.bend            = partner.functions.empty() ? partner.bend : bend_of_bodies(x, partner);
+      point.face            = paired.face;
+      point.xi              = paired.xi;
+      return point;
+    }
+
+    /// The mean of both bodies' stresses whose bound is the smallest: they count by the inverse of
+    /// their bounds, so that a stiff body does not matter beside a soft one, whichever is the slave
+    /// (Annavarapu, Hautefeuille, Dolbow, Comput. Methods Appl. Mech. Engrg. 225-228 (2012) 44-54).
+    template <int dim>
+    void
+    set_stress(const SparseRow    &own,
+               const SparseRow    &own_thermal,
+               const SparseRow    &own_bulk,
+               const double        own_bound,
+               const Partner<dim> &partner,
+               const bool          own_alone,
+               ContactPoint<dim>  &point)
+    {
+      const double share =
+        own_alone || std::isinf(partner.bound) ? 1. : partner.bound / (own_bound + partner.bound);
+      const auto mean = [share](const SparseRow &own, const SparseRow &other) {
+        SparseRow row;
+        for (const auto &[index, value] : own)
+          row.emplace_back(index, share * value);
+        if (share < 1)
+          for (const auto &[index, value] : other)
+            row.emplace_back(index, (1 - share) * value);
+        unite(row);
+        return row;
+      };
+      point.stress         = mean(own, partner.stress);
+      point.thermal_stress = mean(own_thermal, partner.thermal_stress);
+      point.bulk_stress    = mean(own_bulk, partner.bulk_stress);
+      point.bound          = share * own_bound;
+    }
+
+    /// The same of Cauchy's stresses, times the area now per area at rest of the slave, since
+    /// pressures act on areas at rest.
+    template <int dim>
+    void
+    set_cauchy_stress(const CauchyStress &own,
+                      const double        own_bound,
+                      const Partner<dim> &partner,
+                      const bool          own_alone,
+                      ContactPoint<dim>  &point)
+    {
+      set_stress(
+        own.stress, {}, own.bulk_stress, own.stiffening * own_bound, partner, own_alone, point);
+      const double share = point.bound / (own.stiffening * own_bound),
+                   value = share * own.value + (1 - share) * partner.stress_value;
+      for (SparseRow *row : {&point.stress, &point.bulk_stress})
+        for (auto &entry : *row)
+          entry.second *= own.ratio;
+      for (const auto &[index, entry] : own.ratio_row)
+        point.stress.emplace_back(index, value * entry);
+      unite(point.stress);
+      point.stress_offset = own.ratio * (share * own.offset + (1 - share) * partner.stress_offset) +
+                            value * (own.ratio_offset - own.ratio);
+    }
+
+    /// Area now per area at rest.
+    template <int dim>
+    double
+    stretch(const Model           model,
+            const FacePatch<dim> &now,
+            const FacePatch<dim> &rest,
+            const Point<dim - 1> &xi)
+    {
+      const double along = now.jacobian(xi) / rest.jacobian(xi), radius = rest.position(xi)[0];
+      return model == Model::axisymmetric && radius > 1e-10 * std::abs(rest.position(xi)[1]) ?
+               along * now.position(xi)[0] / radius :
+               along;
+    }
+
+    /// Of the circle that a point stands for, or 1. That of a node is the mean over its shape
+    /// function, of degree k: on the axis, too, it stands for an area.
+    template <int dim>
+    double
+    circumference(const Elasticity<dim> &elasticity,
+                  const FacePatch<dim>  &patch,
+                  const Point<dim - 1>  &xi,
+                  const Integration     &integration,
+                  const unsigned int     k)
+    {
+      const Model model = elasticity.model();
+      if (model != Model::axisymmetric || integration.rule != Rule::nodes)
+        return measure(model, patch.position(xi));
+      const unsigned int    node = std::lround(xi[0] * k);
+      const QGauss<dim - 1> rule(k + 2);
+      double                sum = 0, area = 0;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const double share = rule.weight(q) *
+                               LagrangePolynomials<dim - 1>(k, rule.point(q)).value(node) *
+                               patch.jacobian(rule.point(q));
+          area += share;
+          sum += share * measure(model, patch.position(rule.point(q)));
+        }
+      return sum / area;
+    }
+
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  gap_of(const Point<dim> &x, const Partner<dim> &partner)
+  {
+    const double gap      = (x - partner.position) * partner.normal;
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * x.norm();
+    return std::abs(gap) <= rounding ? 0. : gap;
+  }
+
+
+
+  template <int dim>
+  void
+  weigh_at_rest(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired)
+  {
+    for (PairedPoint<dim> &point : paired)
+      point.weight *=
+        slave.rest[point.face].jacobian(point.xi) / slave.patches[point.face].jacobian(point.xi);
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactPoint<dim>>
+  contact_points(const Configuration<dim>            &configuration,
+                 const ContactPair<dim>              &pair,
+                 const ContactMethod                 &method,
+                 const BoundaryFaces<dim>            &slave,
+                 const Integration                   &integration,
+                 const std::vector<PairedPoint<dim>> &paired_points,
+                 const std::vector<double>           &gaps_at_rest)
+  {
+    const Elasticity<dim>         &elasticity = configuration.elasticity();
+    std::vector<ContactPoint<dim>> result;
+    result.reserve(paired_points.size());
+    double                           face_depth = 0, face_stiffness = 0;
+    Trace<dim>                       trace(elasticity);
+    const bool                       with_stress = method.predictor() == Predictor::normal_stress;
+    StressBounds<dim>                bound(slave);
+    const InitialGap<dim>            initial_gap(pair);
+    std::optional<NormalStress<dim>> of_body;
+    std::optional<SurfaceLoads<dim>> loads;
+    if (with_stress)
+      {
+        of_body.emplace(configuration);
+        loads.emplace(surface_loads(elasticity));
+      }
+    for (const PairedPoint<dim> &paired : paired_points)
+      {
+        const auto &[cell, face] = slave.faces[paired.face];
+        const auto &rest         = slave.rest[paired.face];
+        const bool  is_new       = result.empty() || result.back().face != paired.face;
+        if (is_new)
+          {
+            trace.reinit(cell, face);
+            face_stiffness = slave.stiffness(elasticity, paired.face);
+            face_depth     = slave.depth(paired.face);
+          }
+        result.push_back(
+          contact_point(slave.patches[paired.face], rest, paired, face_stiffness, trace));
+        ContactPoint<dim> &point = result.back();
+        point.depth              = face_depth;
+        if (elasticity.is_finite())
+          {
+            point.slave_place  = slave.patches[paired.face].position(paired.xi);
+            point.master_place = paired.partner.position;
+            point.stretch =
+              stretch(elasticity.model(), slave.patches[paired.face], rest, paired.xi);
+          }
+        point.weight *=
+          circumference(elasticity, rest, paired.xi, integration, cell->get_fe().degree);
+        if (!gaps_at_rest.empty())
+          {
+            point.closing = gaps_at_rest[result.size() - 1] - point.gap;
+            point.gap     = gaps_at_rest[result.size() - 1];
+          }
+        const double of_geometry = point.gap;
+        point.gap                = initial_gap(point.position, elasticity.time(), of_geometry);
+        point.told               = point.gap - of_geometry;
+        if (!with_stress)
+          continue;
+        NormalStress<dim> &stress = *of_body;
+        if (is_new)
+          stress.reinit(cell);
+        const Point<dim>     place = unit_point<dim>(face, paired.xi);
+        const Tensor<1, dim> n     = rest.normal(paired.xi);
+        const auto           load  = loads->at(cell->face(face)->boundary_id(), point.position);
+        if (elasticity.is_finite())
+          {
+            set_cauchy_stress(stress.cauchy(place, paired.partner.normal, n, load),
+                              bound(stress, paired.face),
+                              paired.partner,
+                              method.unbiased(),
+                              point);
+            continue;
+          }
+        set_stress(stress.row(place, paired.partner.normal, n),
+                   stress.thermal_row(place, paired.partner.normal, n),
+                   stress.bulk_row(place, paired.partner.normal, n),
+                   bound(stress, paired.face),
+                   paired.partner,
+                   method.unbiased(),
+                   point);
+        // Of sigma n, contact bears what loads do not.
+        const double share  = point.bound / bound(stress, paired.face);
+        point.stress_offset = -share * (paired.partner.normal * load.on(n)) +
+                              (1 - share) * paired.partner.stress_offset;
+      }
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template double gap_of(const Point<dim> &, const Partner<dim> &);                                \
+  template void   weigh_at_rest(const BoundaryFaces<dim> &, std::vector<PairedPoint<dim>> &);      \
+  template std::vector<ContactPoint<dim>> contact_points(const Configuration<dim> &,               \
+                                                         const ContactPair<dim> &,                 \
+                                                         const ContactMethod &,                    \
+                                                         const BoundaryFaces<dim> &,               \
+                                                         const Integration &,                      \
+                                                         const std::vector<PairedPoint<dim>> &,    \
+                                                         const std::vector<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

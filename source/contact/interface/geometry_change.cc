@@ -1,0 +1,165 @@
+#include "contact/interface/geometry_change.h"
+#include "contact/constraints/openings.h"
+#include "contact/search/boundary_faces.h"
+#include "contact/search/self_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    using PointsThatPress = std::vector<std::pair<const ContactPoint<dim> *, double>>;
+
+    /// A place on the master as far as it is asked for here.
+    template <int dim>
+    struct Facing
+    {
+      double         gap;
+      Tensor<1, dim> normal;
+    };
+
+    /// @param slave where it is now
+    template <int dim>
+    std::vector<std::optional<Facing<dim>>>
+    on_obstacle(const Configuration<dim>   &now,
+                const Obstacle<dim>        &obstacle,
+                const BoundaryFaces<dim>   &slave,
+                const PointsThatPress<dim> &points)
+    {
+      const RigidPose<dim>                    pose = now.pose(obstacle);
+      std::vector<std::optional<Facing<dim>>> result;
+      for (const auto &[point, force] : points)
+        {
+          const auto place =
+            now.closest(obstacle, pose, slave.patches[point->face].position(point->xi));
+          result.push_back(Facing<dim>{place.gap, place.normal});
+        }
+      return result;
+    }
+
+    /// Collective.
+    template <int dim>
+    std::vector<std::optional<Facing<dim>>>
+    on_body(const Configuration<dim>   &now,
+            const ContactPair<dim>     &pair,
+            const BoundaryFaces<dim>   &slave,
+            const PointsThatPress<dim> &points,
+            const MPI_Comm              comm)
+    {
+      const BoundaryFaces<dim>      master(now, pair.master);
+      std::vector<Point<dim>>       positions;
+      std::vector<Tensor<1, dim>>   normals;
+      std::vector<PlaceAtRest<dim>> rest;
+      double                        farthest = 0;
+      for (const auto &[point, force] : points)
+        {
+          const FacePatch<dim> &patch = slave.patches[point->face];
+          positions.push_back(patch.position(point->xi));
+          normals.push_back(patch.normal(point->xi));
+          farthest = std::max(farthest, patch.diameter());
+          if (pair.is_self())
+            rest.push_back(place_at_rest(slave.rest[point->face], point->xi));
+        }
+      MasterFaces<dim> faces = faces_beyond(master);
+      if (!pair.is_self())
+        faces.rest.clear();
+      std::vector<std::optional<Facing<dim>>> result;
+      const auto                              partners = find_partners(
+        positions, normals, faces, Utilities::MPI::max(farthest, comm), comm, nullptr, {}, rest);
+      for (std::size_t i = 0; i < partners.size(); ++i)
+        if (partners[i])
+          result.push_back(Facing<dim>{(positions[i] - partners[i]->position) * partners[i]->normal,
+                                       partners[i]->normal});
+        else
+          result.emplace_back();
+      return result;
+    }
+
+    /// Nodes at the rims of a slave and a master that are flush lose their partner with the
+    /// slightest slide.
+    template <int dim>
+    bool
+    is_on_rim(const Point<dim - 1> &xi)
+    {
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (std::min(xi[d], 1 - xi[d]) < 1e-6)
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  GeometryChange
+  geometry_change(const Configuration<dim>  &now,
+                  const ContactPair<dim>    &pair,
+                  const Obstacle<dim>       *obstacle,
+                  const ContactSurface<dim> &surface,
+                  const std::vector<double> &forces)
+  {
+    const MPI_Comm       comm = now.elasticity().mesh().communicator();
+    PointsThatPress<dim> points;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      if (forces[i] > 0 && surface.points[i].face < surface.own_faces)
+        points.emplace_back(&surface.points[i], forces[i]);
+    if (Utilities::MPI::sum(points.size(), comm) == 0)
+      return {};
+    const BoundaryFaces<dim> slave(now, pair.slave);
+    const auto               there = obstacle ? on_obstacle(now, *obstacle, slave, points) :
+                                                on_body(now, pair, slave, points, comm);
+    std::vector<const ContactPoint<dim> *> places;
+    for (const auto &[point, force] : points)
+      places.push_back(point);
+    const std::vector<double> opened = openings(places, now.displacement());
+
+    std::vector<double> sums(6, 0.); // force, area, modulus, gap^2, angle^2, without partner
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const auto &[point, force] = points[i];
+        sums[0] += force;
+        sums[1] += point->weight;
+        sums[2] += force * point->stiffness * point->depth;
+        if (there[i])
+          {
+            const double gap = there[i]->gap + point->told - (point->gap + opened[i]);
+            sums[3] += force * gap * gap;
+            sums[4] += force * (there[i]->normal - point->normal).norm_square();
+          }
+        else if (!is_on_rim<dim>(point->xi))
+          sums[5] += force;
+      }
+    Utilities::MPI::sum(sums, comm, sums);
+    const double width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
+                 pressure = sums[0] / sums[1];
+    // What rounding presses bends nothing.
+    if (pressure < std::numeric_limits<double>::epsilon() * modulus)
+      return {};
+    // Points at rims lose their partner at once, and pressures are largest there.
+    constexpr double at_rims = 0.02;
+    GeometryChange   result;
+    result.gap      = std::sqrt(sums[3] / sums[0]);
+    result.angle    = std::sqrt(sums[4] / sums[0]);
+    result.pressure = result.angle / 2 + modulus * result.gap / (width * pressure) +
+                      std::max(0., sums[5] / sums[0] - at_rims);
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template GeometryChange geometry_change(const Configuration<dim> &,                              \
+                                          const ContactPair<dim> &,                                \
+                                          const Obstacle<dim> *,                                   \
+                                          const ContactSurface<dim> &,                             \
+                                          const std::vector<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

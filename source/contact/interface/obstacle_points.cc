@@ -1,0 +1,108 @@
+#include "contact/constraints/gap_bend.h"
+#include "contact/interface/obstacle_points.h"
+#include "contact/constraints/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Number of the obstacle among the bodies with degrees of freedom; one more if it is at rest.
+    template <int dim>
+    unsigned int
+    rigid_body(const Elasticity<dim> &elasticity, const Obstacle<dim> &obstacle)
+    {
+      const auto &bodies = elasticity.rigid_bodies();
+      return std::find_if(bodies.begin(),
+                          bodies.end(),
+                          [&](const auto &body) { return body.name == obstacle.name; }) -
+             bodies.begin();
+    }
+
+    /// Its first degree of freedom; invalid if it is at rest.
+    template <int dim>
+    types::global_dof_index
+    first_dof(const Elasticity<dim> &elasticity, const Obstacle<dim> &obstacle)
+    {
+      const unsigned int body = rigid_body(elasticity, obstacle);
+      return body < elasticity.rigid_bodies().size() ? elasticity.first_dof(body) :
+                                                       numbers::invalid_dof_index;
+    }
+
+    /// n . u of an obstacle at x.
+    template <int dim>
+    SparseRow
+    rigid_row(const RigidPose<dim>         &pose,
+              const types::global_dof_index first,
+              const Point<dim>             &x,
+              const Tensor<1, dim>         &n)
+    {
+      SparseRow row;
+      if (first == numbers::invalid_dof_index)
+        return row;
+      const auto values = pose.row(x, n);
+      for (unsigned int i = 0; i < values.size(); ++i)
+        if (values[i] != 0)
+          row.emplace_back(first + i, values[i]);
+      return row;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  obstacle_points(const Configuration<dim>          &configuration,
+                  const std::vector<FacePatch<dim>> &slave,
+                  const Obstacle<dim>               &obstacle,
+                  const Integration                 &integration,
+                  const double                       limit)
+  {
+    const auto                    first = first_dof(configuration.elasticity(), obstacle);
+    const RigidPose<dim>          pose  = configuration.pose(obstacle);
+    const Quadrature<dim - 1>     rule  = face_rule<dim>(integration);
+    std::vector<PairedPoint<dim>> points;
+    for (unsigned int i = 0; i < slave.size(); ++i)
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const Point<dim - 1>    &xi    = rule.point(q);
+          const Point<dim>         x     = slave[i].position(xi);
+          const ObstaclePlace<dim> place = configuration.closest(obstacle, pose, x);
+          if (std::abs(place.gap) > reach(slave[i], limit) ||
+              !faces_each_other(slave[i].normal(xi), place.normal))
+            continue;
+          PairedPoint<dim> point{i, xi, rule.weight(q) * slave[i].jacobian(xi), {}};
+          point.partner.position  = x - place.gap * place.normal;
+          point.partner.normal    = place.normal;
+          point.partner.distance  = std::abs(place.gap);
+          point.partner.stiffness = std::numeric_limits<double>::infinity();
+          point.partner.bound     = std::numeric_limits<double>::infinity();
+          point.partner.rigid     = rigid_row(pose, first, point.partner.position, place.normal);
+          if (!configuration.is_rest())
+            point.partner.bend = bend_of_obstacle(place, pose, x, first);
+          points.push_back(std::move(point));
+        }
+    keep_near_faces(slave, limit, points);
+    return points;
+  }
+
+
+
+  template std::vector<PairedPoint<2>>
+  obstacle_points(const Configuration<2> &,
+                  const std::vector<FacePatch<2>> &,
+                  const Obstacle<2> &,
+                  const Integration &,
+                  double);
+  template std::vector<PairedPoint<3>>
+  obstacle_points(const Configuration<3> &,
+                  const std::vector<FacePatch<3>> &,
+                  const Obstacle<3> &,
+                  const Integration &,
+                  double);
+} // namespace Signorini

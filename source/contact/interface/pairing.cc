@@ -1,0 +1,337 @@
+#include "contact/interface/false_overlaps.h"
+#include "contact/interface/segment_pairs.h"
+#include "contact/search/self_contact.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double covered_once = 1 + 1e-4; // of its area; the rest is the error of quadrature
+
+    // The same points on each face of a list.
+    template <int dim>
+    std::vector<LaidPoint<dim>>
+    lay(const std::vector<FacePatch<dim>> &slave,
+        const std::vector<unsigned int>   &faces,
+        const Quadrature<dim - 1>         &rule)
+    {
+      std::vector<LaidPoint<dim>> points;
+      for (const unsigned int i : faces)
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          points.push_back(
+            {i, rule.point(q), rule.weight(q) * slave[i].jacobian(rule.point(q)), {}});
+      return points;
+    }
+
+    template <int dim>
+    std::vector<PairedPoint<dim>>
+    pair_by_projection(const SlaveSide<dim>              &slave,
+                       const std::vector<LaidPoint<dim>> &laid,
+                       const MasterFaces<dim>            &master,
+                       const double                       limit,
+                       const MPI_Comm                     comm,
+                       SearchStatistics                  &statistics)
+    {
+      std::vector<Point<dim>>       positions;
+      std::vector<Tensor<1, dim>>   normals;
+      std::vector<FormerFace<dim>>  former;
+      std::vector<PlaceAtRest<dim>> rest;
+      double                        largest = 0;
+      for (const FacePatch<dim> &face : slave.patches)
+        largest = std::max(largest, reach(face, limit));
+      for (const LaidPoint<dim> &point : laid)
+        {
+          positions.push_back(slave.patches[point.face].position(point.xi));
+          normals.push_back(slave.patches[point.face].normal(point.xi));
+          former.push_back(point.former);
+          if (slave.rest)
+            rest.push_back(place_at_rest((*slave.rest)[point.face], point.xi));
+        }
+      auto partners = find_partners(positions,
+                                    normals,
+                                    master,
+                                    Utilities::MPI::max(largest, comm),
+                                    comm,
+                                    &statistics,
+                                    former,
+                                    rest);
+
+      std::vector<PairedPoint<dim>> points;
+      for (std::size_t i = 0; i < laid.size(); ++i)
+        if (partners[i])
+          points.push_back({laid[i].face, laid[i].xi, laid[i].weight, std::move(*partners[i])});
+      return points;
+    }
+
+    // Of points beside their partner's face the partner that is closest, if that is another one.
+    template <int dim>
+    void
+    move_to_closest(const SlaveSide<dim>          &slave,
+                    const MasterFaces<dim>        &master,
+                    const MPI_Comm                 comm,
+                    SearchStatistics              &statistics,
+                    std::vector<PairedPoint<dim>> &points)
+    {
+      constexpr double                closer = 1 - 1e-6; // over an edge two faces are equally close
+      constexpr double                far    = 4; // faces; what may fold onto itself sees all of it
+      std::vector<PairedPoint<dim> *> beside_faces;
+      std::vector<Point<dim>>         positions;
+      std::vector<Tensor<1, dim>>     normals;
+      std::vector<PlaceAtRest<dim>>   rest;
+      double                          farthest = 0;
+      for (PairedPoint<dim> &point : points)
+        if (point.is_beside &&
+            (!slave.rest || point.partner.distance < far * slave.patches[point.face].diameter()))
+          {
+            beside_faces.push_back(&point);
+            positions.push_back(slave.patches[point.face].position(point.xi));
+            normals.push_back(slave.patches[point.face].normal(point.xi));
+            farthest = std::max(farthest, point.partner.distance);
+            if (slave.rest)
+              rest.push_back(place_at_rest((*slave.rest)[point.face], point.xi));
+          }
+      farthest = Utilities::MPI::max(farthest, comm);
+      if (farthest == 0)
+        return;
+      auto partners =
+        find_partners(positions, normals, master, farthest, comm, &statistics, {}, rest);
+      for (std::size_t i = 0; i < partners.size(); ++i)
+        if (partners[i] && partners[i]->distance < closer * beside_faces[i]->partner.distance)
+          beside_faces[i]->partner = std::move(*partners[i]);
+    }
+
+    // Points of one face one after the other, in the order that they were found in. Numbers are
+    // sorted, since points are large.
+    template <int dim>
+    std::vector<PairedPoint<dim>>
+    sorted_by_faces(std::vector<PairedPoint<dim>> &&points)
+    {
+      std::vector<unsigned int> order(points.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return points[a].face < points[b].face;
+      });
+      std::vector<PairedPoint<dim>> sorted;
+      sorted.reserve(points.size());
+      for (const unsigned int i : order)
+        sorted.push_back(std::move(points[i]));
+      return sorted;
+    }
+
+    template <int dim>
+    std::vector<double>
+    areas_of(const std::vector<FacePatch<dim>> &faces)
+    {
+      unsigned int degree = 1;
+      for (const FacePatch<dim> &face : faces)
+        degree = std::max(degree, face.get_degree());
+      const QGauss<dim - 1> rule(degree + 2);
+      std::vector<double>   areas;
+      for (const FacePatch<dim> &face : faces)
+        {
+          areas.push_back(0);
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            areas.back() += rule.weight(q) * face.jacobian(rule.point(q));
+        }
+      return areas;
+    }
+
+    // Faces that points cover more than once, one layer over the other.
+    template <int dim>
+    std::vector<unsigned int>
+    covered_twice(const std::vector<double> &areas, const std::vector<PairedPoint<dim>> &points)
+    {
+      std::vector<double> covered(areas.size(), 0.);
+      for (const PairedPoint<dim> &point : points)
+        covered[point.face] += point.weight;
+      std::vector<unsigned int> faces;
+      for (unsigned int i = 0; i < areas.size(); ++i)
+        if (covered[i] > covered_once * areas[i])
+          faces.push_back(i);
+      return faces;
+    }
+
+    // Take the points of these faces out of the list that are farther away than `most` of the face.
+    template <int dim>
+    void
+    remove_points(const std::vector<unsigned int> &faces,
+                  const std::vector<double>       &most,
+                  std::vector<PairedPoint<dim>>   &points)
+    {
+      std::vector<bool> is_one(most.size(), false);
+      for (const unsigned int face : faces)
+        is_one[face] = true;
+      points.erase(std::remove_if(points.begin(),
+                                  points.end(),
+                                  [&](const auto &point) {
+                                    return is_one[point.face] &&
+                                           point.partner.distance > most[point.face];
+                                  }),
+                   points.end());
+    }
+
+    // Of faces that are covered more than once, take the points out of the list that are farther
+    // away by a face than others: a layer behind the first one. If that is not enough, all of
+    // their points. Returns those faces.
+    template <int dim>
+    std::vector<unsigned int>
+    remove_overcovered(const std::vector<FacePatch<dim>> &slave,
+                       std::vector<PairedPoint<dim>>     &points)
+    {
+      const std::vector<double> areas = areas_of(slave);
+      std::vector<unsigned int> faces = covered_twice(areas, points);
+      if (faces.empty())
+        return faces;
+      std::vector<double> most(slave.size(), std::numeric_limits<double>::max());
+      for (const PairedPoint<dim> &point : points)
+        most[point.face] = std::min(most[point.face], point.partner.distance);
+      for (const unsigned int face : faces)
+        most[face] += slave[face].diameter();
+      remove_points(faces, most, points);
+      faces = covered_twice(areas, points);
+      remove_points(faces, std::vector<double>(slave.size(), -1.), points);
+      return faces;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Quadrature<dim - 1>
+  face_rule(const Integration &integration)
+  {
+    if (integration.rule == Rule::nodes)
+      return QGaussLobatto<dim - 1>(integration.n_points);
+    return QGauss<dim - 1>(integration.n_points);
+  }
+
+
+
+  template <int dim>
+  Pairing<dim>
+  pair_points(const SlaveSide<dim>   &slave,
+              const MasterFaces<dim> &master,
+              const Integration      &integration,
+              const double            limit,
+              const MPI_Comm          comm,
+              SearchStatistics       &statistics)
+  {
+    Pairing<dim>              pairing;
+    auto                     &points = pairing.points;
+    const Quadrature<dim - 1> rule   = face_rule<dim>(integration);
+    std::vector<unsigned int> faces(slave.patches.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    if (integration.rule == Rule::segments)
+      {
+        pairing = pair_by_segments(slave, master, integration, limit, comm, statistics);
+        faces   = remove_overcovered(slave.patches, points);
+        move_to_closest(slave, master, comm, statistics, points);
+      }
+    if (Utilities::MPI::max(faces.size(), comm) > 0)
+      for (auto &point : pair_by_projection(
+             slave, lay(slave.patches, faces, rule), master, limit, comm, statistics))
+        points.push_back(std::move(point));
+    if (!slave.rest) // what is beyond a body itself is left out already
+      drop_false_overlaps(slave.patches, master, comm, statistics, points);
+    keep_near_faces(slave.patches, limit, points);
+    points = sorted_by_faces(std::move(points));
+    // Of faces without points, and of those that are not paired by segments, they are not asked
+    // for.
+    std::vector<bool> has_segments(slave.patches.size(), true);
+    for (const unsigned int face : faces)
+      has_segments[face] = false;
+    auto &seams = pairing.seams;
+    seams.erase(std::remove_if(seams.begin(),
+                               seams.end(),
+                               [&](const auto &seam) { return !has_segments[seam.face]; }),
+                seams.end());
+    seams = sorted_by_faces(std::move(seams));
+    return pairing;
+  }
+
+
+
+  template <int dim>
+  std::vector<PairedPoint<dim>>
+  pair_laid_points(const SlaveSide<dim>              &slave,
+                   const std::vector<LaidPoint<dim>> &laid,
+                   const MasterFaces<dim>            &master,
+                   const double                       limit,
+                   const MPI_Comm                     comm,
+                   SearchStatistics                  &statistics)
+  {
+    auto points = pair_by_projection(slave, laid, master, limit, comm, statistics);
+    keep_near_faces(slave.patches, limit, points);
+    return points;
+  }
+
+
+
+  template <int dim>
+  void
+  keep_near_faces(const std::vector<FacePatch<dim>> &slave,
+                  const double                       limit,
+                  std::vector<PairedPoint<dim>>     &points)
+  {
+    std::vector<bool> is_near(slave.size(), false);
+    for (const PairedPoint<dim> &point : points)
+      {
+        const Partner<dim> &partner = point.partner;
+        if (!is_near[point.face])
+          is_near[point.face] =
+            partner.distance <= limit ||
+            (slave[point.face].position(point.xi) - partner.position) * partner.normal < 0;
+      }
+    points.erase(std::remove_if(points.begin(),
+                                points.end(),
+                                [&](const auto &point) { return !is_near[point.face]; }),
+                 points.end());
+  }
+
+
+
+  template std::vector<PairedPoint<2>>
+  pair_laid_points(const SlaveSide<2> &,
+                   const std::vector<LaidPoint<2>> &,
+                   const MasterFaces<2> &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
+  template std::vector<PairedPoint<3>>
+  pair_laid_points(const SlaveSide<3> &,
+                   const std::vector<LaidPoint<3>> &,
+                   const MasterFaces<3> &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
+  template void
+  keep_near_faces(const std::vector<FacePatch<2>> &, double, std::vector<PairedPoint<2>> &);
+  template void
+  keep_near_faces(const std::vector<FacePatch<3>> &, double, std::vector<PairedPoint<3>> &);
+  template Quadrature<1>
+  face_rule<2>(const Integration &);
+  template Quadrature<2>
+  face_rule<3>(const Integration &);
+  template Pairing<2>
+  pair_points<2>(const SlaveSide<2> &,
+                 const MasterFaces<2> &,
+                 const Integration &,
+                 double,
+                 MPI_Comm,
+                 SearchStatistics &);
+  template Pairing<3>
+  pair_points<3>(const SlaveSide<3> &,
+                 const MasterFaces<3> &,
+                 const Integration &,
+                 double,
+                 MPI_Comm,
+                 SearchStatistics &);
+} // namespace Signorini

@@ -1,0 +1,286 @@
+#include "contact/constraints/gap_bend.h"
+#include "contact/interface/segment_pairs.h"
+#include "contact/search/descent.h"
+#include "contact/search/local_faces.h"
+#include "contact/search/segments.h"
+#include "contact/search/self_contact.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double beside = 1e-3; // a face, in units of its diameter
+
+    // Of degree 2 n - 1 at least on triangles, but for n = 2: products of two bilinear functions
+    // are integrated by three points as well as the constant pressure of a patch test needs it.
+    template <int dim>
+    Quadrature<dim - 1>
+    segment_rule(const unsigned int n)
+    {
+      if constexpr (dim == 3)
+        if (n == 2)
+          return Quadrature<2>({{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
+                               {1. / 6, 1. / 6, 1. / 6}); // Strang, Fix: degree 2
+      return QWitherdenVincentSimplex<dim - 1>(n);
+    }
+
+    template <int dim>
+    bool
+    is_distorted(const FacePatch<dim> &face)
+    {
+      if constexpr (dim == 2)
+        return false;
+      else
+        {
+          // Of the kites in an equilateral triangle it is 0.5.
+          constexpr double     most   = 0.2;
+          const Tensor<1, dim> defect = (face.position({0, 0}) - face.position({1, 0})) +
+                                        (face.position({1, 1}) - face.position({0, 1}));
+          return defect.norm() > most * face.diameter();
+        }
+    }
+
+    template <int dim>
+    struct SegmentRules
+    {
+      Quadrature<dim - 1> usual, distorted;
+      unsigned int        on_seams; ///< points
+    };
+
+    // A slave face on its way to the master's faces.
+    template <int dim>
+    struct TravellingFace
+    {
+      FacePatch<dim> patch;
+      unsigned int   number; // on its own rank
+      FacePatch<dim> rest;   // where it was, if the master is the same surface
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &patch &number &rest;
+      }
+    };
+
+    template <typename T>
+    void
+    append(std::vector<T> &all, std::vector<T> &&more)
+    {
+      all.insert(all.end(),
+                 std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
+    }
+
+    template <int dim>
+    Tensor<1, dim>
+    tangential_part(const Tensor<1, dim> &v, const Tensor<1, dim> &normal)
+    {
+      return v - (v * normal) * normal;
+    }
+
+    template <int dim>
+    Projection<dim>
+    project_from(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &start)
+    {
+      Projection<dim> result;
+      result.xi                  = start;
+      result.converged_by_newton = descend_to_minimum(x, face, result.xi);
+      if (!result.converged_by_newton)
+        return project(x, face);
+      result.position = face.position(result.xi);
+      result.distance = x.distance(result.position);
+      return result;
+    }
+
+    // Segments of slave faces with the master faces of this rank.
+    template <int dim>
+    class LocalSegments
+    {
+    public:
+      LocalSegments(const MasterFaces<dim>  &master,
+                    const SegmentRules<dim> &rules,
+                    const double             limit,
+                    SearchStatistics        &statistics)
+        : master(master)
+        , faceted(master.patches.begin(), master.patches.end())
+        , faces(master, statistics)
+        , rules(rules)
+        , limit(limit)
+        , statistics(statistics)
+      {
+        for (const FacePatch<dim> &face : master.patches)
+          distorted.push_back(is_distorted(face));
+      }
+
+      const RankBox<dim> &
+      extent() const
+      {
+        return faces.extent();
+      }
+
+      void
+      find(const TravellingFace<dim> &slave, Pairing<dim> &found)
+      {
+        const FacetedFace<dim> own(slave.patch);
+        const bool             own_distorted = is_distorted(slave.patch);
+        for (const unsigned int face : faces.in(own.extruded_box(reach(slave.patch, limit))))
+          {
+            for (const SegmentPoint<dim> &point :
+                 segment_points(own,
+                                faceted[face],
+                                own_distorted || distorted[face] ? rules.distorted : rules.usual))
+              if (auto pair = paired(slave, face, point))
+                found.points.push_back(std::move(*pair));
+            if (!master.inner_sides.empty())
+              for (const SeamPoint<dim> &point : seam_points(own, faceted[face], rules.on_seams))
+                add_seam(slave, face, point, found.seams);
+          }
+      }
+
+    private:
+      std::optional<PairedPoint<dim>>
+      paired(const TravellingFace<dim> &slave,
+             const unsigned int         face,
+             const SegmentPoint<dim>   &point)
+      {
+        const FacePatch<dim> &patch = master.patches[face];
+        const Point<dim>      x     = slave.patch.position(point.slave);
+        const Projection<dim> foot  = project_from(x, patch, point.master);
+        ++statistics.projections;
+        if (!foot.converged_by_newton)
+          ++statistics.fallbacks;
+
+        PairedPoint<dim> pair{slave.number, point.slave, point.weight, {}};
+        pair.partner.normal = patch.normal(foot.xi);
+        pair.is_beside      = tangential_part(x - foot.position, pair.partner.normal).norm() >
+                         beside * patch.diameter();
+        if (foot.distance > reach(slave.patch, limit) ||
+            !faces_each_other(slave.patch.normal(point.slave), pair.partner.normal))
+          return {};
+        if (!master.rest.empty() && is_beyond_itself(slave, point.slave, face, foot.xi))
+          return {};
+        pair.partner.position    = foot.position;
+        pair.partner.distance    = foot.distance;
+        pair.partner.face_center = patch.center();
+        master.complete(face, foot.xi, pair.partner);
+        return pair;
+      }
+
+      bool
+      is_beyond_itself(const TravellingFace<dim> &slave,
+                       const Point<dim - 1>      &xi,
+                       const unsigned int         face,
+                       const Point<dim - 1>      &at) const
+      {
+        return Signorini::is_beyond_itself<dim>(place_at_rest(slave.rest, xi),
+                                                place_at_rest(master.rest[face], at),
+                                                master.rest[face].diameter());
+      }
+
+      void
+      add_seam(const TravellingFace<dim>     &slave,
+               const unsigned int             face,
+               const SeamPoint<dim>          &point,
+               std::vector<PairedPoint<dim>> &seams)
+      {
+        constexpr double steepest = 10; // way along the slave's normal over the distance
+        if (!master.inner_sides[face][point.side])
+          return;
+        const FacePatch<dim> &patch = master.patches[face];
+        if (!is_near_enough(
+              slave.patch.position(point.slave).distance(patch.position(point.master)) / steepest,
+              patch.diameter()))
+          return;
+        auto seam = paired(slave, face, point);
+        if (!seam || !is_near_enough(seam->partner.distance, patch.diameter()))
+          return;
+        seam->partner.bend = bend_of_seam(seam->partner.normal, point.outward);
+        seams.push_back(std::move(*seam));
+      }
+
+      const MasterFaces<dim>             &master;
+      const std::vector<FacetedFace<dim>> faceted;
+      LocalFaces<dim>                     faces;
+      std::vector<bool>                   distorted; ///< faces of the master
+      const SegmentRules<dim>            &rules;
+      const double                        limit;
+      SearchStatistics                   &statistics;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  Pairing<dim>
+  pair_by_segments(const SlaveSide<dim>   &slave,
+                   const MasterFaces<dim> &master,
+                   const Integration      &integration,
+                   const double            limit,
+                   const MPI_Comm          comm,
+                   SearchStatistics       &statistics)
+  {
+    const unsigned int      n     = integration.n_points;
+    const unsigned int      more  = std::max(n, integration.n_points_of_distorted);
+    const SegmentRules<dim> rules = {segment_rule<dim>(n), segment_rule<dim>(more), n};
+    LocalSegments<dim>      segments(master, rules, limit, statistics);
+    Pairing<dim>            pairing;
+    const auto              travelling = [&](const unsigned int i) {
+      return TravellingFace<dim>{slave.patches[i],
+                                 i,
+                                 slave.rest ? (*slave.rest)[i] : FacePatch<dim>()};
+    };
+    for (unsigned int i = 0; i < slave.patches.size(); ++i)
+      segments.find(travelling(i), pairing);
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return pairing;
+
+    const auto                    ranks = Utilities::MPI::all_gather(comm, segments.extent());
+    std::vector<BoundingBox<dim>> boxes;
+    for (const FacePatch<dim> &face : slave.patches)
+      boxes.push_back(FacetedFace<dim>(face).extruded_box(reach(face, limit)));
+    std::map<unsigned int, std::vector<TravellingFace<dim>>> outgoing;
+    for (unsigned int rank = 0; rank < ranks.size(); ++rank)
+      if (rank != Utilities::MPI::this_mpi_process(comm) && !ranks[rank].empty)
+        for (unsigned int i = 0; i < slave.patches.size(); ++i)
+          if (boxes[i].get_neighbor_type(ranks[rank].box) != NeighborType::not_neighbors)
+            outgoing[rank].push_back(travelling(i));
+
+    std::map<unsigned int, Pairing<dim>> answers;
+    for (const auto &[rank, visitors] : Utilities::MPI::some_to_some(comm, outgoing))
+      for (const TravellingFace<dim> &visitor : visitors)
+        segments.find(visitor, answers[rank]);
+    for (auto &[rank, found] : Utilities::MPI::some_to_some(comm, answers))
+      {
+        append(pairing.points, std::move(found.points));
+        append(pairing.seams, std::move(found.seams));
+      }
+    return pairing;
+  }
+
+
+
+  template Pairing<2>
+  pair_by_segments(const SlaveSide<2> &,
+                   const MasterFaces<2> &,
+                   const Integration &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
+  template Pairing<3>
+  pair_by_segments(const SlaveSide<3> &,
+                   const MasterFaces<3> &,
+                   const Integration &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics &);
+} // namespace Signorini

@@ -1,0 +1,24 @@
+#include "contact/interface/sides.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  double
+  Sides::risk() const
+  {
+    const double finer = std::max(1., 1 / size);
+    return modulus * finer * finer * finer;
+  }
+
+
+
+  bool
+  Sides::better_exchanged() const
+  {
+    // Of alike bodies the finer one follows a small contact zone better, whatever its pressure
+    // does.
+    constexpr double much_stiffer = 4;
+    return modulus > much_stiffer && risk() > 2 * std::max(1., exchanged().risk());
+  }
+} // namespace Signorini

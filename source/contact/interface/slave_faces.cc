@@ -1,0 +1,94 @@
+#include "contact/interface/slave_faces.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  std::vector<SlaveFace<dim>>
+  slave_faces(const Elasticity<dim>                &elasticity,
+              const BoundaryFaces<dim>             &slave,
+              const std::vector<ContactPoint<dim>> &points,
+              const std::vector<PressureNodes>     &functions)
+  {
+    std::vector<SlaveFace<dim>> result(slave.faces.size());
+    Trace<dim>                  trace(elasticity);
+    for (const ContactPoint<dim> &point : points)
+      if (SlaveFace<dim> &face = result[point.face]; face.degree == 0)
+        {
+          const auto &[cell, f] = slave.faces[point.face];
+          trace.reinit(cell, f);
+          face.cell            = cell->id();
+          face.face            = f;
+          const unsigned int k = face.degree = cell->get_fe().degree;
+          for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+            {
+              const SparseRow shape = trace.unresolved_shape(xi);
+              face.nodes.push_back(
+                std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
+                  return a.second < b.second;
+                })->first);
+              face.positions.push_back(
+                (elasticity.is_finite() ? slave.patches : slave.rest)[point.face].position(xi));
+              const auto &own   = functions[point.face].own;
+              const bool is_own = std::find(own.begin(), own.end(), face.nodes.back()) != own.end();
+              // Of faces whose nodes are prescribed, all of them or none.
+              face.held.push_back(!is_own && !own.empty());
+              face.uncovered.push_back(
+                face.held.back() &&
+                carries_pressure(elasticity, face.nodes.back(), k, slave.patches[point.face], xi));
+            }
+          face.covered = functions[point.face].covered;
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  any_held(const std::vector<SlaveFace<dim>> &faces)
+  {
+    return std::any_of(faces.begin(), faces.end(), [](const SlaveFace<dim> &face) {
+      return std::find(face.held.begin(), face.held.end(), true) != face.held.end();
+    });
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<SparseRow, double>>
+  whole_faces(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave)
+  {
+    std::vector<std::pair<SparseRow, double>> result;
+    Trace<dim>                                trace(elasticity);
+    for (unsigned int i = 0; i < slave.faces.size(); ++i)
+      {
+        const QGauss<dim - 1> rule(slave.faces[i].first->get_fe().degree + 1);
+        trace.reinit(slave.faces[i].first, slave.faces[i].second);
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          result.emplace_back(trace.shape(rule.point(q)),
+                              rule.weight(q) * slave.rest[i].jacobian(rule.point(q)) *
+                                measure(elasticity.model(), slave.rest[i].position(rule.point(q))));
+      }
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                                 \
+  template bool                                      any_held(const std::vector<SlaveFace<dim>> &);      \
+  template std::vector<SlaveFace<dim>>               slave_faces(const Elasticity<dim> &,                \
+                                                                 const BoundaryFaces<dim> &,             \
+                                                                 const std::vector<ContactPoint<dim>> &, \
+                                                                 const std::vector<PressureNodes> &);    \
+  template std::vector<std::pair<SparseRow, double>> whole_faces(const Elasticity<dim> &,                \
+                                                                 const BoundaryFaces<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

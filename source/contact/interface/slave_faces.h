@@ -1,0 +1,28 @@
+#pragma once
+
+#include "contact/constraints/pressure_functions.h"
+#include "contact/search/boundary_faces.h"
+
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /// The nodes of the faces that have contact points; the others are left empty.
+  /// @param functions set_pressure_functions()
+  template <int dim>
+  std::vector<SlaveFace<dim>>
+  slave_faces(const Elasticity<dim>                &elasticity,
+              const BoundaryFaces<dim>             &slave,
+              const std::vector<ContactPoint<dim>> &points,
+              const std::vector<PressureNodes>     &functions);
+
+  template <int dim>
+  bool
+  any_held(const std::vector<SlaveFace<dim>> &faces);
+
+  /// (shape functions, area) at Gauss points of all faces at rest, see ContactSurface::whole.
+  template <int dim>
+  std::vector<std::pair<SparseRow, double>>
+  whole_faces(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave);
+} // namespace Signorini

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "contact/constraints/gap_operator.h"
+#include "contact/laws/contact_status.h"
+
+namespace Signorini
+{
+  /// The internal variables of a contact law at all points.
+  struct InternalFields
+  {
+    std::vector<PointVectors> vectors; ///< [k][a]: of variable k, component a along the tangents
+    PointVectors              scalars; ///< a vector a variable
+
+    bool
+    empty() const
+    {
+      return vectors.empty() && scalars.empty();
+    }
+
+    /// After entries were set.
+    void
+    compress()
+    {
+      for (PointVectors &variable : vectors)
+        for (LA::Vector &component : variable)
+          component.compress(dealii::VectorOperation::insert);
+      for (LA::Vector &variable : scalars)
+        variable.compress(dealii::VectorOperation::insert);
+    }
+  };
+
+  /// What is known of contact at the points of a gap operator.
+  struct ContactState
+  {
+    /// Contact pressure, positive in compression, and tangential traction on the slave
+    /// [force/length^2].
+    PointVectors traction;
+    LA::Vector   status; ///< values of ContactStatus
+    /// Those at the end of the last load step; empty if the contact law has none.
+    InternalFields internal;
+
+    const LA::Vector &
+    pressure() const
+    {
+      return traction[0];
+    }
+  };
+
+  /// Open everywhere, without tractions and internal variables.
+  inline ContactState
+  open_contact(const GapOperator &contact)
+  {
+    return {contact.zeros(), contact.zero(), {}};
+  }
+
+  /// 1 at closed points, else 0.
+  inline LA::Vector
+  closed_points(const LA::Vector &status)
+  {
+    LA::Vector result = status;
+    for (const auto i : status.locally_owned_elements())
+      result(i) = is_closed(status(i)) ? 1. : 0.;
+    result.compress(dealii::VectorOperation::insert);
+    return result;
+  }
+
+  /// From an unknown of the linear system, a length, to the traction: times E/h at closed points,
+  /// zero at open ones. So do derivatives by tractions become those by unknowns.
+  inline void
+  to_traction(const GapOperator &contact, const LA::Vector &status, LA::Vector &q)
+  {
+    q.scale(contact.coefficients.stiffness);
+    q.scale(closed_points(status));
+  }
+} // namespace Signorini

@@ -1,0 +1,112 @@
+#include "contact/laws/normal_contact.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  NormalContact::NormalContact(const GapOperator &contact,
+                               const Predictor    predictor,
+                               const bool         multiplier,
+                               const double       spring)
+    : ContactLaw(contact)
+    , predictor(predictor)
+    , multiplier(multiplier && !contact.empty())
+    , spring(spring)
+    , last(contact.zero())
+  {}
+
+
+
+  NormalContact::NormalContact(const ContactMethod &method, const GapOperator &contact)
+    : NormalContact(contact, method.predictor(), method.has_multipliers(), -1)
+  {}
+
+
+
+  NormalContact
+  NormalContact::springs(const GapOperator &contact, const double factor)
+  {
+    return {contact, Predictor::none, false, factor};
+  }
+
+
+
+  double
+  NormalContact::softest() const
+  {
+    if (contact.empty() || multiplier || predictor == Predictor::normal_stress)
+      return 1;
+    const auto &[permanent, stiffness, epsilon] = contact.coefficients;
+    double stiffest                             = 1;
+    for (const auto i : epsilon.locally_owned_elements())
+      stiffest = std::max(stiffest, epsilon(i) / stiffness(i));
+    return 1 / Utilities::MPI::max(stiffest, epsilon.get_mpi_communicator());
+  }
+
+
+
+  LawVector
+  NormalContact::trial(const Index point, const LawInput &in) const
+  {
+    const double predicted = predictor == Predictor::multiplier    ? in.traction[0] :
+                             predictor == Predictor::normal_stress ? in.stress[0] :
+                             predictor == Predictor::last_pressure ? last(point) :
+                                                                     0.;
+    LawVector    result;
+    result[0] = predicted - epsilon(point) * in.gap[0];
+    return result;
+  }
+
+
+
+  ContactStatus
+  NormalContact::status(const Index point, const LawVector &trial) const
+  {
+    const bool is_closed =
+      (trial[0] > 0 || contact.coefficients.permanent(point) > 0) && contact.weight(point) > 0;
+    return is_closed ? ContactStatus::slip : ContactStatus::open;
+  }
+
+
+
+  LawResponse
+  NormalContact::response(const Index point, const LawInput &in, const ContactStatus status) const
+  {
+    LawResponse result;
+    if (status == ContactStatus::open)
+      return result;
+    result.residual[0]           = in.gap[0];
+    result.residual_by_gap[0][0] = 1;
+    if (!multiplier)
+      {
+        result.traction        = trial(point, in);
+        result.by_gap[0][0]    = -epsilon(point);
+        result.by_stress[0][0] = predictor == Predictor::normal_stress ? 1. : 0.;
+        return result;
+      }
+    result.traction[0] = in.traction[0];
+    if (predictor == Predictor::none)
+      result.residual_by_traction[0][0] = 1 / epsilon(point);
+    result.residual[0] += result.residual_by_traction[0][0] * in.traction[0];
+    return result;
+  }
+
+
+
+  PointVectors
+  NormalContact::trial_from_traction(const LawInputs &in) const
+  {
+    if (predictor == Predictor::multiplier || predictor == Predictor::normal_stress)
+      return trial(in);
+    return at_all_points([&](const Index i) {
+      const double compliance = predictor == Predictor::none ? 1 / epsilon(i) : 0;
+      const double c          = std::min(epsilon(i), contact.coefficients.stiffness(i));
+      const double p          = in.traction[0](i);
+      LawVector    result;
+      result[0] = p - c * (in.gap[0](i) + compliance * p);
+      return result;
+    });
+  }
+} // namespace Signorini

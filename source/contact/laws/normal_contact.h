@@ -1,0 +1,105 @@
+#pragma once
+
+#include "contact/laws/contact_law.h"
+#include <signorini/contact/methods/method.h>
+
+namespace Signorini
+{
+  /// Contact without friction, one law for all methods (pressure positive in compression, gap
+  /// positive when open):
+  ///
+  ///   p = max(0, p^ - eps g),
+  ///
+  /// the active set being where the maximum is not zero; at points of pairs that never separate
+  /// p = p^ - eps g, and they are always active. A pressure that is an unknown of its own has the
+  /// equation g + c p = 0 there, with the compliance c = 0, or 1/eps if it is not its own p^.
+  class NormalContact : public ContactLaw
+  {
+  public:
+    /// Refers to the gap operator.
+    NormalContact(const ContactMethod &method, const GapOperator &contact);
+
+    /// Springs on active points, p = -factor E/h g, whatever the method.
+    static NormalContact
+    springs(const GapOperator &contact, double factor);
+
+    bool
+    has_multiplier() const override
+    {
+      return multiplier;
+    }
+
+    /// True: p^ is the pressure of the last solution.
+    bool
+    augments() const override
+    {
+      return predictor == Predictor::last_pressure;
+    }
+
+    void
+    augment(const PointVectors &traction) override
+    {
+      last = traction[0];
+    }
+
+    /// Only where p^ is zero.
+    bool
+    soften(const double factor) override
+    {
+      const bool changes = factor != softness;
+      softness           = factor;
+      return changes;
+    }
+
+    bool
+    is_soft() const override
+    {
+      return softness < 1;
+    }
+
+    double
+    softest() const override;
+
+    using ContactLaw::status;
+    using ContactLaw::trial;
+
+    /// p^ - eps g
+    LawVector
+    trial(Index point, const LawInput &in) const override;
+
+    ContactStatus
+    status(Index point, const LawVector &trial) const override;
+
+    LawResponse
+    response(Index point, const LawInput &in, ContactStatus status) const override;
+
+    /// To find the set that a stiff penalty, under which gaps are mere noise at first, would not
+    /// show: p - c (g + p/eps) with c at most E/h, whose sign at a solution is that of p^ - eps g
+    /// for any c.
+    PointVectors
+    trial_from_traction(const LawInputs &in) const override;
+
+    /// E/h, or eps if it augments, which is what the next augmentation changes.
+    double
+    residual_stiffness(const Index point) const override
+    {
+      return augments() ? epsilon(point) : ContactLaw::residual_stiffness(point);
+    }
+
+  private:
+    NormalContact(const GapOperator &contact, Predictor predictor, bool multiplier, double spring);
+
+    double
+    epsilon(const Index point) const
+    {
+      return spring < 0 ? softness * contact.coefficients.epsilon(point) :
+                          spring * contact.coefficients.stiffness(point);
+    }
+
+    Predictor  predictor;
+    bool       multiplier;
+    double     spring; ///< negative: the method's eps
+    double     softness = 1;
+    LA::Vector last; ///< p^ of what augments
+  };
+} // namespace Signorini

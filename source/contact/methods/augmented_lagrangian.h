@@ -1,0 +1,53 @@
+#pragma once
+
+#include "contact/methods/penalty_factor.h"
+
+namespace Signorini
+{
+  /// Augmented Lagrangian method, thesis 3.2, in two forms. Uzawa: a sequence of penalty solutions
+  /// p = max(0, p^ - eps g), each of which starts from the pressure p^ of the one before, until the
+  /// gap weighted at the slave nodes is closed; systems without multipliers. The gap falls by about
+  /// 1/(1 + Factor) each time. Newton: displacement and pressure at once, from
+  /// p = max(0, p - eps g) (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375).
+  /// The result of both is that of the Lagrange multiplier method.
+  class AugmentedLagrangian : public ContactMethod
+  {
+  public:
+    enum class Loop
+    {
+      Uzawa, ///< penalty solutions one after the other
+      Newton ///< displacement and pressure at once
+    };
+
+    void
+    declare(Section &section) override;
+
+    Sampling
+    sampling() const override
+    {
+      return Sampling::nodes;
+    }
+
+    Predictor
+    predictor() const override
+    {
+      return loop == Loop::Newton ? Predictor::multiplier : Predictor::last_pressure;
+    }
+
+    bool
+    has_multipliers() const override
+    {
+      return loop == Loop::Newton;
+    }
+
+    double
+    penalty(const PenaltyScale &scale) const override
+    {
+      return penalty_factor.of(scale);
+    }
+
+  private:
+    PenaltyFactor penalty_factor;
+    Loop          loop = Loop::Uzawa;
+  };
+} // namespace Signorini

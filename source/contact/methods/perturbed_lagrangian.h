@@ -1,0 +1,51 @@
+#pragma once
+
+#include "contact/methods/penalty_factor.h"
+
+namespace Signorini
+{
+  /// Perturbed Lagrangian method, thesis 3.2: the pressure is an unknown as in the Lagrange
+  /// multiplier method, but the contact is elastic: g + p/eps = 0 at the slave nodes where it acts.
+  /// As a block system it is a saddle point that large factors do not hurt. Condensed, the pressure
+  /// is eliminated, which yields the penalty method with mortar weighting, with the same solution.
+  class PerturbedLagrangian : public ContactMethod
+  {
+  public:
+    enum class Form
+    {
+      block,    ///< the pressure is an unknown
+      condensed ///< it is eliminated
+    };
+
+    void
+    declare(Section &section) override;
+
+    Sampling
+    sampling() const override
+    {
+      return Sampling::nodes;
+    }
+
+    Predictor
+    predictor() const override
+    {
+      return Predictor::none;
+    }
+
+    bool
+    has_multipliers() const override
+    {
+      return form == Form::block;
+    }
+
+    double
+    penalty(const PenaltyScale &scale) const override
+    {
+      return penalty_factor.of(scale);
+    }
+
+  private:
+    PenaltyFactor penalty_factor;
+    Form          form = Form::block;
+  };
+} // namespace Signorini

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "contact/obstacles/triangle_surface.h"
+
+namespace Signorini
+{
+  /// Read an STL file, as text or binary. Vertices at the same place are one. The normals in the
+  /// file are left out: the order of the vertices says where outside is. Throws SceneError with the
+  /// name of the file.
+  Triangles
+  read_stl(const std::string &file_name);
+} // namespace Signorini

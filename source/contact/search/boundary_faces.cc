@@ -1,0 +1,197 @@
+#include "contact/search/boundary_faces.h"
+#include "contact/search/face_patches.h"
+#include "geometry/cell_size.h"
+#include "geometry/face_parameter.h"
+
+#include <algorithm>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  BoundaryFaces<dim>::BoundaryFaces(const Elasticity<dim> &elasticity, const std::string &boundary)
+    : BoundaryFaces(Configuration<dim>(elasticity), boundary)
+  {}
+
+
+
+  template <int dim>
+  BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration,
+                                    const std::string        &boundary)
+    : BoundaryFaces(configuration,
+                    [&ids = configuration.elasticity().mesh().boundary_ids(
+                       boundary)](const CellIterator<dim> &cell, const unsigned int f) {
+                      return ids.count(cell->face(f)->boundary_id()) > 0;
+                    })
+  {}
+
+
+
+  template <int dim>
+  BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration, const Choice &choice)
+  {
+    const Elasticity<dim> &elasticity = configuration.elasticity();
+    FacePatches<dim>       patch_of(elasticity.mesh());
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && choice(cell, f))
+            {
+              faces.emplace_back(cell, f);
+              rest.push_back(patch_of(cell, f));
+              patches.push_back(configuration.moved(rest.back(), cell, f));
+              if (configuration.start())
+                start.push_back(configuration.start()->moved(rest.back(), cell, f));
+            }
+  }
+
+
+
+  template <int dim>
+  BoundaryFaces<dim>
+  BoundaryFaces<dim>::among(const std::vector<bool> &chosen) const
+  {
+    BoundaryFaces result;
+    for (unsigned int i = 0; i < faces.size(); ++i)
+      if (chosen[i])
+        {
+          result.faces.push_back(faces[i]);
+          result.patches.push_back(patches[i]);
+          result.rest.push_back(rest[i]);
+          if (!start.empty())
+            result.start.push_back(start[i]);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryFaces<dim>::depth(const unsigned int i) const
+  {
+    const auto &[cell, face] = faces[i];
+    return depth_behind(cell, face);
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryFaces<dim>::modulus(const Elasticity<dim> &elasticity, const unsigned int i) const
+  {
+    return elasticity.material(faces[i].first->material_id()).youngs_modulus;
+  }
+
+
+
+  template <int dim>
+  double
+  BoundaryFaces<dim>::stiffness(const Elasticity<dim> &elasticity, const unsigned int i) const
+  {
+    return modulus(elasticity, i) / depth(i);
+  }
+
+
+
+  namespace
+  {
+    /// What two faces share: a vertex (2D) or a line.
+    template <int dim>
+    class SharedSides
+    {
+    public:
+      using Cell = typename Triangulation<dim>::active_cell_iterator;
+
+      void
+      add(const Cell &cell, const unsigned int face)
+      {
+        for (unsigned int side = 0; side < 2 * (dim - 1); ++side)
+          for (const unsigned int i : with_parts(cell, face, side))
+            ++count[i];
+      }
+
+      bool
+      is_shared(const Cell &cell, const unsigned int face, const unsigned int side) const
+      {
+        for (const unsigned int i : with_parts(cell, face, side))
+          if (count.at(i) > 1)
+            return true;
+        return false;
+      }
+
+    private:
+      /// With its halves, which finer neighbours have.
+      static std::vector<unsigned int>
+      with_parts(const Cell &cell, const unsigned int face, const unsigned int side)
+      {
+        std::array<unsigned int, dim - 1> ends;
+        for (unsigned int i = 0; i < ends.size(); ++i)
+          {
+            Point<dim - 1> xi;
+            xi[side / 2] = side % 2;
+            if (dim == 3)
+              xi[1 - side / 2] = i;
+            const Point<dim> x = unit_point<dim>(face, xi);
+            ends[i]            = 0;
+            for (unsigned int d = 0; d < dim; ++d)
+              ends[i] += x[d] > 0.5 ? 1 << d : 0;
+          }
+        if constexpr (dim == 2)
+          return {cell->vertex_index(ends[0])};
+        else
+          for (const unsigned int l : cell->line_indices())
+            {
+              const auto         line  = cell->line(l);
+              const unsigned int first = cell->vertex_index(ends[0]),
+                                 last  = cell->vertex_index(ends[1]);
+              if (std::minmax(line->vertex_index(0), line->vertex_index(1)) !=
+                  std::minmax(first, last))
+                continue;
+              std::vector<unsigned int> result = {static_cast<unsigned int>(line->index())};
+              if (line->has_children())
+                for (unsigned int c = 0; c < 2; ++c)
+                  result.push_back(line->child(c)->index());
+              return result;
+            }
+        return {}; // each side is a line
+      }
+
+      std::map<unsigned int, unsigned int> count; ///< of faces at vertices or lines
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<SidesOfFace<dim>>
+  inner_sides(const Mesh<dim> &mesh, const std::string &boundary, const BoundaryFaces<dim> &faces)
+  {
+    const BoundaryIds &ids = mesh.boundary_ids(boundary);
+    SharedSides<dim>   sides;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (!cell->is_artificial() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
+            sides.add(cell, f);
+    std::vector<SidesOfFace<dim>> result;
+    for (const auto &[cell, face] : faces.faces)
+      {
+        result.emplace_back();
+        for (unsigned int side = 0; side < result.back().size(); ++side)
+          result.back()[side] = sides.is_shared(cell, face, side);
+      }
+    return result;
+  }
+
+
+
+  template struct BoundaryFaces<2>;
+  template struct BoundaryFaces<3>;
+  template std::vector<SidesOfFace<2>>
+  inner_sides(const Mesh<2> &, const std::string &, const BoundaryFaces<2> &);
+  template std::vector<SidesOfFace<3>>
+  inner_sides(const Mesh<3> &, const std::string &, const BoundaryFaces<3> &);
+} // namespace Signorini

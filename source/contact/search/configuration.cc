@@ -1,0 +1,248 @@
+#include "contact/search/configuration.h"
+#include "solid/cell_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The cells with a node on the boundary.
+    template <int dim>
+    std::vector<CellIterator<dim>>
+    cells_next_to_boundary(const Elasticity<dim> &elasticity)
+    {
+      std::vector<bool> is_there(elasticity.mesh().triangulation().n_vertices(), false);
+      for (const auto &cell : elasticity.mesh().triangulation().active_cell_iterators())
+        if (!cell->is_artificial() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            for (unsigned int v = 0; cell->face(f)->at_boundary() && v < (1u << (dim - 1)); ++v)
+              is_there[cell->face(f)->vertex_index(v)] = true;
+      std::vector<CellIterator<dim>> result;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int v : cell->vertex_indices())
+            if (is_there[cell->vertex_index(v)])
+              {
+                result.push_back(cell);
+                break;
+              }
+      return result;
+    }
+
+    /// Of the nodes on boundaries, at rest, as a field like displacements: hanging nodes are where
+    /// the shape functions of their neighbours put them, not on the curve between these, so that a
+    /// rigid motion of all others is one of them, too.
+    template <int dim>
+    LA::Vector
+    places_of_nodes(const Elasticity<dim> &elasticity)
+    {
+      LA::Vector     places = elasticity.zero_vector();
+      CellNodes<dim> nodes_of(elasticity.mesh(), elasticity.finite_elements());
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : cells_next_to_boundary(elasticity))
+        {
+          const std::vector<Point<dim>> &nodes = nodes_of(cell);
+          read_indices<dim>(cell, indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (elasticity.owned().is_element(indices[i]))
+              places(indices[i]) = nodes[i][cell->get_fe().system_to_component_index(i).first];
+        }
+      places.compress(VectorOperation::insert);
+      elasticity.hanging_nodes().distribute(places);
+      return elasticity.with_ghosts(places);
+    }
+
+    /// A place of a face, and its tangents there.
+    template <int dim>
+    struct Frame
+    {
+      Point<dim>                          origin;
+      std::array<Tensor<1, dim>, dim - 1> tangents;
+
+      /// Not of unit length.
+      Tensor<1, dim>
+      normal() const
+      {
+        if constexpr (dim == 2)
+          return cross_product_2d(tangents[0]);
+        else
+          return cross_product_3d(tangents[0], tangents[1]);
+      }
+    };
+
+    /// A vector with the same components by the tangents and the unit normal of another frame.
+    template <int dim>
+    Tensor<1, dim>
+    carried(const Tensor<1, dim> &c, const Frame<dim> &from, const Frame<dim> &to)
+    {
+      const Tensor<1, dim> n = from.normal(), n_now = to.normal();
+      if (n.norm() == 0 || n_now.norm() == 0)
+        return c;
+      Tensor<2, dim - 1> metric;
+      Tensor<1, dim - 1> along;
+      for (unsigned int a = 0; a < dim - 1; ++a)
+        {
+          along[a] = c * from.tangents[a];
+          for (unsigned int b = 0; b < dim - 1; ++b)
+            metric[a][b] = from.tangents[a] * from.tangents[b];
+        }
+      const Tensor<1, dim - 1> components = invert(metric) * along;
+      Tensor<1, dim>           result     = (c * n) / (n.norm() * n_now.norm()) * n_now;
+      for (unsigned int a = 0; a < dim - 1; ++a)
+        result += components[a] * to.tangents[a];
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Configuration<dim>::Configuration(const Elasticity<dim> &elasticity)
+    : my_elasticity(elasticity)
+    , at_rest(true)
+    , rigid_motion(elasticity.rigid_bodies().size() * RigidBody<dim>::n_dofs, 0.)
+  {}
+
+
+
+  template <int dim>
+  Configuration<dim>::Configuration(const Elasticity<dim> &elasticity, const LA::Vector &u)
+    : Configuration(elasticity, u, u)
+  {}
+
+
+
+  template <int dim>
+  Configuration<dim>::Configuration(const Elasticity<dim> &elasticity,
+                                    const LA::Vector      &u,
+                                    const LA::Vector      &of_frames)
+    : my_elasticity(elasticity)
+    , at_rest(false)
+    , u(u)
+    , ghosted(elasticity.with_ghosts(u))
+    , of_frames(elasticity.with_ghosts(of_frames))
+    , rest_places(places_of_nodes(elasticity))
+    , rigid_motion(elasticity.rigid_motion(u))
+  {}
+
+
+
+  template <int dim>
+  const typename Configuration<dim>::ShapesAtNodes &
+  Configuration<dim>::shapes_at_nodes(const unsigned int element,
+                                      const unsigned int face,
+                                      const unsigned int degree) const
+  {
+    ShapesAtNodes &result = shapes[{element, face, degree}];
+    if (result.empty())
+      {
+        const FiniteElement<dim> &fe = my_elasticity.finite_elements()[element].base_element(0);
+        for (const Point<dim - 1> &xi : face_lattice<dim>(degree))
+          {
+            result.emplace_back();
+            const Point<dim> x = unit_point<dim>(face, xi);
+            for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+              {
+                Shape                shape{i, fe.shape_value(i, x), {}};
+                const Tensor<1, dim> slope = fe.shape_grad(i, x);
+                double               size  = std::abs(shape.value);
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  {
+                    shape.slopes[d] = slope[(face / 2 + 1 + d) % dim];
+                    size            = std::max(size, std::abs(shape.slopes[d]));
+                  }
+                if (size > 1e-14)
+                  result.back().push_back(shape);
+              }
+          }
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  FacePatch<dim>
+  Configuration<dim>::moved(const FacePatch<dim>    &rest,
+                            const CellIterator<dim> &cell,
+                            const unsigned int       face) const
+  {
+    if (at_rest)
+      return rest;
+    const FiniteElement<dim>            &fe = cell->get_fe();
+    const unsigned int                   k  = std::max(rest.get_degree(), fe.degree);
+    std::vector<types::global_dof_index> indices;
+    read_indices<dim>(cell, indices);
+    std::vector<Point<dim>> nodes;
+    auto                    node = shapes_at_nodes(cell->active_fe_index(), face, k).begin();
+    for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+      {
+        Frame<dim> before, now;
+        for (const Shape &shape : *node++)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const auto   dof = indices[fe.component_to_system_index(d, shape.function)];
+              const double X   = rest_places(dof);
+              before.origin[d] += shape.value * X;
+              now.origin[d] += shape.value * (X + ghosted(dof));
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                {
+                  before.tangents[a][d] += shape.slopes[a] * X;
+                  now.tangents[a][d] += shape.slopes[a] * (X + of_frames(dof));
+                }
+            }
+        nodes.push_back(now.origin + carried(rest.position(xi) - before.origin, before, now));
+      }
+    return FacePatch<dim>(k, nodes, rest.get_outward());
+  }
+
+
+
+  template <int dim>
+  RigidPose<dim>
+  Configuration<dim>::pose(const Obstacle<dim> &obstacle) const
+  {
+    return pose(obstacle, rigid_motion);
+  }
+
+
+
+  template <int dim>
+  RigidPose<dim>
+  Configuration<dim>::pose(const Obstacle<dim>       &obstacle,
+                           const std::vector<double> &rigid_motion) const
+  {
+    std::array<double, RigidBody<dim>::n_dofs> motion{};
+    const auto                                &bodies = my_elasticity.rigid_bodies();
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (bodies[b].name == obstacle.name)
+        std::copy_n(rigid_motion.begin() + b * motion.size(), motion.size(), motion.begin());
+    return {obstacle.body.reference, motion, my_elasticity.lever()};
+  }
+
+
+
+  template <int dim>
+  ObstaclePlace<dim>
+  Configuration<dim>::closest(const Obstacle<dim>  &obstacle,
+                              const RigidPose<dim> &pose,
+                              const Point<dim>     &x) const
+  {
+    if (at_rest)
+      return obstacle.shape->closest(x);
+    ObstaclePlace<dim> place =
+      obstacle.shape->closest_point(pose.to_body(x), my_elasticity.lever());
+    place.normal    = pose.to_space(place.normal);
+    place.curvature = pose.to_space(place.curvature);
+    return place;
+  }
+
+
+
+  template class Configuration<2>;
+  template class Configuration<3>;
+} // namespace Signorini

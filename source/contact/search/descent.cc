@@ -1,0 +1,192 @@
+#include "contact/search/descent.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Quadratic model of f(xi) = |x(xi) - x|^2 / 2 around one parameter.
+    template <int dim>
+    struct QuadraticModel
+    {
+      Tensor<1, dim>                      residual; // x(xi) - x
+      std::array<Tensor<1, dim>, dim - 1> tangents;
+      Tensor<1, dim - 1>                  gradient;
+      Tensor<2, dim - 1>                  hessian; // positive definite in any case
+      bool                                convex;  // f itself is, as far as xi is free to move
+    };
+
+    // Where the gradient presses xi against its bound, the curvature in that direction (and its
+    // coupling) says nothing about the minimum, which is on the side.
+    template <int n>
+    Tensor<2, n>
+    without_pressed(Tensor<2, n>        hessian,
+                    const Tensor<2, n> &gauss_newton,
+                    const Tensor<1, n> &gradient,
+                    const Point<n>     &xi)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        if ((xi[i] == 0 && gradient[i] > 0) || (xi[i] == 1 && gradient[i] < 0))
+          for (unsigned int j = 0; j < n; ++j)
+            hessian[i][j] = hessian[j][i] = i == j ? gauss_newton[i][i] : 0;
+      return hessian;
+    }
+
+    template <int dim>
+    QuadraticModel<dim>
+    model_at(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &xi)
+    {
+      QuadraticModel<dim> m;
+      m.residual            = face.position(xi) - x;
+      m.tangents            = face.tangents(xi);
+      const auto curvatures = face.curvatures(xi);
+
+      Tensor<2, dim - 1> gauss_newton, hessian;
+      for (unsigned int i = 0; i < dim - 1; ++i)
+        {
+          m.gradient[i] = m.residual * m.tangents[i];
+          for (unsigned int j = 0; j < dim - 1; ++j)
+            {
+              gauss_newton[i][j] = m.tangents[i] * m.tangents[j];
+              hessian[i][j]      = gauss_newton[i][j] + m.residual * curvatures[i][j];
+            }
+        }
+      // On the concave side, beyond the centre of curvature, Newton would climb to a maximum.
+      hessian  = without_pressed(hessian, gauss_newton, m.gradient, xi);
+      m.convex = hessian[0][0] > 1e-10 * gauss_newton[0][0] &&
+                 determinant(hessian) > 1e-10 * determinant(gauss_newton);
+      m.hessian = m.convex ? hessian : gauss_newton;
+      return m;
+    }
+
+    // Minimiser s of the quadratic g.s + s.H.s/2 between the bounds. The bounds are the sides of
+    // the parameter square seen from xi, so an active one needs no bookkeeping.
+    Tensor<1, 1>
+    best_step(const Tensor<1, 1> &g,
+              const Tensor<2, 1> &H,
+              const Tensor<1, 1> &lower,
+              const Tensor<1, 1> &upper)
+    {
+      Tensor<1, 1> s;
+      s[0] = std::clamp(-g[0] / H[0][0], lower[0], upper[0]);
+      return s;
+    }
+
+    Tensor<1, 2>
+    best_step(const Tensor<1, 2> &g,
+              const Tensor<2, 2> &H,
+              const Tensor<1, 2> &lower,
+              const Tensor<1, 2> &upper)
+    {
+      const Tensor<1, 2> newton = -1. * (invert(H) * g);
+      if (newton[0] >= lower[0] && newton[0] <= upper[0] && newton[1] >= lower[1] &&
+          newton[1] <= upper[1])
+        return newton;
+
+      // A convex function whose minimum is outside takes its least value on one of the four sides.
+      Tensor<1, 2> best;
+      double       best_value = std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i < 2; ++i)
+        for (const double bound : {lower[i], upper[i]})
+          {
+            const unsigned int j = 1 - i;
+            Tensor<1, 2>       s;
+            s[i] = bound;
+            s[j] = std::clamp(-(g[j] + H[j][i] * bound) / H[j][j], lower[j], upper[j]);
+            const double value = g * s + 0.5 * (s * (H * s));
+            if (value < best_value)
+              {
+                best_value = value;
+                best       = s;
+              }
+          }
+      return best;
+    }
+
+    template <int n>
+    Point<n>
+    moved(const Point<n> &xi, const Tensor<1, n> &step)
+    {
+      Point<n> result;
+      for (unsigned int d = 0; d < n; ++d)
+        result[d] = std::clamp(xi[d] + step[d], 0., 1.);
+      return result;
+    }
+
+    // Length that rounding makes of the positions involved.
+    template <int dim>
+    double
+    rounding(const Point<dim> &x, const FacePatch<dim> &face)
+    {
+      return 8 * std::numeric_limits<double>::epsilon() * (x.norm() + face.diameter());
+    }
+
+    // One damped step from xi; false if no damping makes f smaller (up to rounding).
+    template <int dim>
+    bool
+    descend(const Point<dim>          &x,
+            const FacePatch<dim>      &face,
+            const QuadraticModel<dim> &m,
+            const Tensor<1, dim - 1>  &step,
+            Point<dim - 1>            &xi)
+    {
+      const Point<dim> start = x + m.residual;
+      const double     slack = rounding(x, face) * m.residual.norm();
+      for (double damping = 1; damping > 1e-5; damping /= 2)
+        {
+          const Point<dim - 1> trial    = moved(xi, damping * step);
+          const Tensor<1, dim> movement = face.position(trial) - start;
+          // f(trial) - f(xi) without the cancellation that two squares would bring
+          const double change = movement * (m.residual + 0.5 * movement);
+          if (change <= 1e-4 * damping * (m.gradient * step) + slack)
+            {
+              xi = trial;
+              return true;
+            }
+        }
+      return false;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  descend_to_minimum(const Point<dim> &x, const FacePatch<dim> &face, Point<dim - 1> &xi)
+  {
+    const double tolerance = 1e-12 * face.diameter() + rounding(x, face);
+    for (unsigned int iteration = 0; iteration < 30; ++iteration)
+      {
+        const QuadraticModel<dim> m = model_at(x, face, xi);
+        Tensor<1, dim - 1>        lower, upper;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            lower[d] = -xi[d];
+            upper[d] = 1 - xi[d];
+          }
+        const Tensor<1, dim - 1> step = best_step(m.gradient, m.hessian, lower, upper);
+        Tensor<1, dim>           way;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          way += step[d] * m.tangents[d];
+        if (way.norm() <= tolerance)
+          {
+            xi = moved(xi, step);
+            return m.convex;
+          }
+        if (!descend(x, face, m, step, xi))
+          return false;
+      }
+    return false;
+  }
+
+
+  template bool
+  descend_to_minimum<2>(const Point<2> &, const FacePatch<2> &, Point<1> &);
+  template bool
+  descend_to_minimum<3>(const Point<3> &, const FacePatch<3> &, Point<2> &);
+} // namespace Signorini

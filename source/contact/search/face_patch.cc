@@ -1,0 +1,298 @@
+#include "contact/search/face_patch.h"
+#include "geometry/lagrange.h"
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Tensor<1, dim>
+    parametric_normal(const std::array<Tensor<1, dim>, dim - 1> &tangents)
+    {
+      if constexpr (dim == 2)
+        return cross_product_2d(tangents[0]);
+      else
+        return cross_product_3d(tangents[0], tangents[1]);
+    }
+
+    // The nodes of a face, lexicographic in xi.
+    template <int dim>
+    std::vector<Point<dim>>
+    face_nodes(const Mapping<dim>                                      &mapping,
+               const unsigned int                                       k,
+               const typename Triangulation<dim>::active_cell_iterator &cell,
+               const unsigned int                                       face)
+    {
+      std::vector<Point<dim>> nodes;
+      for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+        nodes.push_back(mapping.transform_unit_to_real_cell(cell, unit_point<dim>(face, xi)));
+      return nodes;
+    }
+
+    // How far a polynomial of degree k can exceed its largest nodal value on the square.
+    template <int dim>
+    double
+    lebesgue_bound(const unsigned int k)
+    {
+      constexpr std::array<double, max_degree + 1> line = {{1., 1., 1.25, 1.64, 2.21}};
+      return Utilities::fixed_power<dim - 1>(line[k]);
+    }
+
+    // The face is the multilinear interpolant of its corners, which stays in their box, plus a
+    // polynomial with these deviations as nodal values.
+    template <int dim>
+    Tensor<1, dim>
+    largest_deviation(const std::vector<Point<dim>> &nodes, const unsigned int k)
+    {
+      const unsigned int rows = dim == 3 ? k : 0, top = rows * (k + 1);
+      Tensor<1, dim>     largest;
+      for (unsigned int j = 0; j <= rows; ++j)
+        for (unsigned int i = 0; i <= k; ++i)
+          {
+            const double         s = double(i) / k, t = double(j) / k;
+            const Tensor<1, dim> linear = (1 - t) * ((1 - s) * nodes[0] + s * nodes[k]) +
+                                          t * ((1 - s) * nodes[top] + s * nodes[top + k]);
+            for (unsigned int d = 0; d < dim; ++d)
+              largest[d] = std::max(largest[d], std::abs(nodes[j * (k + 1) + i][d] - linear[d]));
+          }
+      return largest;
+    }
+
+    template <int dim>
+    BoundingBox<dim>
+    box_of(const std::vector<Point<dim>> &nodes, const unsigned int k)
+    {
+      const unsigned int              top     = dim == 3 ? k * (k + 1) : 0;
+      const std::array<Point<dim>, 4> corners = {{nodes[0], nodes[k], nodes[top], nodes[top + k]}};
+      const Tensor<1, dim>            deviation = largest_deviation(nodes, k);
+
+      BoundingBox<dim> box(corners);
+      auto &[lower, upper]  = box.get_boundary_points();
+      const double rounding = 1e-14 * (lower.norm() + upper.norm());
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double margin = lebesgue_bound<dim>(k) * deviation[d] + rounding;
+          lower[d] -= margin;
+          upper[d] += margin;
+        }
+      return box;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FacePatch<dim>::FacePatch(const unsigned int             degree,
+                            const std::vector<Point<dim>> &nodes,
+                            const double                   outward)
+    : degree(degree)
+    , nodes(nodes)
+    , outward(outward)
+  {
+    measure();
+  }
+
+
+
+  template <int dim>
+  FacePatch<dim>::FacePatch(const Mapping<dim>                                      &mapping,
+                            const unsigned int                                       degree,
+                            const typename Triangulation<dim>::active_cell_iterator &cell,
+                            const unsigned int                                       face)
+    : degree(degree)
+    , nodes(face_nodes(mapping, degree, cell, face))
+  {
+    measure();
+
+    // A step into the cell along the third coordinate line leaves the face to the inside wherever
+    // the mapping is valid; the center of a flat or strongly curved cell may lie on the wrong side.
+    Parameter middle;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = 0.5;
+    const Point<dim> on_face = unit_point<dim>(face, middle);
+    Point<dim>       inside  = on_face;
+    inside[face / 2] += face % 2 == 0 ? 1e-3 : -1e-3;
+    const Tensor<1, dim> outwards = mapping.transform_unit_to_real_cell(cell, on_face) -
+                                    mapping.transform_unit_to_real_cell(cell, inside);
+    outward = parametric_normal<dim>(tangents(middle)) * outwards > 0 ? 1. : -1.;
+  }
+
+
+
+  template <int dim>
+  void
+  FacePatch<dim>::measure()
+  {
+    Assert(degree >= 1 && degree <= max_degree, ExcIndexRange(degree, 1, max_degree + 1));
+    AssertDimension(nodes.size(), Utilities::pow(degree + 1, dim - 1));
+
+    size = 0;
+    for (const Point<dim> &a : nodes)
+      for (const Point<dim> &b : nodes)
+        size = std::max(size, a.distance(b));
+    bounds = box_of(nodes, degree);
+    const double rounding =
+      1e-12 * size + 16 * std::numeric_limits<double>::epsilon() * nodes[0].norm();
+    if (degree > 1 && largest_deviation(nodes, degree).norm() < rounding)
+      keep_corners();
+
+    // At ends and middles; polynomials of second derivatives are of degree two, beside which they
+    // do not rise much in between.
+    constexpr double                margin      = 1.25;
+    constexpr std::array<double, 3> places      = {{0., 0.5, 1.}};
+    const bool                      is_parallel = dim == 2 && degree == 1;
+    largest_curvature                           = 0;
+    for (unsigned int n = 0; !is_parallel && n < Utilities::pow(3u, dim - 1); ++n)
+      {
+        Parameter xi;
+        for (unsigned int d = 0, rest = n; d < dim - 1; ++d, rest /= 3)
+          xi[d] = places[rest % 3];
+        double square = 0;
+        for (const auto &row : curvatures(xi))
+          for (const Tensor<1, dim> &one : row)
+            square += one.norm_square();
+        largest_curvature = std::max(largest_curvature, margin * std::sqrt(square));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FacePatch<dim>::keep_corners()
+  {
+    const unsigned int top = dim == 3 ? degree * (degree + 1) : 0;
+    if (dim == 2)
+      nodes = {nodes[0], nodes[degree]};
+    else
+      nodes = {nodes[0], nodes[degree], nodes[top], nodes[top + degree]};
+    degree = 1;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  FacePatch<dim>::position(const Parameter &xi) const
+  {
+    const LagrangePolynomials<dim - 1> basis(degree, xi);
+    return Point<dim>(basis.template derivative_of<Tensor<1, dim>>(nodes, {}));
+  }
+
+
+
+  template <int dim>
+  std::array<Tensor<1, dim>, dim - 1>
+  FacePatch<dim>::tangents(const Parameter &xi) const
+  {
+    const LagrangePolynomials<dim - 1>  basis(degree, xi);
+    std::array<Tensor<1, dim>, dim - 1> result;
+    for (unsigned int i = 0; i < dim - 1; ++i)
+      {
+        std::array<unsigned int, dim - 1> orders{};
+        orders[i] = 1;
+        result[i] = basis.template derivative_of<Tensor<1, dim>>(nodes, orders);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1>
+  FacePatch<dim>::curvatures(const Parameter &xi) const
+  {
+    const LagrangePolynomials<dim - 1>                       basis(degree, xi);
+    std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1> result;
+    for (unsigned int i = 0; i < dim - 1; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        {
+          std::array<unsigned int, dim - 1> orders{};
+          ++orders[i];
+          ++orders[j];
+          result[i][j] = result[j][i] = basis.template derivative_of<Tensor<1, dim>>(nodes, orders);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  FacePatch<dim>::normal(const Parameter &xi) const
+  {
+    const Tensor<1, dim> n = outward * parametric_normal<dim>(tangents(xi));
+    return n / n.norm();
+  }
+
+
+
+  template <int dim>
+  double
+  FacePatch<dim>::jacobian(const Parameter &xi) const
+  {
+    return parametric_normal<dim>(tangents(xi)).norm();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FacePatch<dim>::get_degree() const
+  {
+    return degree;
+  }
+
+
+
+  template <int dim>
+  const BoundingBox<dim> &
+  FacePatch<dim>::box() const
+  {
+    return bounds;
+  }
+
+
+
+  template <int dim>
+  double
+  FacePatch<dim>::diameter() const
+  {
+    return size;
+  }
+
+
+
+  template <int dim>
+  double
+  FacePatch<dim>::bend() const
+  {
+    return largest_curvature;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  FacePatch<dim>::center() const
+  {
+    Tensor<1, dim> sum;
+    for (const Point<dim> &node : nodes)
+      sum += node;
+    return Point<dim>(sum / double(nodes.size()));
+  }
+
+
+
+  template class FacePatch<2>;
+  template class FacePatch<3>;
+} // namespace Signorini

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "contact/search/bytes.h"
+#include "geometry/face_parameter.h"
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/boost_adaptors/bounding_box.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <vector>
+
+namespace Signorini
+{
+  /// The geometry of one face: x(xi) = sum_i L_i(xi) X_i with tensor product Lagrange polynomials
+  /// of degree k on [0,1]^(dim-1), equidistant nodes, lexicographic order. It equals the face of a
+  /// MappingQ of the same degree, and knows no mesh, so that it can be tested and sent alone.
+  template <int dim>
+  class FacePatch
+  {
+  public:
+    using Parameter = dealii::Point<dim - 1>;
+
+    FacePatch() = default;
+
+    /// @param nodes (k+1)^(dim-1) points; @param outward the sign that makes the parametric normal
+    /// (2D: rotate x_xi clockwise; 3D: x_xi cross x_eta) point out of the body.
+    FacePatch(unsigned int degree, const std::vector<dealii::Point<dim>> &nodes, double outward);
+
+    /// The geometry of a boundary face of a cell under a mapping of that degree. The parameter xi
+    /// is the point on the reference face in the sense of QProjector (face in standard
+    /// orientation), so unit_point() maps it to the reference cell.
+    FacePatch(const dealii::Mapping<dim>                                      &mapping,
+              unsigned int                                                     degree,
+              const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+              unsigned int                                                     face);
+
+    dealii::Point<dim>
+    position(const Parameter &xi) const;
+
+    /// Columns d x / d xi_i.
+    std::array<dealii::Tensor<1, dim>, dim - 1>
+    tangents(const Parameter &xi) const;
+
+    /// Second derivatives d2 x / d xi_i d xi_j.
+    std::array<std::array<dealii::Tensor<1, dim>, dim - 1>, dim - 1>
+    curvatures(const Parameter &xi) const;
+
+    /// Outward unit normal.
+    dealii::Tensor<1, dim>
+    normal(const Parameter &xi) const;
+
+    /// Area of the face per area of the parameters.
+    double
+    jacobian(const Parameter &xi) const;
+
+    /// 1 if the face is multilinear, whatever the degree that it came with: fewer nodes say the
+    /// same.
+    unsigned int
+    get_degree() const;
+
+    /// See the constructor.
+    double
+    get_outward() const
+    {
+      return outward;
+    }
+
+    /// A box that contains the face (inflated where the face is curved).
+    const dealii::BoundingBox<dim> &
+    box() const;
+
+    /// Largest distance of two nodes: the length that tolerances are measured against.
+    double
+    diameter() const;
+
+    /// About the largest norm of second derivatives, a bit more rather than less.
+    double
+    bend() const;
+
+    /// Average of the nodes: an identity of the face that does not depend on ranks or numbering.
+    dealii::Point<dim>
+    center() const;
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &degree;
+      serialize_bytes(ar, nodes);
+      ar &outward &bounds &size &largest_curvature;
+    }
+
+  private:
+    /// Sets size, bounds and bend from the nodes.
+    void
+    measure();
+    void
+    keep_corners();
+
+    unsigned int                    degree = 1;
+    std::vector<dealii::Point<dim>> nodes;
+    double                          outward = 1;
+    dealii::BoundingBox<dim>        bounds;
+    double                          size = 0, largest_curvature = 0;
+  };
+} // namespace Signorini

@@ -1,0 +1,97 @@
+#include "contact/search/face_patches.h"
+
+#include <deal.II/fe/fe_nothing.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The nodes of a face, lexicographic, then its middle and a point inside of the cell.
+    template <int dim>
+    Quadrature<dim>
+    places_on(const unsigned int face, const unsigned int k)
+    {
+      std::vector<Point<dim>> points;
+      for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+        points.push_back(unit_point<dim>(face, xi));
+      Point<dim - 1> middle;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        middle[d] = 0.5;
+      points.push_back(unit_point<dim>(face, middle));
+      // A step along the third coordinate line leaves the face to the inside wherever the mapping
+      // is valid; the center of a flat or strongly curved cell may lie on the wrong side.
+      points.push_back(points.back());
+      points.back()[face / 2] += face % 2 == 0 ? 1e-3 : -1e-3;
+      return Quadrature<dim>(points);
+    }
+
+    /// Every other node.
+    template <int dim>
+    std::vector<Point<dim>>
+    halved(const std::vector<Point<dim>> &nodes, const unsigned int k)
+    {
+      std::vector<Point<dim>> result;
+      for (unsigned int j = 0; j < (dim == 3 ? k + 1 : 1); j += 2)
+        for (unsigned int i = 0; i <= k; i += 2)
+          result.push_back(nodes[j * (k + 1) + i]);
+      return result;
+    }
+
+    /// From nodes of degree k to those of degree k/2, as long as the shape stays.
+    template <int dim>
+    unsigned int
+    lower_degree(std::vector<Point<dim>> &nodes, unsigned int k)
+    {
+      constexpr double small = 3e-6;
+      for (; k % 2 == 0; k /= 2)
+        {
+          const FacePatch<dim> lower(k / 2, halved(nodes, k), 1);
+          const double         most = small * lower.diameter();
+          auto                 node = nodes.begin();
+          for (const Point<dim - 1> &xi : face_lattice<dim>(k))
+            if (lower.position(xi).distance(*node++) > most)
+              return k;
+          nodes = halved(nodes, k);
+        }
+      return k;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FacePatches<dim>::FacePatches(const Mesh<dim> &mesh)
+    : degree(mesh.surface_degree())
+  {
+    static const FE_Nothing<dim> nothing;
+    for (unsigned int face = 0; face < GeometryInfo<dim>::faces_per_cell; ++face)
+      values.push_back(std::make_unique<FEValues<dim>>(
+        mesh.surface_mapping(), nothing, places_on<dim>(face, degree), update_quadrature_points));
+  }
+
+
+
+  template <int dim>
+  FacePatch<dim>
+  FacePatches<dim>::operator()(const typename Triangulation<dim>::cell_iterator &cell,
+                               const unsigned int                                face)
+  {
+    values[face]->reinit(cell);
+    std::vector<Point<dim>> nodes    = values[face]->get_quadrature_points();
+    const Tensor<1, dim>    outwards = nodes[nodes.size() - 2] - nodes.back();
+    nodes.resize(nodes.size() - 2);
+    const unsigned int k = lower_degree(nodes, degree);
+    Point<dim - 1>     middle;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = 0.5;
+    const FacePatch<dim> patch(k, nodes, 1);
+    return patch.normal(middle) * outwards > 0 ? patch : FacePatch<dim>(k, nodes, -1);
+  }
+
+
+
+  template class FacePatches<2>;
+  template class FacePatches<3>;
+} // namespace Signorini

@@ -1,0 +1,260 @@
+#include "contact/search/local_faces.h"
+#include "contact/search/self_contact.h"
+#include "geometry/extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double same          = 1e-9; // of a face's diameter: equal distances, equal centers
+    constexpr double rim_tolerance = 1e-6; // of a face's diameter: rounding of matching rims
+    constexpr double widest_wedge  = 0.3;  // tangential over normal distance
+    constexpr double same_face     = 100;  // staying distances between centers of one that moves
+
+    /// Differences of distances and centers that mean nothing.
+    template <int dim>
+    double
+    rounding_of(const FacePatch<dim> &patch)
+    {
+      return same * patch.diameter() +
+             16 * std::numeric_limits<double>::epsilon() * patch.center().norm();
+    }
+
+    template <int dim>
+    bool
+    center_is_smaller(const Candidate<dim> &a, const Candidate<dim> &b)
+    {
+      const double tolerance = std::max(a.tolerance, b.tolerance);
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double difference = a.partner.face_center[d] - b.partner.face_center[d];
+          if (std::abs(difference) > tolerance)
+            return difference < 0;
+        }
+      return false;
+    }
+
+    template <int dim>
+    std::vector<BoundingBox<dim>>
+    boxes_of(const std::vector<FacePatch<dim>> &patches)
+    {
+      std::vector<BoundingBox<dim>> boxes;
+      boxes.reserve(patches.size());
+      for (const FacePatch<dim> &patch : patches)
+        boxes.push_back(patch.box());
+      return boxes;
+    }
+  } // namespace
+
+
+
+  // The nearest candidate. Being as near as another is no transitive relation, therefore the
+  // least distance comes first. Among equals a face that the point lies above goes before one
+  // that it overhangs: over a convex edge the two faces see the point under different angles.
+  template <int dim>
+  const Candidate<dim> *
+  nearest(const std::vector<Candidate<dim>> &candidates)
+  {
+    double least = std::numeric_limits<double>::max();
+    for (const Candidate<dim> &c : candidates)
+      least = std::min(least, c.partner.distance);
+
+    const Candidate<dim> *best = nullptr;
+    for (const Candidate<dim> &c : candidates)
+      if (c.partner.distance <= least + c.tolerance)
+        {
+          if (c.is_former && !c.overhangs)
+            return &c;
+          if (best == nullptr || c.overhangs < best->overhangs ||
+              (c.overhangs == best->overhangs && center_is_smaller(c, *best)))
+            best = &c;
+        }
+    return best;
+  }
+
+
+
+  template <int dim>
+  LocalFaces<dim>::LocalFaces(const MasterFaces<dim> &master, SearchStatistics &statistics)
+    : master(master)
+    , statistics(statistics)
+    , boxes(boxes_of(master.patches))
+    , tree(pack_rtree_of_indices(boxes))
+  {
+    for (const FacePatch<dim> &patch : master.patches)
+      {
+        if (rank_box.empty)
+          rank_box.box = patch.box();
+        rank_box.box.merge_with(patch.box());
+        rank_box.empty     = false;
+        rank_box.tolerance = std::max(rank_box.tolerance, rounding_of(patch));
+        normals.push_back(normals_of(patch));
+      }
+  }
+
+
+
+  // A tangent differs from that in the middle by no more than the bend times half a diagonal, and
+  // the normal by no more than the two of them together over the least stretch.
+  template <int dim>
+  typename LocalFaces<dim>::Normals
+  LocalFaces<dim>::normals_of(const FacePatch<dim> &face)
+  {
+    Point<dim - 1> middle;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = 0.5;
+    double squares = 0;
+    for (const Tensor<1, dim> &tangent : face.tangents(middle))
+      squares += tangent.norm_square();
+    const double area = face.jacobian(middle), // the product of the largest and the least stretch
+      stretch         = dim == 2 ? area : area / std::sqrt(squares);
+    return {face.normal(middle), 2 * face.bend() / stretch};
+  }
+
+
+
+  template <int dim>
+  std::optional<Candidate<dim>>
+  LocalFaces<dim>::candidate(const Query<dim> &query, const unsigned int face)
+  {
+    const bool any_orientation = query.normal.norm_square() == 0;
+    // What looks the other way need not be projected on.
+    if (const auto &[middle, spread] = normals[face];
+        !any_orientation && query.normal * middle - spread > 0)
+      return {};
+    const FacePatch<dim> &patch      = master.patches[face];
+    const Projection<dim> projection = project(query.point, patch);
+    ++statistics.projections;
+    if (!projection.converged_by_newton)
+      ++statistics.fallbacks;
+
+    Candidate<dim> c;
+    c.partner.normal = patch.normal(projection.xi);
+    if (!(projection.distance <= query.limit) ||
+        (!any_orientation && !faces_each_other(query.normal, c.partner.normal)))
+      return {};
+    if (!master.rest.empty() && is_beyond_itself(query.rest,
+                                                 place_at_rest(master.rest[face], projection.xi),
+                                                 master.rest[face].diameter()))
+      return {};
+    c.partner.position    = projection.position;
+    c.partner.distance    = projection.distance;
+    c.partner.face_center = patch.center();
+    c.partner.stiffness   = 0;
+    c.is_former = patch.center().distance(query.former_center) < same_face * query.staying;
+    c.tolerance = c.is_former ? query.staying : rounding_of(patch);
+    c.face      = face;
+    c.xi        = projection.xi;
+
+    // In the interior of a face the offset is zero. At a convex edge of a faceted surface the
+    // points of the wedge above it belong to no face; they are ours. What is farther out is
+    // beside the body.
+    const double offset = projection.tangential_offset;
+    const double above  = std::abs((query.point - projection.position) * c.partner.normal);
+    const double rim    = c.is_former ? query.staying : rim_tolerance * patch.diameter();
+    c.overhangs         = offset > rim && offset > widest_wedge * above;
+    return c;
+  }
+
+
+
+  // The face that wins most often is the one with the nearest box, or its neighbour.
+  template <int dim>
+  double
+  LocalFaces<dim>::first_radius(const Point<dim> &x) const
+  {
+    const auto nearest = tree.qbegin(boost::geometry::index::nearest(x, 1));
+    return distance(x, boxes[*nearest]) + master.patches[*nearest].diameter() / 4;
+  }
+
+
+
+  // Boost's own iteration in the order of distance keeps a sorted list of all that it has seen,
+  // which costs several times as much.
+  template <int dim>
+  const std::vector<std::pair<double, unsigned int>> &
+  LocalFaces<dim>::ring(const Point<dim> &x, const double inner, const double outer)
+  {
+    Point<dim> lower = x, upper = x;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] -= outer;
+        upper[d] += outer;
+      }
+    in_ring.clear();
+    const auto near = boost::geometry::index::intersects(BoundingBox<dim>({lower, upper}));
+    for (auto face = tree.qbegin(near); face != tree.qend(); ++face)
+      if (const double d = distance(x, boxes[*face]); d > inner && d <= outer)
+        in_ring.emplace_back(d, *face);
+    std::sort(in_ring.begin(), in_ring.end());
+    return in_ring;
+  }
+
+
+
+  template <int dim>
+  std::optional<Candidate<dim>>
+  LocalFaces<dim>::find(const Query<dim> &query)
+  {
+    if (boxes.empty()) // of which boost would not ask for the nearest
+      return {};
+    candidates.clear();
+    double limit = query.limit;
+    double inner = -1; // all faces whose box is not farther than this have been looked at
+    double outer = first_radius(query.point);
+    while (inner < limit)
+      {
+        outer = std::min(outer, limit);
+        for (const auto &[box_distance, face] : ring(query.point, inner, outer))
+          {
+            if (box_distance > limit)
+              break;
+            if (std::optional<Candidate<dim>> c = candidate(query, face))
+              {
+                limit = std::min(limit,
+                                 c->partner.distance + std::max(rank_box.tolerance, query.staying));
+                candidates.push_back(std::move(*c));
+              }
+          }
+        inner = outer;
+        outer *= 2;
+      }
+
+    const Candidate<dim> *best = nearest(candidates);
+    if (best == nullptr)
+      return {};
+    Candidate<dim> result = *best;
+    if (!result.overhangs)
+      master.complete(result.face, result.xi, result.partner);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  LocalFaces<dim>::in(const BoundingBox<dim> &box) const
+  {
+    std::vector<unsigned int> faces;
+    const auto                meeting = boost::geometry::index::intersects(box);
+    for (auto face = tree.qbegin(meeting); face != tree.qend(); ++face)
+      faces.push_back(*face);
+    std::sort(faces.begin(), faces.end());
+    return faces;
+  }
+
+
+
+  template class LocalFaces<2>;
+  template const Candidate<2> *
+  nearest<2>(const std::vector<Candidate<2>> &);
+  template class LocalFaces<3>;
+  template const Candidate<3> *
+  nearest<3>(const std::vector<Candidate<3>> &);
+} // namespace Signorini

@@ -1,0 +1,130 @@
+#pragma once
+
+#include "contact/search/search.h"
+
+#include <deal.II/numerics/rtree.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /// A slave point on its way to the faces. Copied bit by bit between ranks.
+  template <int dim>
+  struct Query
+  {
+    dealii::Point<dim>     point;
+    dealii::Tensor<1, dim> normal;
+    double                 limit;         // farther faces cannot win
+    dealii::Point<dim>     former_center; // of the face that the point is to stay with
+    double                 staying = 0;   // if that is no farther than this beyond the nearest
+    PlaceAtRest<dim>       rest;          // where the master says where it was
+
+    // Demanded by the compiler, not called.
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &point &normal &limit &former_center &staying &rest.x &rest.normal;
+    }
+  };
+
+  /// A face that faces a point and is near enough.
+  template <int dim>
+  struct Candidate
+  {
+    Partner<dim>           partner;
+    double                 tolerance; // same * diameter of the face; what the point stays for
+    bool                   overhangs; // the point lies beside the face, not above it
+    bool                   is_former; // the point is to stay with it
+    unsigned int           face;      // these two mean something on the rank of the face only
+    dealii::Point<dim - 1> xi;
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &partner &tolerance &overhangs &is_former;
+    }
+  };
+
+  /// What a rank announces of its faces.
+  template <int dim>
+  struct RankBox
+  {
+    bool                     empty = true;
+    dealii::BoundingBox<dim> box;
+    double                   tolerance = 0; // the largest of the rank
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &empty &box &tolerance;
+    }
+  };
+
+  /// The nearest candidate (nullptr if there is none), ties broken as find_partners() promises.
+  template <int dim>
+  const Candidate<dim> *
+  nearest(const std::vector<Candidate<dim>> &candidates);
+
+  /// The faces of this rank in an R-tree, ready to be asked. Keeps a reference to both arguments.
+  template <int dim>
+  class LocalFaces
+  {
+  public:
+    LocalFaces(const MasterFaces<dim> &master, SearchStatistics &statistics);
+
+    /// Candidates are the faces not beyond the limit that face the point. The best one, complete
+    /// if it can become a partner; nothing if there is none.
+    std::optional<Candidate<dim>>
+    find(const Query<dim> &query);
+
+    /// Numbers of the faces whose boxes meet this one.
+    std::vector<unsigned int>
+    in(const dealii::BoundingBox<dim> &box) const;
+
+    const RankBox<dim> &
+    extent() const
+    {
+      return rank_box;
+    }
+
+  private:
+    /// Normals of a face: that in the middle, and by how much others may differ from it.
+    struct Normals
+    {
+      dealii::Tensor<1, dim> middle;
+      double                 spread;
+    };
+
+    static Normals
+    normals_of(const FacePatch<dim> &face);
+
+    std::optional<Candidate<dim>>
+    candidate(const Query<dim> &query, const unsigned int face);
+
+    double
+    first_radius(const dealii::Point<dim> &x) const;
+
+    /// Distance of the box, index: those with inner < distance <= outer, nearest first.
+    const std::vector<std::pair<double, unsigned int>> &
+    ring(const dealii::Point<dim> &x, double inner, double outer);
+
+    using Tree = decltype(dealii::pack_rtree_of_indices(
+      std::declval<std::vector<dealii::BoundingBox<dim>> &>()));
+
+    const MasterFaces<dim>               &master;
+    SearchStatistics                     &statistics;
+    RankBox<dim>                          rank_box;
+    std::vector<dealii::BoundingBox<dim>> boxes;
+    Tree                                  tree;
+    std::vector<Normals>                  normals;
+
+    // Kept between queries to spare the heap.
+    std::vector<Candidate<dim>>                  candidates;
+    std::vector<std::pair<double, unsigned int>> in_ring;
+  };
+} // namespace Signorini

@@ -1,0 +1,222 @@
+#include "contact/search/descent.h"
+#include "contact/search/projection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int n>
+    Point<n>
+    middle_of_square()
+    {
+      Point<n> middle;
+      for (unsigned int d = 0; d < n; ++d)
+        middle[d] = 0.5;
+      return middle;
+    }
+
+    // Parameter number n of a grid with per_line points a line over center +- half_width.
+    template <int n_parameters>
+    Point<n_parameters>
+    grid_point(unsigned int               n,
+               const unsigned int         per_line,
+               const Point<n_parameters> &center,
+               const double               half_width)
+    {
+      Point<n_parameters> xi;
+      for (unsigned int d = 0; d < n_parameters; ++d, n /= per_line)
+        xi[d] =
+          std::clamp(center[d] + half_width * (2. * (n % per_line) / (per_line - 1) - 1), 0., 1.);
+      return xi;
+    }
+
+    // Needs nothing but values: for a point near the centre of curvature, where Newton has no
+    // Hessian.
+    template <int dim>
+    void
+    grid_search(const Point<dim>     &x,
+                const FacePatch<dim> &face,
+                double                half_width,
+                Point<dim - 1>       &xi)
+    {
+      double best = x.distance_square(face.position(xi));
+      for (; half_width > 1e-13; half_width *= 0.6)
+        {
+          const Point<dim - 1> center = xi;
+          for (unsigned int n = 0; n < (dim == 3 ? 25 : 5); ++n)
+            {
+              const Point<dim - 1> trial = grid_point(n, 5, center, half_width);
+              const double         value = x.distance_square(face.position(trial));
+              if (value < best)
+                {
+                  best = value;
+                  xi   = trial;
+                }
+            }
+        }
+    }
+
+    // Values alone tell a parameter to the root of the rounding error only.
+    template <int dim>
+    void
+    polish(const Point<dim> &x, const FacePatch<dim> &face, Point<dim - 1> &xi)
+    {
+      Point<dim - 1> better = xi;
+      if (descend_to_minimum(x, face, better) &&
+          x.distance(face.position(better)) <=
+            x.distance(face.position(xi)) + 1e-12 * face.diameter())
+        xi = better;
+    }
+
+    /// The least factor by which the parametrisation stretches at the middle.
+    template <int dim>
+    double
+    least_stretch(const FacePatch<dim> &face)
+    {
+      const auto t = face.tangents(middle_of_square<dim - 1>());
+      if constexpr (dim == 2)
+        return t[0].norm();
+      else
+        {
+          const double a = t[0].norm_square(), b = t[0] * t[1], c = t[1].norm_square();
+          return std::sqrt(std::max(0., (a + c) / 2 - std::hypot((a - c) / 2, b)));
+        }
+    }
+
+    // A grid over the face and the squared distance at each of its points. A curved face can have
+    // several local minima; the density is what experiments with very bumpy faces asked for. Faces
+    // that turn by less than a radian have no bumps: as many points as nodes will do.
+    template <int dim>
+    class Samples
+    {
+    public:
+      /// @param stretch see least_stretch()
+      Samples(const Point<dim> &x, const FacePatch<dim> &face, const double stretch)
+        : per_line((face.bend() < stretch ? 1 : (dim == 2 ? 4 : 3)) * face.get_degree() + 1)
+        , count(dim == 3 ? per_line * per_line : per_line)
+      {
+        for (unsigned int n = 0; n < count; ++n)
+          values[n] = x.distance_square(face.position(parameter(n)));
+      }
+
+      unsigned int
+      size() const
+      {
+        return count;
+      }
+
+      Point<dim - 1>
+      parameter(const unsigned int n) const
+      {
+        return grid_point(n, per_line, middle_of_square<dim - 1>(), 0.5);
+      }
+
+      double
+      spacing() const
+      {
+        return 1. / (per_line - 1);
+      }
+
+      // Compared along the lines only: in a narrow diagonal valley this yields some starts more
+      // than diagonal neighbours would allow. Of equal neighbours (a point on a plane of symmetry)
+      // the first one counts.
+      bool
+      is_local_minimum(const unsigned int n) const
+      {
+        for (unsigned int d = 0, stride = 1; d < dim - 1; ++d, stride *= per_line)
+          {
+            const unsigned int i = n / stride % per_line;
+            if (i > 0 && values[n - stride] <= values[n])
+              return false;
+            if (i + 1 < per_line && values[n + stride] < values[n])
+              return false;
+          }
+        return true;
+      }
+
+    private:
+      unsigned int            per_line, count;
+      std::array<double, 169> values;
+    };
+
+    /// The Hessian of |x(xi) - x|^2/2, J^T J + (x(xi) - x) . d^2x, is positive definite all over
+    /// the face: there is one minimum, which Newton's method finds from everywhere.
+    template <int dim>
+    bool
+    is_convex(const Point<dim> &x, const FacePatch<dim> &face, const double least_stretch)
+    {
+      const double farthest = x.distance(face.center()) + face.diameter();
+      // From the middle, tangents change by at most the bend times the half of a diagonal.
+      const double stretch = least_stretch - 0.71 * face.bend();
+      return stretch > 0 && farthest * face.bend() < stretch * stretch;
+    }
+
+    template <int dim>
+    Projection<dim>
+    result_at(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &xi)
+    {
+      Projection<dim> result;
+      result.xi                   = xi;
+      result.position             = face.position(xi);
+      const Tensor<1, dim> offset = x - result.position;
+      const Tensor<1, dim> normal = face.normal(xi);
+      result.distance             = offset.norm();
+      result.tangential_offset    = (offset - (offset * normal) * normal).norm();
+      result.converged_by_newton  = true;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Projection<dim>
+  project(const Point<dim> &x, const FacePatch<dim> &face)
+  {
+    const double stretch = least_stretch(face);
+    if (Point<dim - 1> xi = middle_of_square<dim - 1>();
+        is_convex(x, face, stretch) && descend_to_minimum(x, face, xi))
+      return result_at(x, face, xi);
+
+    const Samples<dim> samples(x, face, stretch);
+    Point<dim - 1>     best;
+    double             best_value = std::numeric_limits<double>::max();
+    bool               converged  = false;
+    for (unsigned int n = 0; n < samples.size(); ++n)
+      if (samples.is_local_minimum(n))
+        {
+          Point<dim - 1> xi    = samples.parameter(n);
+          const bool     found = descend_to_minimum(x, face, xi);
+          const double   value = x.distance_square(face.position(xi));
+          if (value < best_value)
+            {
+              best       = xi;
+              best_value = value;
+              converged  = found;
+            }
+        }
+    if (!converged)
+      {
+        grid_search(x, face, samples.spacing(), best);
+        polish(x, face, best);
+      }
+
+    Projection<dim> result     = result_at(x, face, best);
+    result.converged_by_newton = converged;
+    return result;
+  }
+
+
+
+  template Projection<2>
+  project<2>(const Point<2> &, const FacePatch<2> &);
+  template Projection<3>
+  project<3>(const Point<3> &, const FacePatch<3> &);
+} // namespace Signorini

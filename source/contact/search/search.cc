@@ -1,0 +1,205 @@
+#include "contact/search/local_faces.h"
+#include "contact/search/search.h"
+#include "geometry/extent.h"
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <type_traits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // What one rank asks another, and which of its points the questions are about.
+    template <int dim>
+    struct Outgoing
+    {
+      std::map<unsigned int, std::vector<Query<dim>>>   queries;
+      std::map<unsigned int, std::vector<unsigned int>> points;
+    };
+
+    // A rank whose box is farther away than what has been found here need not be asked.
+    template <int dim>
+    Outgoing<dim>
+    questions(const std::vector<Query<dim>>                  &queries,
+              const std::vector<std::vector<Candidate<dim>>> &found,
+              const std::vector<RankBox<dim>>                &ranks,
+              const unsigned int                              this_rank)
+    {
+      Outgoing<dim> outgoing;
+      for (unsigned int rank = 0; rank < ranks.size(); ++rank)
+        {
+          if (rank == this_rank || ranks[rank].empty)
+            continue;
+          for (unsigned int i = 0; i < queries.size(); ++i)
+            {
+              Query<dim> query = queries[i];
+              if (!found[i].empty())
+                query.limit = std::min(query.limit,
+                                       found[i][0].partner.distance +
+                                         std::max(ranks[rank].tolerance, query.staying));
+              if (distance(query.point, ranks[rank].box) > query.limit)
+                continue;
+              outgoing.queries[rank].push_back(query);
+              outgoing.points[rank].push_back(i);
+            }
+        }
+      return outgoing;
+    }
+
+    // Ask the other ranks, answer their questions, and add their answers to what was found here.
+    template <int dim>
+    void
+    ask_others(const std::vector<Query<dim>>            &queries,
+               LocalFaces<dim>                          &faces,
+               const MPI_Comm                            comm,
+               SearchStatistics                         &statistics,
+               std::vector<std::vector<Candidate<dim>>> &found)
+    {
+      using Answers = std::vector<std::pair<unsigned int, Candidate<dim>>>;
+      static_assert(std::is_trivially_copyable<Query<dim>>::value, "queries are sent bit by bit");
+
+      const auto ranks = Utilities::MPI::all_gather(comm, faces.extent());
+      const auto outgoing =
+        questions(queries, found, ranks, Utilities::MPI::this_mpi_process(comm));
+      for (const auto &[rank, points] : outgoing.points)
+        statistics.points_sent += points.size();
+
+      std::map<unsigned int, Answers> answers;
+      for (const auto &[rank, asked] : Utilities::MPI::some_to_some(comm, outgoing.queries))
+        for (unsigned int i = 0; i < asked.size(); ++i)
+          if (std::optional<Candidate<dim>> c = faces.find(asked[i]))
+            answers[rank].emplace_back(i, std::move(*c));
+
+      for (const auto &[rank, received] : Utilities::MPI::some_to_some(comm, answers))
+        for (const auto &[i, candidate] : received)
+          found[outgoing.points.at(rank)[i]].push_back(candidate);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  is_beyond_itself(const PlaceAtRest<dim> &a, const PlaceAtRest<dim> &b, const double width)
+  {
+    // A sheet that is rolled up has its thickness over the length of a turn.
+    constexpr double     inward = 0.3;
+    const Tensor<1, dim> way    = b.x - a.x;
+    const double         length = way.norm();
+    return length <= 2 * width || way * (b.normal - a.normal) > 2 * inward * length;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::optional<Partner<dim>>>
+  find_partners(const std::vector<Point<dim>>       &points,
+                const std::vector<Tensor<1, dim>>   &slave_normals,
+                const MasterFaces<dim>              &master,
+                const double                         reach,
+                const MPI_Comm                       comm,
+                SearchStatistics                    *statistics,
+                const std::vector<FormerFace<dim>>  &former,
+                const std::vector<PlaceAtRest<dim>> &rest)
+  {
+    constexpr double staying = 1e-3; // in sizes of the former face
+    AssertDimension(points.size(), slave_normals.size());
+    Assert(former.empty() || former.size() == points.size(),
+           ExcDimensionMismatch(former.size(), points.size()));
+    Assert(rest.empty() || rest.size() == points.size(),
+           ExcDimensionMismatch(rest.size(), points.size()));
+    SearchStatistics own_statistics;
+    own_statistics.points = points.size();
+
+    LocalFaces<dim>                          faces(master, own_statistics);
+    std::vector<Query<dim>>                  queries(points.size());
+    std::vector<std::vector<Candidate<dim>>> found(points.size());
+    for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        queries[i] = {points[i], slave_normals[i], reach, Point<dim>(), 0, {}};
+        if (!rest.empty())
+          queries[i].rest = rest[i];
+        if (!former.empty())
+          {
+            queries[i].former_center = former[i].center;
+            queries[i].staying       = staying * former[i].size;
+          }
+        if (std::optional<Candidate<dim>> c = faces.find(queries[i]))
+          found[i].push_back(std::move(*c));
+      }
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      ask_others(queries, faces, comm, own_statistics, found);
+
+    std::vector<std::optional<Partner<dim>>> partners(points.size());
+    for (unsigned int i = 0; i < points.size(); ++i)
+      if (const Candidate<dim> *best = nearest(found[i]))
+        if (!best->overhangs)
+          partners[i] = best->partner;
+    if (statistics != nullptr)
+      *statistics += own_statistics;
+    return partners;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  depths(const std::vector<Point<dim>> &points,
+         const MasterFaces<dim>        &master,
+         const double                   reach,
+         const MPI_Comm                 comm,
+         SearchStatistics              *statistics)
+  {
+    const MasterFaces<dim>            faces{master.patches, [](auto, const auto &, auto &) {}};
+    const std::vector<Tensor<1, dim>> any(points.size());
+    const auto          closest = find_partners(points, any, faces, reach, comm, statistics);
+    std::vector<double> result;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!closest[i])
+        result.push_back(std::numeric_limits<double>::infinity());
+      else
+        {
+          const bool is_outside = (points[i] - closest[i]->position) * closest[i]->normal > 0;
+          result.push_back((is_outside ? -1 : 1) * closest[i]->distance);
+        }
+    return result;
+  }
+
+
+
+  template std::vector<std::optional<Partner<2>>>
+  find_partners<2>(const std::vector<Point<2>> &,
+                   const std::vector<Tensor<1, 2>> &,
+                   const MasterFaces<2> &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics *,
+                   const std::vector<FormerFace<2>> &,
+                   const std::vector<PlaceAtRest<2>> &);
+  template std::vector<std::optional<Partner<3>>>
+  find_partners<3>(const std::vector<Point<3>> &,
+                   const std::vector<Tensor<1, 3>> &,
+                   const MasterFaces<3> &,
+                   double,
+                   MPI_Comm,
+                   SearchStatistics *,
+                   const std::vector<FormerFace<3>> &,
+                   const std::vector<PlaceAtRest<3>> &);
+  template bool
+  is_beyond_itself(const PlaceAtRest<2> &, const PlaceAtRest<2> &, double);
+  template bool
+  is_beyond_itself(const PlaceAtRest<3> &, const PlaceAtRest<3> &, double);
+  template std::vector<double>
+  depths<2>(
+    const std::vector<Point<2>> &, const MasterFaces<2> &, double, MPI_Comm, SearchStatistics *);
+  template std::vector<double>
+  depths<3>(
+    const std::vector<Point<3>> &, const MasterFaces<3> &, double, MPI_Comm, SearchStatistics *);
+} // namespace Signorini

@@ -1,0 +1,417 @@
+#include "contact/search/segments.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    void
+    set_plane(Facet<dim> &facet)
+    {
+      const auto &x = facet.corners;
+      auto       &t = facet.axes;
+      if constexpr (dim == 2)
+        {
+          facet.center = (x[0] + x[1]) / 2.;
+          t[0]         = (x[1] - x[0]) / x[0].distance(x[1]);
+        }
+      else
+        {
+          facet.center          = (x[0] + x[1] + x[2] + x[3]) / 4.;
+          Tensor<1, dim> normal = cross_product_3d(x[3] - x[0], x[2] - x[1]);
+          normal /= normal.norm();
+          t[0] = x[1] - x[0];
+          t[0] -= (t[0] * normal) * normal;
+          t[0] /= t[0].norm();
+          t[1] = cross_product_3d(normal, t[0]);
+        }
+    }
+
+    template <int dim>
+    Tensor<1, dim>
+    normal(const Facet<dim> &facet)
+    {
+      if constexpr (dim == 2)
+        return cross_product_2d(facet.axes[0]);
+      else
+        return cross_product_3d(facet.axes[0], facet.axes[1]);
+    }
+
+    template <int n>
+    using Flat = std::array<Point<n>, (1 << n)>; // a facet in a plane
+
+    // A facet in the plane of another, seen along its normal.
+    template <int dim>
+    Flat<dim - 1>
+    project(const Facet<dim> &facet, const Facet<dim> &plane)
+    {
+      Flat<dim - 1> corners;
+      for (unsigned int c = 0; c < corners.size(); ++c)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          corners[c][d] = (facet.corners[c] - plane.center) * plane.axes[d];
+      return corners;
+    }
+
+    // The parameter of a point of a flat facet, and the Jacobian |dx/ds| there. Newton's method;
+    // one step for parallelograms.
+    template <int n>
+    std::pair<Point<n>, double>
+    invert(const Flat<n> &x, const Point<n> &y)
+    {
+      Point<n> s;
+      double   jacobian = 0;
+      if constexpr (n == 1)
+        {
+          jacobian = x[1][0] - x[0][0];
+          s[0]     = (y[0] - x[0][0]) / jacobian;
+        }
+      else
+        {
+          s                       = Point<n>(0.5, 0.5);
+          const Tensor<1, n> edge = x[1] - x[0], other = x[2] - x[0],
+                             warp = (x[3] - x[2]) - (x[1] - x[0]);
+          for (unsigned int step = 0; step < 30; ++step)
+            {
+              const Tensor<1, n> a = edge + s[1] * warp, b = other + s[0] * warp,
+                                 r = (y - x[0]) - s[0] * edge - s[1] * other - s[0] * s[1] * warp;
+              jacobian             = a[0] * b[1] - a[1] * b[0];
+              const Tensor<1, n> step_to(
+                {(r[0] * b[1] - r[1] * b[0]) / jacobian, (a[0] * r[1] - a[1] * r[0]) / jacobian});
+              s += step_to;
+              if (step_to.norm() < 1e-14)
+                break;
+            }
+        }
+      return {s, std::abs(jacobian)};
+    }
+
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+    constexpr int none = -1; // no side of the facet that is clipped
+
+    // Of a polygon, and the side of the facet that leads on from there.
+    struct Corner
+    {
+      Point<2> x;
+      int      side;
+    };
+
+    using Polygon = std::vector<Corner>;
+
+    double
+    signed_area(const Polygon &p)
+    {
+      double area = 0;
+      for (std::size_t i = 0; i + 1 < p.size(); ++i)
+        area += cross(p[i].x - p[0].x, p[i + 1].x - p[0].x) / 2;
+      return area;
+    }
+
+    // Sides by the parameter that is constant there: 2 d + (0 or 1).
+    Polygon
+    counterclockwise(const Flat<2> &x)
+    {
+      Polygon p = {{x[0], 2}, {x[1], 1}, {x[3], 3}, {x[2], 0}};
+      if (signed_area(p) < 0)
+        p = {{x[2], 3}, {x[3], 1}, {x[1], 2}, {x[0], 0}};
+      return p;
+    }
+
+    // Sutherland and Hodgman: keep what is left of each edge of the convex window in turn.
+    Polygon
+    clip(Polygon polygon, const Polygon &window)
+    {
+      for (std::size_t i = 0; i < window.size() && !polygon.empty(); ++i)
+        {
+          const Point<2>    &start = window[i].x;
+          const Tensor<1, 2> edge  = window[(i + 1) % window.size()].x - start;
+          Polygon            kept;
+          for (std::size_t j = 0; j < polygon.size(); ++j)
+            {
+              const auto &[a, side]  = polygon[j];
+              const Point<2> &b      = polygon[(j + 1) % polygon.size()].x;
+              const double    left_a = cross(edge, a - start), left_b = cross(edge, b - start);
+              if (left_a >= 0)
+                kept.push_back({a, left_a == 0 && left_b < 0 ? none : side});
+              if ((left_a > 0 && left_b < 0) || (left_a < 0 && left_b > 0))
+                kept.push_back(
+                  {a + left_a / (left_a - left_b) * (b - a), left_b < 0 ? none : side});
+            }
+          polygon = std::move(kept);
+        }
+      return polygon;
+    }
+
+    // The common part of two flat facets as simplices.
+    std::vector<std::array<Point<1>, 2>>
+    intersection(const Flat<1> &a, const Flat<1> &b)
+    {
+      const double lower = std::max(std::min(a[0][0], a[1][0]), std::min(b[0][0], b[1][0])),
+                   upper = std::min(std::max(a[0][0], a[1][0]), std::max(b[0][0], b[1][0]));
+      if (lower >= upper)
+        return {};
+      return {{{Point<1>(lower), Point<1>(upper)}}};
+    }
+
+    bool
+    apart(const Flat<2> &a, const Flat<2> &b)
+    {
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const auto [a0, a1] = std::minmax({a[0][d], a[1][d], a[2][d], a[3][d]});
+          const auto [b0, b1] = std::minmax({b[0][d], b[1][d], b[2][d], b[3][d]});
+          if (a1 < b0 || b1 < a0)
+            return true;
+        }
+      return false;
+    }
+
+    std::vector<std::array<Point<2>, 3>>
+    intersection(const Flat<2> &a, const Flat<2> &b)
+    {
+      if (apart(a, b))
+        return {};
+      const Polygon                        p = clip(counterclockwise(b), counterclockwise(a));
+      std::vector<std::array<Point<2>, 3>> triangles;
+      for (std::size_t i = 1; i + 1 < p.size(); ++i)
+        triangles.push_back({{p[0].x, p[i].x, p[i + 1].x}});
+      return triangles;
+    }
+
+    // A piece of a side of a facet: where it is, and which way leads out of the facet.
+    template <int n>
+    struct Piece
+    {
+      std::vector<std::pair<Point<n>, double>> points; ///< with lengths; 2D: a point with 1
+      Tensor<1, n>                             outward;
+      unsigned int                             side;
+    };
+
+    // The sides of the second facet on the first one.
+    std::vector<Piece<1>>
+    common_sides(const Flat<1> &a, const Flat<1> &b, const unsigned int /*n_points*/)
+    {
+      const auto [lower, upper] = std::minmax(a[0][0], a[1][0]);
+      std::vector<Piece<1>> pieces;
+      for (unsigned int c = 0; c < 2; ++c)
+        if (b[c][0] >= lower && b[c][0] <= upper)
+          pieces.push_back({{{b[c], 1.}}, Tensor<1, 1>({b[c][0] > b[1 - c][0] ? 1. : -1.}), c});
+      return pieces;
+    }
+
+    std::vector<Piece<2>>
+    common_sides(const Flat<2> &a, const Flat<2> &b, const unsigned int n_points)
+    {
+      if (apart(a, b))
+        return {};
+      const Polygon         p = clip(counterclockwise(b), counterclockwise(a));
+      const QGauss<1>       rule(n_points);
+      std::vector<Piece<2>> pieces;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        {
+          const Tensor<1, 2> along  = p[(i + 1) % p.size()].x - p[i].x;
+          const double       length = along.norm();
+          if (p[i].side == none || length == 0)
+            continue;
+          Piece<2> piece{{}, Tensor<1, 2>({along[1], -along[0]}) / length, unsigned(p[i].side)};
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            piece.points.emplace_back(p[i].x + rule.point(q)[0] * along, rule.weight(q) * length);
+          pieces.push_back(std::move(piece));
+        }
+      return pieces;
+    }
+
+    // Is that side of the facet one of its face?
+    template <int dim>
+    bool
+    ends_face(const Facet<dim> &facet, const unsigned int side, const unsigned int per_line)
+    {
+      return facet.place[side / 2] == (side % 2 == 0 ? 0 : per_line - 1);
+    }
+
+    double
+    volume(const std::array<Point<1>, 2> &x)
+    {
+      return x[1][0] - x[0][0];
+    }
+
+    double
+    volume(const std::array<Point<2>, 3> &x) // twice the area, as the reference triangle has 1/2
+    {
+      return cross(x[1] - x[0], x[2] - x[0]);
+    }
+
+    template <int n>
+    Point<n>
+    in_simplex(const std::array<Point<n>, n + 1> &x, const Point<n> &s)
+    {
+      Point<n> y = x[0];
+      for (unsigned int d = 0; d < n; ++d)
+        y += s[d] * (x[d + 1] - x[0]);
+      return y;
+    }
+
+    // From a facet's parameter to that of its face, without the rounding that leads outside.
+    template <int dim>
+    Point<dim - 1>
+    of_face(const Facet<dim> &facet, const Point<dim - 1> &s, const unsigned int per_line)
+    {
+      Point<dim - 1> xi;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        xi[d] = std::clamp((facet.place[d] + s[d]) / per_line, 0., 1.);
+      return xi;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FacetedFace<dim>::FacetedFace(const FacePatch<dim> &patch)
+    : patch(patch)
+  {
+    const unsigned int per_line = patch.get_degree(), n = Utilities::fixed_power<dim - 1>(per_line);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        Facet<dim> facet;
+        for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= per_line)
+          facet.place[d] = rest % per_line;
+        for (unsigned int c = 0; c < facet.n_corners; ++c)
+          {
+            Point<dim - 1> xi;
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              xi[d] = double(facet.place[d] + ((c >> d) & 1)) / per_line;
+            facet.corners[c] = patch.position(xi);
+          }
+        set_plane(facet);
+        facets.push_back(facet);
+      }
+  }
+
+
+
+  template <int dim>
+  BoundingBox<dim>
+  FacetedFace<dim>::extruded_box(const double reach) const
+  {
+    BoundingBox<dim> box = patch.box();
+    for (const Facet<dim> &facet : facets)
+      {
+        const Tensor<1, dim> step = reach * normal(facet);
+        for (const Point<dim> &corner : facet.corners)
+          for (const Point<dim> &x : {corner + step, corner - step})
+            box.merge_with(BoundingBox<dim>({x, x}));
+      }
+    return box;
+  }
+
+
+
+  namespace
+  {
+    /// A facet of the slave and one of the master, in the plane of the former.
+    template <int dim>
+    struct FacetPair
+    {
+      const FacePatch<dim> &slave;
+      const Facet<dim>     &ours, &theirs;
+      const unsigned int    n_slave, n_master; ///< facets of their faces along a line
+      const Flat<dim - 1>   ours_flat, theirs_flat;
+
+      /// The point at y in the plane, which stands for that much of it.
+      SegmentPoint<dim>
+      at(const Point<dim - 1> &y, const double measure) const
+      {
+        const auto [s, jacobian] = invert<dim - 1>(ours_flat, y);
+        const Point<dim - 1> xi  = of_face(ours, s, n_slave);
+        return {xi,
+                of_face(theirs, invert<dim - 1>(theirs_flat, y).first, n_master),
+                measure / jacobian / Utilities::fixed_power<dim - 1>(double(n_slave)) *
+                  slave.jacobian(xi)};
+      }
+    };
+
+    template <int dim, typename Visit>
+    void
+    for_facet_pairs(const FacetedFace<dim> &slave,
+                    const FacetedFace<dim> &master,
+                    const Visit            &visit)
+    {
+      const unsigned int n_slave = slave.patch.get_degree(), n_master = master.patch.get_degree();
+      for (const Facet<dim> &ours : slave.facets)
+        {
+          const auto ours_flat = project(ours, ours);
+          for (const Facet<dim> &theirs : master.facets)
+            visit(FacetPair<dim>{
+              slave.patch, ours, theirs, n_slave, n_master, ours_flat, project(theirs, ours)});
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<SegmentPoint<dim>>
+  segment_points(const FacetedFace<dim>    &slave,
+                 const FacetedFace<dim>    &master,
+                 const Quadrature<dim - 1> &rule)
+  {
+    std::vector<SegmentPoint<dim>> points;
+    for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
+      for (const auto &simplex : intersection(pair.ours_flat, pair.theirs_flat))
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          points.push_back(
+            pair.at(in_simplex<dim - 1>(simplex, rule.point(q)), rule.weight(q) * volume(simplex)));
+    });
+    return points;
+  }
+
+
+
+  template <int dim>
+  std::vector<SeamPoint<dim>>
+  seam_points(const FacetedFace<dim> &slave,
+              const FacetedFace<dim> &master,
+              const unsigned int      n_points)
+  {
+    std::vector<SeamPoint<dim>> result;
+    for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
+      for (const Piece<dim - 1> &piece : common_sides(pair.ours_flat, pair.theirs_flat, n_points))
+        {
+          if (!ends_face(pair.theirs, piece.side, pair.n_master))
+            continue;
+          Tensor<1, dim> outward;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            outward += piece.outward[d] * pair.ours.axes[d];
+          for (const auto &[y, length] : piece.points)
+            result.push_back({pair.at(y, length), outward, piece.side});
+        }
+    });
+    return result;
+  }
+
+
+
+  template struct FacetedFace<2>;
+  template struct FacetedFace<3>;
+  template std::vector<SeamPoint<2>>
+  seam_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, unsigned int);
+  template std::vector<SeamPoint<3>>
+  seam_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, unsigned int);
+  template std::vector<SegmentPoint<2>>
+  segment_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, const Quadrature<1> &);
+  template std::vector<SegmentPoint<3>>
+  segment_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, const Quadrature<2> &);
+} // namespace Signorini

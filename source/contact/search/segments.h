@@ -1,0 +1,83 @@
+#pragma once
+
+#include "contact/search/face_patch.h"
+
+#include <deal.II/base/quadrature.h>
+
+#include <array>
+#include <vector>
+
+namespace Signorini
+{
+  /// A quadrature point of a contact segment: of the part of a slave face that lies opposite to one
+  /// master face.
+  template <int dim>
+  struct SegmentPoint
+  {
+    dealii::Point<dim - 1> slave, master; ///< parameters on the two faces
+    double                 weight;        ///< area of the slave face that it stands for
+  };
+
+  /// A point of a seam: where a contact segment ends with its master face. As the master moves, so
+  /// does the end.
+  template <int dim>
+  struct SeamPoint : public SegmentPoint<dim> ///< weight: area that an outward step of 1 adds
+  {
+    dealii::Tensor<1, dim> outward; ///< unit, in the mean plane of the slave's facet
+    unsigned int           side;    ///< of the master face: 2 d + (0 or 1) where its xi_d is that
+  };
+
+  /// A multilinear piece of a face between neighbouring nodes of its geometry; corners
+  /// lexicographic.
+  template <int dim>
+  struct Facet
+  {
+    static constexpr unsigned int               n_corners = 1 << (dim - 1);
+    std::array<dealii::Point<dim>, n_corners>   corners;
+    std::array<unsigned int, dim - 1>           place; ///< number along each parameter
+    dealii::Point<dim>                          center;
+    std::array<dealii::Tensor<1, dim>, dim - 1> axes; ///< orthonormal, in its mean plane
+  };
+
+  /// A face with its facets, which all its segments share.
+  template <int dim>
+  struct FacetedFace
+  {
+    FacetedFace() = default;
+    FacetedFace(const FacePatch<dim> &patch);
+
+    /// The box of all that lies within `reach` along the normals of the facets, on both sides:
+    /// master faces outside have no segment with this slave face.
+    dealii::BoundingBox<dim>
+    extruded_box(double reach) const;
+
+    FacePatch<dim>          patch;
+    std::vector<Facet<dim>> facets;
+  };
+
+  /// Contact segments, thesis 3.2: the exact intersection of a slave face with the projection of a
+  /// master face, cut into simplices with a quadrature rule on each. Integrands that have a kink
+  /// where master faces meet are smooth on each segment.
+  ///
+  /// Both faces are split along the nodes of their geometry into multilinear facets. Facets meet in
+  /// the plane (2D: line) through the center of the slave's facet, normal to its mean normal, into
+  /// which both are projected along that normal (Puso and Laursen, CMAME 193 (2004) 601-629). A
+  /// point of the intersection goes back to each facet's own parameters, and is weighted with the
+  /// Jacobian of the true slave face there: if master faces cover the slave face, then the weights
+  /// of all segments sum up to its area also where it is curved.
+  ///
+  /// @param rule on the reference interval (2D) or triangle (3D)
+  /// @returns nothing where the faces do not overlap; does not ask how far apart they are or
+  /// whether they face each other.
+  template <int dim>
+  std::vector<SegmentPoint<dim>>
+  segment_points(const FacetedFace<dim>            &slave,
+                 const FacetedFace<dim>            &master,
+                 const dealii::Quadrature<dim - 1> &rule);
+
+  /// The seams of the segments that segment_points() makes.
+  /// @param n_points of Gauss, on each straight piece; 2D: there is one
+  template <int dim>
+  std::vector<SeamPoint<dim>>
+  seam_points(const FacetedFace<dim> &slave, const FacetedFace<dim> &master, unsigned int n_points);
+} // namespace Signorini

@@ -1,0 +1,191 @@
+#include "contact/search/self_contact.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Point<dim - 1>
+    middle()
+    {
+      Point<dim - 1> result;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        result[d] = 0.5;
+      return result;
+    }
+
+    /// Along no edge of what people draw.
+    template <int dim>
+    Tensor<1, dim>
+    skew_direction()
+    {
+      Tensor<1, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = 1 / (1 + 0.37 * d);
+      return result / result.norm();
+    }
+
+    /// Which faces say where the surface looks at itself: the same on any number of ranks, about a
+    /// thousand, since some of them search far.
+    template <int dim>
+    std::vector<unsigned int>
+    sample(const BoundaryFaces<dim> &faces, const MPI_Comm comm)
+    {
+      constexpr unsigned int enough = 1000;
+      const unsigned int     all    = Utilities::MPI::sum(faces.faces.size(), comm),
+                         stride     = std::max(1u, all / enough);
+      std::vector<unsigned int> result;
+      for (unsigned int i = 0; i < faces.faces.size(); ++i)
+        {
+          const auto &[cell, face] = faces.faces[i];
+          std::uint64_t hash       = face; // Fowler, Noll, Vo
+          for (const char c : cell->id().to_string())
+            hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+          if ((hash >> 16) % stride == 0)
+            result.push_back(i);
+        }
+      return result;
+    }
+
+    /// All, with their opposites: a degree apart (2D), some four degrees (3D).
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    directions()
+    {
+      constexpr unsigned int      many   = dim == 2 ? 180 : 1000;
+      const double                golden = numbers::PI * (3 - std::sqrt(5.)); // a spiral
+      std::vector<Tensor<1, dim>> result(many);
+      for (unsigned int k = 0; k < many; ++k)
+        {
+          const double angle  = dim == 2 ? numbers::PI * k / many : golden * k,
+                       height = dim == 2 ? 0 : (k + 0.5) / many;
+          result[k][0]        = std::sqrt(1 - height * height) * std::cos(angle);
+          result[k][1]        = std::sqrt(1 - height * height) * std::sin(angle);
+          if (dim == 3)
+            result[k][dim - 1] = height;
+        }
+      return result;
+    }
+
+    /// What parts of the surface that look at each other have in common.
+    template <int dim>
+    struct Facing
+    {
+      Tensor<1, dim>
+        direction;         ///< to which their normals are least perpendicular; 0: there are none
+      Tensor<2, dim> ways; ///< sum of n D^T, D the way to the other part at rest
+    };
+
+    template <int dim>
+    Facing<dim>
+    facing_parts(const BoundaryFaces<dim> &faces, const double reach, const MPI_Comm comm)
+    {
+      std::vector<Point<dim>>       centers;
+      std::vector<Tensor<1, dim>>   normals;
+      std::vector<PlaceAtRest<dim>> rest;
+      std::vector<double>           sizes;
+      for (const unsigned int i : sample(faces, comm))
+        {
+          centers.push_back(faces.patches[i].position(middle<dim>()));
+          normals.push_back(faces.patches[i].normal(middle<dim>()));
+          rest.push_back(place_at_rest(faces.rest[i], middle<dim>()));
+          sizes.push_back(faces.patches[i].diameter());
+        }
+      const auto partners =
+        find_partners(centers, normals, faces_beyond(faces), reach, comm, nullptr, {}, rest);
+      constexpr double    sharp = 0.05; // that perpendicular is as bad as any
+      const auto          all   = directions<dim>();
+      std::vector<double> scores(all.size(), 0.);
+      Facing<dim>         result;
+      bool                is_empty = true;
+      for (unsigned int i = 0; i < partners.size(); ++i)
+        {
+          if (!partners[i])
+            continue;
+          // Those that are close count most.
+          const double weight = std::pow(sizes[i], dim) / (sizes[i] + partners[i]->distance);
+          for (unsigned int k = 0; k < all.size(); ++k)
+            scores[k] += weight * std::log(std::abs(normals[i] * all[k]) + sharp);
+          result.ways += weight * outer_product(normals[i], partners[i]->rest - rest[i].x);
+          is_empty = false;
+        }
+      Utilities::MPI::sum(scores, comm, scores);
+      result.ways = Utilities::MPI::sum(result.ways, comm);
+      if (Utilities::MPI::min(is_empty ? 1 : 0, comm) == 1)
+        return result;
+      // Of those that are as good but for rounding, the first.
+      const double best  = *std::max_element(scores.begin(), scores.end());
+      const auto   first = std::find_if(scores.begin(), scores.end(), [&](const double score) {
+        return score >= best - 1e-9 * std::abs(best);
+      });
+      result.direction   = all[first - scores.begin()];
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SelfContact<dim>::SelfContact(const BoundaryFaces<dim> &faces,
+                                const double              reach,
+                                const double              side,
+                                const MPI_Comm            comm)
+  {
+    const Facing<dim>    facing = facing_parts(faces, reach, comm);
+    const Tensor<1, dim> e =
+      facing.direction.norm() == 0 ? skew_direction<dim>() : facing.direction;
+    const double sign = e * facing.ways * skew_direction<dim>() < 0 ? -side : side;
+    for (const FacePatch<dim> &patch : faces.patches)
+      slaves.push_back(sign * (patch.normal(middle<dim>()) * e) > 0);
+  }
+
+
+
+  template <int dim>
+  BoundaryFaces<dim>
+  SelfContact<dim>::masters(const BoundaryFaces<dim> &faces) const
+  {
+    std::vector<bool> masters = slaves;
+    masters.flip();
+    return faces.among(masters);
+  }
+
+
+
+  template <int dim>
+  MasterFaces<dim>
+  faces_beyond(const BoundaryFaces<dim> &faces)
+  {
+    const auto tell_rest = [&](unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner) {
+      partner.rest = faces.rest[i].position(xi);
+    };
+    return {faces.patches, tell_rest, {}, faces.rest};
+  }
+
+
+
+  template <int dim>
+  PlaceAtRest<dim>
+  place_at_rest(const FacePatch<dim> &rest, const Point<dim - 1> &xi)
+  {
+    return {rest.position(xi), rest.normal(xi)};
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template class SelfContact<dim>;                                                                 \
+  template MasterFaces<dim> faces_beyond(const BoundaryFaces<dim> &);                              \
+  template PlaceAtRest<dim> place_at_rest(const FacePatch<dim> &, const Point<dim - 1> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,168 @@
+#include "contact/traction/face_matrices.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Indices = std::vector<types::global_dof_index>;
+
+    void
+    sort_and_unite(Indices &indices)
+    {
+      std::sort(indices.begin(), indices.end());
+      indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    }
+
+    unsigned int
+    position_in(const Indices &indices, const types::global_dof_index i)
+    {
+      return std::lower_bound(indices.begin(), indices.end(), i) - indices.begin();
+    }
+
+    /// Those along which gaps of some points open; all, if supports may tie them to others.
+    template <int dim>
+    Components
+    components_of(const std::vector<ContactPoint<dim>> &points,
+                  const unsigned int                    first,
+                  const unsigned int                    last,
+                  const bool                            all)
+    {
+      Components result;
+      result.fill(all);
+      for (unsigned int q = first; q < last; ++q)
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] = result[d] || points[q].direction[d] != 0;
+      return result;
+    }
+
+    /// Adds the slip at a point, times the shares of rows.
+    /// @param rows of the matrix, one a share
+    template <int dim>
+    void
+    add_slip(const ContactPoint<dim>         &point,
+             const SurfaceFrame<dim>         &frame,
+             const Tangents<dim>             &tangents,
+             const std::vector<Share>        &shares,
+             const std::vector<unsigned int> &rows,
+             FaceMatrix                      &matrix)
+    {
+      AssertThrow(point.rigid.empty(), ExcNotImplemented());
+      for (unsigned int i = 0; i < shares.size(); ++i)
+        {
+          const auto frame_of_row = tangents.at(shares[i].row, frame, point.direction);
+          for (const double sign : {1., -1.})
+            for (const NodeFunction<dim> &function : sign > 0 ? point.slave : point.master)
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  const unsigned int j = position_in(matrix.columns, function.node + d);
+                  for (unsigned int a = 0; a < dim - 1; ++a)
+                    matrix.slip[a](rows[i], j) +=
+                      shares[i].weight * sign * function.value * frame_of_row[a][d];
+                }
+        }
+    }
+
+    template <int dim>
+    FaceMatrix
+    face_matrix(const ContactSurface<dim>             &surface,
+                const std::vector<std::vector<Share>> &shares,
+                const Tangents<dim>                   *tangents,
+                const Components                      &components,
+                const unsigned int                     first,
+                const unsigned int                     last)
+    {
+      FaceMatrix matrix;
+      for (unsigned int q = first; q < last; ++q)
+        {
+          for (const Share &share : shares[q])
+            matrix.rows.push_back(share.row);
+          const ContactPoint<dim> &point = surface.points[q];
+          if (q == first || !same_nodes(surface.points[q - 1], point))
+            for (const auto *functions : {&point.slave, &point.master})
+              for (const NodeFunction<dim> &function : *functions)
+                for (unsigned int d = 0; d < dim; ++d)
+                  if (components[d])
+                    matrix.columns.push_back(function.node + d);
+          for (const auto *entries : {&point.rigid, &point.stress})
+            for (const auto &entry : *entries)
+              matrix.columns.push_back(entry.first);
+        }
+      sort_and_unite(matrix.rows);
+      sort_and_unite(matrix.columns);
+      const bool with_stress = !surface.points[first].stress.empty();
+      matrix.displacement.reinit(matrix.rows.size(), matrix.columns.size());
+      if (with_stress)
+        matrix.stress.reinit(matrix.rows.size(), matrix.columns.size());
+      if (tangents)
+        matrix.slip.assign(dim - 1, FullMatrix<double>(matrix.rows.size(), matrix.columns.size()));
+      std::vector<unsigned int> rows;
+      for (unsigned int q = first; q < last; ++q)
+        {
+          rows.clear();
+          for (const Share &share : shares[q])
+            rows.push_back(position_in(matrix.rows, share.row));
+          const auto add_to = [&](FullMatrix<double> &values) {
+            return [&](const types::global_dof_index column, const double value) {
+              const unsigned int j = position_in(matrix.columns, column);
+              for (unsigned int i = 0; i < rows.size(); ++i)
+                values(rows[i], j) += shares[q][i].weight * value;
+            };
+          };
+          for_each_entry(surface.points[q], components, add_to(matrix.displacement));
+          for (const auto &[column, value] : surface.points[q].stress)
+            add_to(matrix.stress)(column, value);
+          if (tangents)
+            add_slip(surface.points[q], surface.frames[q], *tangents, shares[q], rows, matrix);
+        }
+      return matrix;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<FaceMatrix>
+  face_matrices(const ContactRows                      &rows,
+                const std::vector<ContactSurface<dim>> &surfaces,
+                const Sampling                          sampling,
+                const Tangents<dim>                    *tangents,
+                const bool                              all_components)
+  {
+    std::vector<FaceMatrix> matrices;
+    for (unsigned int p = 0; p < surfaces.size(); ++p)
+      {
+        const auto &points = surfaces[p].points;
+        for (unsigned int first = 0, last = 0; first < points.size(); first = last)
+          {
+            // Rows of points have the columns of their own partner only.
+            while (last < points.size() && points[last].face == points[first].face &&
+                   (sampling == Sampling::nodes || same_nodes(points[first], points[last])))
+              ++last;
+            const auto components =
+              components_of(points, first, last, all_components || tangents != nullptr);
+            matrices.push_back(
+              face_matrix(surfaces[p], rows.shares[p], tangents, components, first, last));
+          }
+      }
+    return matrices;
+  }
+
+
+
+  template std::vector<FaceMatrix>
+  face_matrices(const ContactRows &,
+                const std::vector<ContactSurface<2>> &,
+                Sampling,
+                const Tangents<2> *,
+                bool);
+  template std::vector<FaceMatrix>
+  face_matrices(const ContactRows &,
+                const std::vector<ContactSurface<3>> &,
+                Sampling,
+                const Tangents<3> *,
+                bool);
+} // namespace Signorini

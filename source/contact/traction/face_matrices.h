@@ -1,0 +1,33 @@
+#pragma once
+
+#include "contact/constraints/contact_rows.h"
+#include "contact/constraints/tangents.h"
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// The rows of B and S that some points of one slave face contribute to, as dense matrices:
+  /// adding them at once costs a fraction of adding point by point.
+  struct FaceMatrix
+  {
+    std::vector<dealii::types::global_dof_index> rows, columns;
+    dealii::FullMatrix<double>                   displacement;
+    dealii::FullMatrix<double>                   stress; ///< empty if points have none
+    std::vector<dealii::FullMatrix<double>>      slip;   ///< along each tangent
+  };
+
+  /// Those of all points of this rank, times their areas.
+  /// @param tangents along which there is slip; null: nobody asks for it
+  /// @param all_components gaps may depend on all components, since supports may tie them to
+  /// others; else on those that normals have
+  template <int dim>
+  std::vector<FaceMatrix>
+  face_matrices(const ContactRows                      &rows,
+                const std::vector<ContactSurface<dim>> &surfaces,
+                Sampling                                sampling,
+                const Tangents<dim>                    *tangents,
+                bool                                    all_components);
+} // namespace Signorini

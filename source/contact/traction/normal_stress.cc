@@ -1,0 +1,385 @@
+#include "contact/traction/normal_stress.h"
+#include "contact/search/face_patch.h"
+#include "solid/cell_nodes.h"
+#include "solid/deformation.h"
+#include "linear_algebra/dense.h"
+#include "geometry/lagrange.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int rank, int dim>
+    Tensor<rank, 3>
+    in_space(const Tensor<rank, dim> &v)
+    {
+      Tensor<rank, 3> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        if constexpr (rank == 1)
+          result[d] = v[d];
+        else
+          result[d] = in_space(v[d]);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  NormalStress<dim>::NormalStress(const Elasticity<dim> &elasticity)
+    : elasticity(elasticity)
+    , geometry_degree(elasticity.mesh().geometry_degree())
+    , kernel(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
+  {
+    const unsigned int n = geometry_degree + 1;
+    for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i)
+      {
+        lattice.emplace_back();
+        for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
+          lattice.back()[d] = rest % n;
+      }
+  }
+
+
+
+  template <int dim>
+  NormalStress<dim>::NormalStress(const Configuration<dim> &configuration)
+    : NormalStress(configuration.elasticity())
+  {
+    if (elasticity.is_finite())
+      displacement = elasticity.with_ghosts(configuration.is_rest() ? elasticity.zero_vector() :
+                                                                      configuration.displacement());
+  }
+
+
+
+  template <int dim>
+  void
+  NormalStress<dim>::reinit(const Cell &new_cell)
+  {
+    if (cell.state() == IteratorState::valid && cell == new_cell)
+      return;
+    cell = new_cell;
+    read_indices<dim>(cell, indices);
+    nodes.clear();
+    for (const auto &place : lattice)
+      {
+        Point<dim> p;
+        for (unsigned int d = 0; d < dim; ++d)
+          p[d] = double(place[d]) / geometry_degree;
+        nodes.push_back(elasticity.mesh().mapping().transform_unit_to_real_cell(cell, p));
+      }
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  NormalStress<dim>::jacobian(const Point<dim> &unit_point) const
+  {
+    const LagrangePolynomials<dim> basis(geometry_degree, unit_point);
+    Tensor<2, dim>                 J;
+    auto                           node = nodes.begin();
+    for (const auto &place : lattice)
+      J += outer_product(Tensor<1, dim>(*node++), basis.gradient(place));
+    return J;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  NormalStress<dim>::position(const Point<dim> &unit_point) const
+  {
+    const LagrangePolynomials<dim> basis(geometry_degree, unit_point);
+    Point<dim>                     x;
+    auto                           node = nodes.begin();
+    for (const auto &place : lattice)
+      x += basis.value(place) * *node++;
+    return x;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  NormalStress<dim>::coefficients(const Point<dim>     &unit_point,
+                                  const Tensor<1, dim> &n,
+                                  const Tensor<1, dim> &m) const
+  {
+    // n . sigma m = lambda div u n.m + mu (n . grad u m + m . grad u n)
+    const Material      &material = elasticity.material(cell->material_id());
+    const double         lambda   = in_plane_lambda(elasticity.model(), material);
+    const Tensor<2, dim> nm       = outer_product(n, m);
+    return product_with_gradient(in_space(material.mu() * (nm + transpose(nm))) +
+                                   lambda * (n * m) * Tensor<2, 3>(unit_symmetric_tensor<3>()),
+                                 unit_point);
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  NormalStress<dim>::row(const Point<dim>     &unit_point,
+                         const Tensor<1, dim> &n,
+                         const Tensor<1, dim> &m) const
+  {
+    return resolved(coefficients(unit_point, n, m));
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  NormalStress<dim>::resolved(const std::vector<double> &values) const
+  {
+    SparseRow result;
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (values[i] != 0)
+        result.emplace_back(indices[i], values[i]);
+    resolve(elasticity.hanging_nodes(), result);
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /// n.(dP/dF) N, with dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK.
+    Tensor<2, 3>
+    derivative(const ConstitutiveResponse &state,
+               const Tensor<2, 3>         &F,
+               const Tensor<1, 3>         &n,
+               const Tensor<1, 3>         &N)
+    {
+      const SymmetricTensor<2, 3> pulled = symmetrize(outer_product(transpose(F) * n, N));
+      return outer_product(n, Tensor<2, 3>(state.stress) * N) +
+             F * Tensor<2, 3>(pulled * state.tangent);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double>
+  NormalStress<dim>::product_with_gradient(const Tensor<2, 3> &V, const Point<dim> &place) const
+  {
+    const auto          &fe      = cell->get_fe();
+    const Tensor<2, dim> to_real = transpose(invert(jacobian(place)));
+    const double         r       = position(place)[0];
+    std::vector<double>  result(indices.size());
+    for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+      {
+        const Tensor<1, dim> gradient = to_real * fe.base_element(0).shape_grad(i, place);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double &sum = result[fe.component_to_system_index(d, i)];
+            for (unsigned int e = 0; e < dim; ++e)
+              sum += V[d][e] * gradient[e];
+            if (d == 0 && elasticity.model() == Model::axisymmetric)
+              sum += V[2][2] * (r > 0 ? fe.base_element(0).shape_value(i, place) / r : gradient[0]);
+          }
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  CauchyStress
+  NormalStress<dim>::cauchy(const Point<dim>       &place,
+                            const Tensor<1, dim>   &n_there,
+                            const Tensor<1, dim>   &N_at_rest,
+                            const SurfaceLoad<dim> &load) const
+  {
+    const BulkStress<dim> &bulk    = elasticity.bulk_stress();
+    const auto            &fe      = cell->get_fe();
+    const Tensor<2, dim>   to_real = transpose(invert(jacobian(place)));
+    const Point<dim>       X       = position(place);
+    std::vector<double>    u(indices.size());
+    Tensor<2, dim>         gradient;
+    Tensor<1, dim>         value;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      {
+        u[i]                       = displacement(indices[i]);
+        const auto [d, node]       = fe.system_to_component_index(i);
+        const Tensor<1, dim> slope = to_real * fe.base_element(0).shape_grad(node, place);
+        value[d] += u[i] * fe.base_element(0).shape_value(node, place);
+        gradient[d] += u[i] * slope;
+      }
+    const Tensor<1, 3> n = in_space(n_there), N = in_space(N_at_rest);
+    Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, value, X);
+    // In plane stress, of lengths in the plane: both bodies share these, not their thickness.
+    const Tensor<2, 3>  in_plane = F;
+    std::vector<double> internal;
+    const MaterialPoint point = elasticity.material_point(*cell, X, internal);
+    const auto          found = response_if_any(elasticity.model(), point, F);
+    CauchyStress        result;
+    if (!found)
+      {
+        result.value = result.offset = std::nan("");
+        return result;
+      }
+    const ConstitutiveResponse &state    = *found;
+    const Tensor<2, 3>          inverse  = invert(in_plane);
+    const Tensor<1, 3>          cofactor = determinant(in_plane) * (transpose(inverse) * N);
+    const double                j        = cofactor.norm();
+    const double                of_bulk  = n * (transpose(inverse) * N) / j;
+    const Tensor<1, 3>          now      = cofactor / j;
+    const Tensor<2, 3> of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
+    const double       p        = load.pressure;
+    const Tensor<2, 3> of_force =
+      derivative(state, F, n, N) +
+      p * j * ((n * now) * transpose(inverse) - outer_product(now, inverse * n));
+
+    result.ratio = j;
+    result.value =
+      n * (F * (Tensor<2, 3>(state.stress) * N) - in_space(load.traction)) / j + p * (n * now);
+    const std::vector<double> ratio = product_with_gradient(of_ratio, place),
+                              stress =
+                                product_with_gradient(of_force / j - (result.value / j) * of_ratio,
+                                                      place);
+    result.ratio_row = resolved(ratio);
+    result.stress    = resolved(stress);
+    if (bulk.is_on(*cell))
+      {
+        const auto  phi    = bulk.functions(*cell, X);
+        const auto &number = bulk.indices(*cell);
+        for (unsigned int i = 0; i < phi.size(); ++i)
+          result.bulk_stress.emplace_back(number[i], phi[i] * of_bulk);
+      }
+    result.offset       = result.value - point.bulk_stress * of_bulk;
+    result.ratio_offset = j;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      {
+        result.offset -= stress[i] * u[i];
+        result.ratio_offset -= ratio[i] * u[i];
+      }
+    const Material &material = elasticity.material(cell->material_id());
+    const double    at_rest  = in_plane_lambda(elasticity.model(), material) + 2 * material.mu();
+    result.stiffening =
+      std::max(1., scalar_product(derivative(state, F, now, N), outer_product(now, N)) / at_rest);
+    return result;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  NormalStress<dim>::thermal_row(const Point<dim>     &unit_point,
+                                 const Tensor<1, dim> &n,
+                                 const Tensor<1, dim> &m) const
+  {
+    const ThermalStrain<dim> &thermal = elasticity.thermal();
+    const unsigned int        id      = cell->material_id();
+    if (!thermal.expands(id))
+      return {};
+    const Tensor<1, 3> of_unit_rise = thermal.stress_of_unit_rise(elasticity.material(id), id);
+    double             normal       = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      normal += n[d] * of_unit_rise[d] * m[d];
+    SparseRow result = thermal.row(*cell, position(unit_point));
+    for (auto &entry : result)
+      entry.second *= -normal;
+    return result;
+  }
+
+
+
+  template <int dim>
+  SparseRow
+  NormalStress<dim>::bulk_row(const Point<dim>     &unit_point,
+                              const Tensor<1, dim> &n,
+                              const Tensor<1, dim> &m) const
+  {
+    const BulkStress<dim> &bulk = elasticity.bulk_stress();
+    if (!bulk.is_on(*cell))
+      return {};
+    const auto  phi    = bulk.functions(*cell, position(unit_point));
+    const auto &number = bulk.indices(*cell);
+    SparseRow   result;
+    for (unsigned int i = 0; i < phi.size(); ++i)
+      result.emplace_back(number[i], phi[i] * (n * m));
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  NormalStress<dim>::bound_of_bulk_stress(const unsigned int face) const
+  {
+    const BulkStress<dim> &bulk = elasticity.bulk_stress();
+    if (!bulk.is_on(*cell))
+      return 0;
+    constexpr unsigned int n = BulkStress<dim>::functions_a_cell;
+    const QGauss<dim - 1>  rule(3);
+    const FacePatch<dim>   patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
+    Eigen::MatrixXd        values(n, rule.size()); // times the square roots of the areas
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const Point<dim> x    = patch.position(rule.point(q));
+        const auto       phi  = bulk.functions(*cell, x);
+        const double     root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
+                                      measure(elasticity.model(), x));
+        for (unsigned int i = 0; i < n; ++i)
+          values(i, q) = root * phi[i];
+      }
+    return 2 * elasticity.material(cell->material_id()).mu() / bulk.size(*cell) *
+           eigenvalues_of_symmetric(values * values.transpose()).maxCoeff();
+  }
+
+
+
+  template <int dim>
+  double
+  NormalStress<dim>::bound(const unsigned int face)
+  {
+    const unsigned int n = indices.size();
+    FullMatrix<double> stiffness;
+    kernel.assemble(cell, elasticity.material(cell->material_id()), stiffness);
+    Eigen::MatrixXd K(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        K(i, j) = stiffness(i, j);
+
+    const QGauss<dim - 1> rule(cell->get_fe().degree + 2);
+    const FacePatch<dim>  patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
+    Eigen::MatrixXd       stress(rule.size(), n); // times the square roots of the areas
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      {
+        const Tensor<1, dim>      normal = patch.normal(rule.point(q));
+        const std::vector<double> row =
+          coefficients(unit_point<dim>(face, rule.point(q)), normal, normal);
+        const double root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
+                                      measure(elasticity.model(), patch.position(rule.point(q))));
+        for (unsigned int i = 0; i < n; ++i)
+          stress(q, i) = root * row[i];
+      }
+
+    // Rigid-body modes, on which both sides vanish, are left out.
+    const SymmetricEigenpairs modes    = eigenpairs_of_symmetric(K);
+    const double              smallest = 1e-10 * modes.values.maxCoeff();
+    Eigen::VectorXd           scale    = modes.values;
+    for (unsigned int i = 0; i < n; ++i)
+      scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
+    const Eigen::MatrixXd scaled = stress * modes.vectors * scale.asDiagonal();
+    return bound_of_bulk_stress(face) +
+           eigenvalues_of_symmetric(scaled * scaled.transpose()).maxCoeff();
+  }
+
+
+
+  template class NormalStress<2>;
+  template class NormalStress<3>;
+} // namespace Signorini

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "contact/constraints/trace.h"
+#include "contact/search/configuration.h"
+#include "solid/kernel.h"
+#include "solid/surface_loads.h"
+
+#include <array>
+#include <vector>
+
+namespace Signorini
+{
+  /// Cauchy's normal stress of a body of large deformation at a place of its boundary, positive in
+  /// compression, and how it changes with the displacement:
+  ///
+  ///   sigma = n.(P N - t)/j + p n.m,  j = |cof F N|,
+  ///   d sigma = (n.(dP/dF : dF) N + p n.d(j m) - (sigma) dj)/j,
+  ///   dj = j (tr(dF F^-1) - m.dF F^-1 m),  n.d(j m) = j (n.m tr(dF F^-1) - m.dF F^-1 n),
+  ///
+  /// N being the normal at rest, m the one now, n that of contact, which stays. Of what loads exert
+  /// there, the traction t, by area at rest, and the pressure p, contact bears nothing.
+  struct CauchyStress
+  {
+    double    value = 0, ratio = 0; ///< sigma; j, area now per area at rest
+    double    offset = 0;           ///< sigma - stress.u - bulk_stress.m there
+    SparseRow stress;               ///< by degrees of freedom, hanging nodes resolved
+    SparseRow bulk_stress;          ///< by BulkStress::coefficients()
+    SparseRow ratio_row;            ///< of j
+    double    ratio_offset = 0;     ///< j - ratio_row.u there
+    double    stiffening   = 1;     ///< N.(dP/dF) along m over what it is at rest; 1 at least
+  };
+
+  /// The stress of a body at its boundary, seen from the cell behind a face. Keeps a reference to
+  /// its arguments.
+  template <int dim>
+  class NormalStress
+  {
+  public:
+    using Cell = typename Trace<dim>::Cell;
+
+    NormalStress(const Elasticity<dim> &elasticity);
+
+    /// Where bodies are, for cauchy(). Collective.
+    NormalStress(const Configuration<dim> &configuration);
+
+    void
+    reinit(const Cell &cell);
+
+    /// n . sigma(u) m at a point of the reference cell, in terms of degrees of freedom (hanging
+    /// nodes resolved).
+    SparseRow
+    row(const dealii::Point<dim>     &unit_point,
+        const dealii::Tensor<1, dim> &n,
+        const dealii::Tensor<1, dim> &m) const;
+
+    /// The same of the stress that belongs to the rises of the temperature alone, - n . (C : alpha)
+    /// m (T - T_0), in terms of ThermalStrain::coefficients(). Empty if the body does not expand.
+    SparseRow
+    thermal_row(const dealii::Point<dim>     &unit_point,
+                const dealii::Tensor<1, dim> &n,
+                const dealii::Tensor<1, dim> &m) const;
+
+    /// The same of the bulk stress, in terms of BulkStress::coefficients(). Empty if the body is
+    /// not mixed.
+    SparseRow
+    bulk_row(const dealii::Point<dim>     &unit_point,
+             const dealii::Tensor<1, dim> &n,
+             const dealii::Tensor<1, dim> &m) const;
+
+    /// Of large deformation; not a number where the cell is folded.
+    /// @param N outward normal of the body at rest
+    /// @param n that of the other body, where it is
+    /// @param load on the boundary there
+    CauchyStress
+    cauchy(const dealii::Point<dim>     &unit_point,
+           const dealii::Tensor<1, dim> &n,
+           const dealii::Tensor<1, dim> &N,
+           const SurfaceLoad<dim>       &load = {}) const;
+
+    /// The smallest C with
+    ///
+    ///   int_F (n . sigma(u) n)^2 dA <= C int_T sigma(u) : eps(u) dV
+    ///
+    /// for all displacements u of the cell T, n being the normal of its face F: the largest
+    /// eigenvalue of the generalised problem, which is of the order of E/h [force/length^3]
+    /// (thesis 3.5; Griebel, Schweitzer, Geometric Analysis and Nonlinear PDE (2002) 519-542). In
+    /// mixed bodies the same of the bulk stress is added, with int_T m^2/(2 mu) dV.
+    double
+    bound(unsigned int face);
+
+  private:
+    /// The entries of row(), for each degree of freedom of the cell.
+    std::vector<double>
+    coefficients(const dealii::Point<dim>     &unit_point,
+                 const dealii::Tensor<1, dim> &n,
+                 const dealii::Tensor<1, dim> &m) const;
+
+    double
+    bound_of_bulk_stress(unsigned int face) const;
+
+    /// In terms of degrees of freedom. @param values of those of the cell
+    SparseRow
+    resolved(const std::vector<double> &values) const;
+
+    /// V : Grad u, for each degree of freedom of the cell.
+    std::vector<double>
+    product_with_gradient(const dealii::Tensor<2, 3> &V, const dealii::Point<dim> &place) const;
+
+    dealii::Point<dim>
+    position(const dealii::Point<dim> &unit_point) const;
+
+    dealii::Tensor<2, dim>
+    jacobian(const dealii::Point<dim> &unit_point) const;
+
+    const Elasticity<dim>                       &elasticity;
+    LA::Vector                                   displacement; ///< with ghosts; empty: at rest
+    const unsigned int                           geometry_degree;
+    StiffnessKernel<dim>                         kernel;
+    std::vector<std::array<unsigned int, dim>>   lattice; ///< places of the geometry's nodes
+    Cell                                         cell;
+    std::vector<dealii::Point<dim>>              nodes; ///< of the geometry
+    std::vector<dealii::types::global_dof_index> indices;
+  };
+} // namespace Signorini

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "contact/traction/normal_stress.h"
+#include "contact/search/boundary_faces.h"
+
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /// Bounds of the normal stress on faces, see NormalStress::bound(), each found when it is first
+  /// asked for. Faces of one cell share its energy.
+  template <int dim>
+  class StressBounds
+  {
+  public:
+    StressBounds(const BoundaryFaces<dim> &boundary)
+      : faces(boundary.faces)
+      , bounds(faces.size(), -1.)
+    {}
+
+    /// @param stress on the cell of face i
+    double
+    operator()(NormalStress<dim> &stress, const unsigned int i)
+    {
+      if (bounds[i] < 0)
+        bounds[i] = stress.bound(faces[i].second) * faces_of_cell(i);
+      return bounds[i];
+    }
+
+  private:
+    // They are neighbours in the list.
+    unsigned int
+    faces_of_cell(const unsigned int i) const
+    {
+      unsigned int first = i, last = i + 1;
+      while (first > 0 && faces[first - 1].first == faces[i].first)
+        --first;
+      while (last < faces.size() && faces[last].first == faces[i].first)
+        ++last;
+      return last - first;
+    }
+
+    const std::vector<std::pair<CellIterator<dim>, unsigned int>> faces;
+    std::vector<double>                                           bounds;
+  };
+} // namespace Signorini

@@ -1,0 +1,74 @@
+#include "driver/body_setup.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  std::unique_ptr<Mesh<dim>>
+  make_mesh(const Decisions<dim> &decisions, const MPI_Comm comm)
+  {
+    const Scene<dim>                                  &scene = decisions.scene;
+    std::vector<std::pair<std::string, BodyMesh<dim>>> bodies;
+    for (const Body<dim> &body : scene.bodies)
+      {
+        bodies.emplace_back(body.name, body.mesh);
+        bodies.back().second.degree = decisions.degrees[bodies.size() - 1];
+      }
+    std::vector<std::pair<std::string, std::string>> contact_surfaces;
+    for (const ContactPair<dim> &pair : decisions.pairs)
+      contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
+    MeshSettings<dim> settings = scene.mesh;
+    if (!settings.distribution && scene.most_cycles() > 0)
+      settings.distribution = Distribution::p4est;
+    return std::make_unique<Mesh<dim>>(bodies, settings, contact_surfaces, comm);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Elasticity<dim>>
+  make_elasticity(const Decisions<dim> &decisions, const Mesh<dim> &mesh)
+  {
+    const Scene<dim>                  &scene = decisions.scene;
+    std::vector<Material>              materials;
+    std::vector<ThermalExpansion<dim>> expansions;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const Body<dim> &body = scene.bodies[b];
+        for (const Material &material : decisions.materials(b))
+          materials.push_back(material);
+        expansions.push_back(body.expansion);
+        for (const MaterialOfCells &one : body.others)
+          {
+            expansions.push_back(body.expansion);
+            if (!one.expansion.empty())
+              expansions.back().coefficients = one.expansion;
+          }
+      }
+    std::vector<RigidBody<dim>> rigid_bodies;
+    for (const Obstacle<dim> &obstacle : scene.obstacles)
+      if (obstacle.body.can_move())
+        rigid_bodies.push_back(obstacle.body);
+    return std::make_unique<Elasticity<dim>>(mesh,
+                                             materials,
+                                             scene.supports,
+                                             scene.loads,
+                                             decisions.degrees,
+                                             model_of(scene.model),
+                                             rigid_bodies,
+                                             scene.newton.stabilisation,
+                                             expansions);
+  }
+
+
+
+  template std::unique_ptr<Mesh<2>>
+  make_mesh(const Decisions<2> &, MPI_Comm);
+  template std::unique_ptr<Mesh<3>>
+  make_mesh(const Decisions<3> &, MPI_Comm);
+  template std::unique_ptr<Elasticity<2>>
+  make_elasticity(const Decisions<2> &, const Mesh<2> &);
+  template std::unique_ptr<Elasticity<3>>
+  make_elasticity(const Decisions<3> &, const Mesh<3> &);
+} // namespace Signorini

@@ -1,0 +1,561 @@
+#include "contact/constraints/geometric_stiffness.h"
+#include "contact/constraints/idle_pairs.h"
+#include "contact/search/reach.h"
+#include "contact/search/sweep.h"
+#include <signorini/contact/methods/method.h>
+#include "driver/contact_setup.h"
+#include <signorini/parameters/raw.h>
+#include "parameters/text.h"
+#include "scene/expected_motion.h"
+#include "base/solver_failure.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// As a share of the scene: as exact as places of nodes are in files.
+    constexpr double touching = 1e-6;
+  } // namespace
+
+
+
+  template <int dim>
+  ContactSetup<dim>::ContactSetup(Decisions<dim>        &decisions,
+                                  const Elasticity<dim> &elasticity,
+                                  TimerOutput           &timer,
+                                  ConditionalOStream    &out)
+    : decisions(decisions)
+    , scene(decisions.scene)
+    , elasticity(elasticity)
+    , timer(timer)
+    , out(out)
+  {
+    const double closing =
+      std::max(largest_closing(scene, elasticity.mesh()), touching * elasticity.mesh().size());
+    reach.assign(decisions.pairs.size(),
+                 elasticity.has_free_motions() ? std::max(closing, elasticity.mesh().size() / 10) :
+                                                 closing);
+  }
+
+
+
+  template <int dim>
+  ContactSurface<dim>
+  ContactSetup<dim>::surface_of(const Configuration<dim>  &configuration,
+                                const ContactPair<dim>    &pair,
+                                const SearchRange         &range,
+                                const ContactSurface<dim> *former) const
+  {
+    return make_contact_surface(configuration,
+                                pair,
+                                scene.obstacle_of(pair),
+                                scene.contact.chosen(),
+                                decisions.integration_of(pair),
+                                range,
+                                former);
+  }
+
+
+
+  namespace
+  {
+    /// Of what has a partner.
+    template <int dim>
+    double
+    area_of(const ContactSurface<dim> &surface, const MPI_Comm comm)
+    {
+      double area = 0;
+      for (const ContactPoint<dim> &point : surface.points)
+        area += point.weight;
+      return Utilities::MPI::sum(area, comm);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::exchange_sides(const Configuration<dim> &configuration, const unsigned int i)
+  {
+    const MPI_Comm    comm  = elasticity.mesh().communicator();
+    ContactPair<dim> &pair  = decisions.pairs[i];
+    const Sides       sides = my_surfaces[i].sides;
+    if (!configuration.is_rest() || pair.is_self() || pair.sides == SideChoice::as_named ||
+        scene.contact.chosen().unbiased() || !sides.better_exchanged() || kept.count(pair.name) > 0)
+      return;
+    ContactPair<dim> other = pair;
+    other.exchange();
+    try
+      {
+        scene.contact.chosen().check(decisions.integration_of(other), decisions.degree_of(other.slave));
+        ContactSurface<dim> surface = surface_of(configuration, other, range_at_rest(i));
+        if (area_of(surface, comm) < 0.9 * area_of(my_surfaces[i], comm))
+          throw SceneError("the other side sees less");
+        my_surfaces[i] = std::move(surface);
+      }
+    catch (const SceneError &)
+      {
+        kept.insert(pair.name); // the other side cannot carry a pressure
+        return;
+      }
+    out << "  pair " << pair.name << ": slave and master are exchanged, since '" << pair.slave
+        << "' is " << short_text(sides.modulus, 2) << " times as stiff, with faces "
+        << short_text(sides.size, 2) << " times as large" << std::endl;
+    pair = other;
+  }
+
+
+
+  template <int dim>
+  SearchRange
+  ContactSetup<dim>::range_at_rest(const unsigned int i) const
+  {
+    return known[i].is_known ? known[i] : SearchRange{reach[i], 0, false};
+  }
+
+
+
+  template <int dim>
+  SearchRange
+  ContactSetup<dim>::what_is_known(const unsigned int i) const
+  {
+    constexpr double        room = 1.5; // if more is needed, needs_more() sees it
+    const ContactPair<dim> &pair = decisions.pairs[i];
+    const double            now  = room * approached[i],
+                 so_far          = pair.search_distance > 0 ? pair.search_distance : reach[i];
+    // Points whose gap a formula tells may be anywhere, and somewhere else in time.
+    if (!pair.separates || pair.gap_is_given() || gap_varies(pair) || now == 0 || now >= so_far)
+      return {};
+    return {now, 2 * my_surfaces[i].overlap, true};
+  }
+
+
+
+  template <int dim>
+  std::vector<SearchRange>
+  ContactSetup<dim>::ranges(const Configuration<dim> &configuration)
+  {
+    std::vector<SearchRange> result;
+    std::vector<double>      approaches;
+    if (!configuration.is_rest() && !my_surfaces.empty())
+      approaches = approaches_since(since_built(configuration.displacement()));
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+      {
+        if (configuration.is_rest())
+          {
+            result.push_back(range_at_rest(i));
+            continue;
+          }
+        if (built_near && !my_surfaces.empty())
+          nearby[i] = std::max({nearby[i],
+                                my_surfaces[i].face_size / 2, // 0 where nothing is in reach
+                                touching * elasticity.mesh().size()});
+        const ContactPair<dim> &pair     = decisions.pairs[i];
+        const bool              is_other = gap_varies(pair) && elasticity.time() != built_for;
+        double                  limit    = search_limit(elasticity, pair, reach[i]);
+        if (!my_surfaces.empty() && !is_other)
+          {
+            const double now =
+              my_surfaces[i].overlap + std::max(0., pair.closed_up_to) + approaches[i];
+            // What the scene holds to be closed may be far apart, however little moves.
+            limit = pair.separates && !pair.gap_is_given() ? now : std::max(limit, now);
+          }
+        result.push_back({built_near ? nearby[i] : reach[i], limit, false});
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactSetup<dim>::approaches_since(const LA::Vector &since) const
+  {
+    const std::vector<double> displacements = largest_displacements(elasticity, since);
+    std::vector<double>       result;
+    for (const ContactPair<dim> &pair : decisions.pairs)
+      result.push_back(
+        largest_approach(elasticity, pair, scene.obstacle_of(pair), since, displacements));
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::build(const Configuration<dim> &configuration,
+                           const bool                is_near,
+                           const bool                keeps_points)
+  {
+    const ContactMethod &method = scene.contact.chosen();
+    built_near                  = is_near;
+    for (const Obstacle<dim> &obstacle : scene.obstacles)
+      obstacle.shape->set_time(elasticity.time());
+    nearby.resize(decisions.pairs.size(), 0.);
+    known.resize(decisions.pairs.size());
+    {
+      TimerOutput::Scope               scope(timer, "search");
+      const std::vector<SearchRange>   of_pairs = ranges(configuration);
+      std::vector<ContactSurface<dim>> former   = std::move(my_surfaces);
+      built_for                                 = elasticity.time();
+      my_surfaces.clear();
+      try
+        {
+          for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+            {
+              my_surfaces.push_back(surface_of(
+                configuration, decisions.pairs[i], of_pairs[i], keeps_points ? &former[i] : nullptr));
+              exchange_sides(configuration, i);
+            }
+        }
+      catch (const SolverFailure &)
+        {
+          my_surfaces = std::move(former); // those of the rows that are there
+          throw;
+        }
+    }
+    TimerOutput::Scope scope(timer, "contact");
+    rows =
+      std::make_unique<ContactRows>(make_contact_rows(elasticity, my_surfaces, method.sampling()));
+    contact = make_gap_operator(configuration, my_surfaces, *rows, method);
+    contact->coefficients.epsilon *= decisions.penalty_factor;
+    if (contact->has_stress() && contact->theta != method.theta() && !told_of_theta)
+      {
+        out
+          << "  pairs see the same places of a surface: Contact method/Nitsche/Theta = 0 is taken, "
+             "which lets each of them carry what the others do not"
+          << std::endl;
+        told_of_theta = true;
+      }
+    built_at          = configuration.displacement();
+    const auto n_rows = [&](const unsigned int i) {
+      const auto own = std::count(contact->origin.pair.begin(), contact->origin.pair.end(), i);
+      return Utilities::MPI::sum(own, elasticity.mesh().communicator());
+    };
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      {
+        const ContactPair<dim> &pair = decisions.pairs[i];
+        if (configuration.is_rest() && my_surfaces[i].sees_nothing && pair.search_distance > 0 &&
+            !known[i].is_known)
+          throw SceneError(
+            pair.master_place + ": no point of '" + pair.slave +
+            "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
+        if (!pair.separates && n_rows(i) == 0)
+          throw SceneError(
+            pair.master_place + ": no point of '" + pair.slave +
+            "' touches the master of this pair, which is never to separate; move them together, or " +
+            (pair.search_distance > 0 ? "take a larger" : "set its") + " Search distance");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::check_ways(const LA::Vector &from, const LA::Vector &to) const
+  {
+    TimerOutput::Scope       scope(timer, "search");
+    const Configuration<dim> start(elasticity, from);
+    for (const ContactPair<dim> &pair : decisions.pairs)
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair))
+        if (goes_through(start, to, pair.slave, *obstacle))
+          throw SolverFailure("the obstacle '" + obstacle->name + "' would go through '" +
+                              pair.slave + "' in one load step; load in smaller steps");
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::check_passed(const LA::Vector &u, const LA::Vector &pressure) const
+  {
+    TimerOutput::Scope       scope(timer, "search");
+    const std::vector<bool>  idle = idle_pairs(*contact, pressure, decisions.pairs.size());
+    const Configuration<dim> now(elasticity, u);
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]))
+        {
+          const std::string &slave = decisions.pairs[i].slave;
+          std::vector<bool>  seen; // those of the faces with contact points
+          if (!idle[i])
+            for (const SlaveFace<dim> &face : my_surfaces[i].slave_faces)
+              seen.push_back(face.degree > 0);
+          if (is_within(now, slave, *obstacle, seen) || holds(now, slave, *obstacle))
+            throw SolverFailure("'" + slave + "' has got through the obstacle '" + obstacle->name +
+                                "'; load in smaller steps, or refine the surface");
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::turn_forces(const PointVectors &traction)
+  {
+    if (contact->at_rest())
+      return;
+    TimerOutput::Scope scope(timer, "contact");
+    contact->moved.place = built_at;
+    contact->moved.G     = geometric_stiffness(elasticity, my_surfaces, *rows, traction);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::forget_mesh()
+  {
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      known[i] = approached.empty() ? SearchRange() : what_is_known(i);
+    approached.clear();
+    my_surfaces.clear();
+    rows.reset();
+    built_at = LA::Vector();
+    for (double &of_pair : nearby)
+      of_pair /= 2; // as its faces
+  }
+
+
+
+  template <int dim>
+  std::string
+  ContactSetup<dim>::unknown_elsewhere() const
+  {
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      if (const Obstacle<dim> *obstacle = scene.obstacle_of(decisions.pairs[i]))
+        {
+          const auto &points  = my_surfaces[i].points;
+          const bool  unknown = std::any_of(points.begin(), points.end(), [&](const auto &point) {
+            return !obstacle->shape->has_closest_point(point.position, elasticity.lever());
+          });
+          if (Utilities::MPI::max(unknown ? 1 : 0, elasticity.mesh().communicator()) > 0)
+            return obstacle->name;
+        }
+    return "";
+  }
+
+
+
+  template <int dim>
+  GeometryChange
+  ContactSetup<dim>::neglected(const LA::Vector &u, const LA::Vector &pressure) const
+  {
+    const Configuration<dim> now(elasticity, u);
+    LA::Vector               p(rows->owned, rows->writable, elasticity.mesh().communicator());
+    p = pressure;
+    GeometryChange largest;
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      {
+        std::vector<double> forces;
+        for (const auto &shares : rows->shares[i])
+          {
+            forces.push_back(0);
+            for (const auto &[row, weight] : shares)
+              forces.back() += weight * p(row);
+          }
+        const ContactPair<dim> &pair = decisions.pairs[i];
+        const GeometryChange    change =
+          geometry_change(now, pair, scene.obstacle_of(pair), my_surfaces[i], forces);
+        if (change.pressure > largest.pressure)
+          largest = change;
+      }
+    return largest;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  ContactSetup<dim>::since_built(const LA::Vector &u) const
+  {
+    LA::Vector since = u;
+    if (built_at.size() > 0)
+      since -= built_at;
+    return since;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::has_settled(const LA::Vector &u) const
+  {
+    constexpr double          small      = 0.02; // in face sizes
+    const std::vector<double> approaches = approaches_since(since_built(u));
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+      if (approaches[i] > small * my_surfaces[i].face_size)
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::needs_more(const LA::Vector &u)
+  {
+    const std::vector<double> approaches = approaches_since(since_built(u));
+    const bool                at_rest    = built_at.size() == 0;
+    bool                      too_short  = false;
+    if (at_rest)
+      approached = approaches;
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+      {
+        const ContactPair<dim> &pair     = decisions.pairs[i];
+        const double            approach = approaches[i];
+        if (approach <= my_surfaces[i].reach || !pair.separates)
+          continue;
+        if (at_rest && known[i].is_known)
+          {
+            known[i]  = {};
+            too_short = true;
+            continue;
+          }
+        out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
+            << ", farther than " << my_surfaces[i].reach;
+        if (pair.search_distance > 0 && at_rest && my_surfaces[i].reach >= pair.search_distance)
+          out << ", its Search distance: contact beyond was not looked for" << std::endl;
+        else
+          {
+            out << ": searching again" << std::endl;
+            (built_near ? nearby : reach)[i] = 2 * approach;
+            too_short                        = true;
+          }
+      }
+    return too_short;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::look_farther()
+  {
+    const double size     = elasticity.mesh().size();
+    const double farthest = size + largest_closing(scene, elasticity.mesh());
+    bool         any      = false;
+    for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
+      {
+        const ContactPair<dim> &pair = decisions.pairs[i];
+        const double            most = pair.search_distance > 0 ? pair.search_distance : farthest;
+        if (!pair.separates || reach[i] >= most)
+          continue;
+        reach[i] = 4 * std::max(reach[i], size / 10);
+        known[i] = {};
+        any      = true;
+      }
+    if (any)
+      out << "  bodies may fall farther than contact was looked for: searching again" << std::endl;
+    return any;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSetup<dim>::set_time(const double t)
+  {
+    std::vector<double> shares;
+    for (const ContactPair<dim> &pair : decisions.pairs)
+      shares.push_back(pair.interference.value({}, t));
+    contact->set_interference(shares);
+    if (contact->S_thermal.m() > 0)
+      contact->set_rises(elasticity.thermal().coefficients());
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::gap_varies(const ContactPair<dim> &pair) const
+  {
+    const Obstacle<dim> *obstacle = scene.obstacle_of(pair);
+    return pair.gap_depends_on_time() || (obstacle && obstacle->shape->depends_on_time());
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSetup<dim>::is_outdated() const
+  {
+    if (elasticity.time() == built_for)
+      return false;
+    const bool  with_stress = scene.contact.chosen().predictor() == Predictor::normal_stress;
+    const auto &mesh        = elasticity.mesh();
+    return std::any_of(decisions.pairs.begin(), decisions.pairs.end(), [&](const ContactPair<dim> &pair) {
+      if (gap_varies(pair))
+        return true;
+      const bool is_between_bodies = !scene.obstacle_of(pair);
+      return with_stress &&
+             (surface_loads_vary(mesh, elasticity.loads(), pair.slave) ||
+              (is_between_bodies && surface_loads_vary(mesh, elasticity.loads(), pair.master)));
+    });
+  }
+
+
+
+  template <int dim>
+  std::string
+  ContactSetup<dim>::pressed_twice(const LA::Vector &active) const
+  {
+    std::map<types::global_dof_index, unsigned int> pair_of_node;
+    unsigned int                                    both[2] = {0, 0}; // one more than numbers
+    const IndexSet                                  rows    = active.locally_owned_elements();
+    auto                                            row     = rows.begin();
+    for (unsigned int k = 0; k < contact->origin.node.size(); ++k, ++row)
+      if (active(*row) > 0)
+        if (const auto [at, is_new] =
+              pair_of_node.insert({contact->origin.node[k], contact->origin.pair[k]});
+            !is_new)
+          {
+            both[0] = at->second + 1;
+            both[1] = contact->origin.pair[k] + 1;
+          }
+    const unsigned int code = both[0] * decisions.pairs.size() + both[1],
+                       most = Utilities::MPI::max(code, elasticity.mesh().communicator());
+    if (most == 0)
+      return "";
+    const unsigned int second = (most - 1) % decisions.pairs.size(),
+                       first  = (most - 1) / decisions.pairs.size() - 1;
+    return "; pairs '" + decisions.pairs[first].name + "' and '" + decisions.pairs[second].name +
+           "' press the same nodes: where they do so in the same direction, remove one, or take a "
+           "penalty method";
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  ContactSetup<dim>::left_out() const
+  {
+    std::vector<std::string> result;
+    for (unsigned int i = 0; i < my_surfaces.size(); ++i)
+      if (my_surfaces[i].is_apart)
+        result.push_back("pair " + decisions.pairs[i].name + ": its surfaces stay apart");
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_closing(const Scene<dim> &scene, const Mesh<dim> &mesh)
+  {
+    // They may come closer from both sides.
+    return 3 * expected_motion(scene, mesh.extent());
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template class ContactSetup<dim>;                                                                \
+  template double largest_closing(const Scene<dim> &, const Mesh<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,131 @@
+#include "checkpoint/origin.h"
+#include "output/directory.h"
+#include <signorini/parameters/section.h>
+#include "parameters/text.h"
+#include <signorini/driver/run_scene.h>
+#include "driver/simulation.h"
+
+#include <filesystem>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Prepared : public PreparedScene
+    {
+    public:
+      Prepared(RawSection &raw, const SceneTask &task, const std::string &name)
+        : only_check(task.only_check)
+        , goes_on(!task.restart.empty())
+      {
+        Section section(raw);
+        scene.declare(section);
+        section.close();
+        scene.given = raw;
+        scene.name  = name;
+        scene.read_files(std::filesystem::path(task.scene).parent_path().string());
+        scene.check();
+      }
+
+      ExitCode
+      run(const MPI_Comm comm, std::ostream &out) const override
+      {
+        Simulation<dim> simulation(scene, comm, out, goes_on);
+        if (!only_check)
+          return simulation.run();
+        simulation.preflight();
+        return solved;
+      }
+
+    private:
+      Scene<dim> scene;
+      const bool only_check, goes_on;
+    };
+
+    /// The scene of a task, without its overrides, and its name.
+    std::pair<RawSection, std::string>
+    read_task(const SceneTask &task)
+    {
+      if (task.restart.empty())
+        return {read_raw(task.scene), std::filesystem::path(task.scene).stem()};
+      const Origin       origin = read_origin(task.restart);
+      std::istringstream text(origin.scene);
+      RawSection         raw = read_raw(text, task.restart + "/restart.scene");
+      for (const std::string &assignment : task.overrides)
+        check_change(assignment);
+      override_value(raw, "Output/Directory=" + task.restart);
+      return {raw, origin.name};
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<PreparedScene>
+  PreparedScene::read(const SceneTask &task)
+  {
+    auto [raw, name] = read_task(task);
+    for (const std::string &assignment : task.overrides)
+      override_value(raw, assignment);
+
+    const RawSection::Value *dimension = raw.find_value("Dimension");
+    if (!dimension)
+      throw SceneError(task.scene +
+                       ": 'Dimension' is not set; write set Dimension = 2 or 3 at the top");
+    if (dimension->text == "2")
+      return std::make_unique<Prepared<2>>(raw, task, name);
+    if (dimension->text == "3")
+      return std::make_unique<Prepared<3>>(raw, task, name);
+    throw SceneError(dimension->where + ": Dimension = " + dimension->text + ": must be 2 or 3");
+  }
+
+
+
+  int
+  run_scene(const SceneTask &task, const MPI_Comm comm, std::ostream &out, std::ostream &err)
+  {
+    return exit_code_of([&] { return PreparedScene::read(task)->run(comm, out); },
+                        Utilities::MPI::this_mpi_process(comm) == 0,
+                        err);
+  }
+
+
+
+  int
+  exit_code_of(const std::function<int()> &work, const bool speaks, std::ostream &err)
+  {
+    try
+      {
+        return work();
+      }
+    catch (const SceneError &error)
+      {
+        // All ranks read the same input and end here together.
+        if (speaks)
+          err << "error: " << error.what() << std::endl;
+        return bad_scene;
+      }
+    catch (const OutputError &error)
+      {
+        if (speaks || !error.of_all)
+          err << "error: " << error.what() << std::endl;
+        if (!error.of_all && Utilities::MPI::job_supports_mpi() &&
+            Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          MPI_Abort(MPI_COMM_WORLD, internal_error);
+        return internal_error;
+      }
+    catch (const std::exception &error)
+      {
+        const bool has_mpi = Utilities::MPI::job_supports_mpi();
+        err << "internal error on rank "
+            << (has_mpi ? Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) : 0) << ": "
+            << error.what() << std::endl;
+        if (has_mpi && Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          MPI_Abort(MPI_COMM_WORLD, internal_error);
+        return internal_error;
+      }
+  }
+} // namespace Signorini

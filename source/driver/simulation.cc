@@ -1,0 +1,499 @@
+#include "driver/automatic_pairs.h"
+#include "driver/body_setup.h"
+#include "output/directory.h"
+#include "output/preflight.h"
+#include "parameters/text.h"
+#include "scene/left_out.h"
+#include "driver/simulation.h"
+#include "solver/linear_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::string
+    seconds(const double s)
+    {
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(1) << s << " s";
+      return text.str();
+    }
+
+    NewtonReport
+    unsolved(const std::string &why)
+    {
+      NewtonReport report;
+      report.reason = why;
+      return report;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene<dim> &scene,
+                              const MPI_Comm    comm,
+                              std::ostream     &stream,
+                              const bool        goes_on)
+    : scene(scene)
+    , decisions(this->scene)
+    , comm(comm)
+    , out(stream, Utilities::MPI::this_mpi_process(comm) == 0)
+    // Each rank measures for itself: no barriers, and no waiting for ranks that have failed.
+    , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
+    , control(this->scene.goals, this->scene.refinement)
+    , tolerance(std::max(scene.newton.tolerance, scene.refinement.tolerance))
+    , goes_on(goes_on)
+  {
+    out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
+    if (!scene.title.empty())
+      out << " - " << scene.title;
+    out << "\n"
+        << scene.contact.chosen_name() << ", " << Utilities::MPI::n_mpi_processes(comm) << " ranks"
+        << std::endl;
+    if (!decisions.reason.empty())
+      out << "  chosen: " << decisions.reason << std::endl;
+    for (const LeftOut &one : left_out_of(scene.left_out))
+      out << "  left out: " << one.kind << ": " << one.what << std::endl;
+    for (const std::string &note : scene.notes)
+      out << "  note: " << note << std::endl;
+  }
+
+
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::run()
+  {
+    if (goes_on)
+      if (const auto code = code_of_finished_run())
+        return *code;
+    recorder     = std::make_unique<Recorder<dim>>(decisions, clock, timer, comm, goes_on);
+    interruption = std::make_unique<Interruption>(clock, 60 * scene.output.time_limit, comm);
+    if (!recorder->note().empty())
+      out << "  note: " << recorder->note() << std::endl;
+    try
+      {
+        return solve_scene();
+      }
+    catch (const OutputError &)
+      {
+        throw; // the disk will not take that word either
+      }
+    catch (const std::exception &error)
+      {
+        recorder->stop(error.what());
+        throw;
+      }
+  }
+
+
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::solve_scene()
+  {
+    try
+      {
+        find_checkpoint();
+        set_up();
+        for (; position.cycle < scene.most_cycles(); ++position.cycle)
+          {
+            equilibrium->find_contact();
+            report_set_up();
+            reach();
+            if (!solve_for_estimate())
+              return finish(report());
+            if (!improve(control))
+              break;
+          }
+        if (!end_judged_on)
+          {
+            equilibrium->find_contact();
+            report_set_up();
+          }
+        if (position.step > 0) // as it was between two load steps
+          equilibrium->recall_active_set();
+        reach();
+        run_load_history();
+        if (report().converged && !scene.goals.quantities.empty())
+          estimate_result();
+        if (report().converged && scene.output.linear_reference)
+          compare_with_linear_solve();
+        return finish(report());
+      }
+    catch (const SolverFailure &failure)
+      {
+        return finish(unsolved(failure.what()));
+      }
+    catch (const Interrupted &interruption)
+      {
+        is_interrupted = true;
+        return finish(unsolved(
+          interruption.what() +
+          std::string(has_gained ? "" : "; nothing was reached that a restart could start from")));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::preflight()
+  {
+    only_checks = true;
+    set_up();
+    equilibrium->find_contact();
+    report_set_up();
+    out << "The scene is complete; nothing was solved." << std::endl;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::set_up()
+  {
+    {
+      TimerOutput::Scope scope(timer, "mesh");
+      if (former)
+        restore_decisions();
+      mesh = make_mesh(decisions, comm);
+      if (decisions.pairs_are_open)
+        {
+          decisions.pairs          = automatic_pairs(scene, *mesh, out);
+          decisions.pairs_are_open = false;
+          decisions.check();
+          // Contact surfaces are refined, and weigh more where the mesh is distributed.
+          mesh = make_mesh(decisions, comm);
+        }
+    }
+    TimerOutput::Scope scope(timer, "setup");
+    if (former)
+      restore_mesh();
+    elasticity = make_elasticity(decisions, *mesh);
+    elasticity->setup();
+    state.displacement = elasticity->zero_vector();
+    set_up_contact();
+    if (former)
+      restore_state();
+
+    if (elasticity->has_free_motions() && scene.output.linear_reference)
+      throw SceneError("Output/Linear reference: without contact nothing holds the bodies");
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::set_up_contact()
+  {
+    contact = std::make_unique<ContactSetup<dim>>(decisions, *elasticity, timer, out);
+    equilibrium =
+      std::make_unique<Equilibrium<dim>>(decisions, *elasticity, *contact, state, timer, out, [this] {
+        return watch();
+      });
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::report_set_up()
+  {
+    out << "\nMesh " << position.cycle << ": " << elasticity->dof_handler().n_dofs()
+        << " degrees of freedom, " << mesh->triangulation().n_global_active_cells() << " cells"
+        << std::endl;
+    if (recorder)
+      recorder->add_sizes(*elasticity,
+                          contact->surfaces(),
+                          contact->gap_operator(),
+                          contact->left_out());
+    if (position.cycle > 0 || is_restored)
+      return;
+    equilibrium->check_motions();
+    check_wanted();
+    TimerOutput::Scope scope(timer, "preflight");
+    const Json         report = Signorini::preflight(
+      decisions, *elasticity, contact->surfaces(), contact->gap_operator(), clock.wall_time());
+    std::ostringstream text;
+    print_preflight(report, text, only_checks);
+    out << text.str() << std::flush;
+    if (recorder)
+      recorder->add_preflight(report);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::check_wanted()
+  {
+    // On a mesh that is to be refined, curved surfaces are not yet where they will be.
+    const bool is_final = scene.most_cycles() == 0;
+    check_probes(*elasticity, decisions.pairs, scene.output.probes, is_final ? probe_tolerance : 0.5);
+    if (scene.expected.empty())
+      return;
+    const ContactState  nothing = open_contact(contact->gap_operator());
+    const LA::Vector    gap     = contact->gap_operator().gap(state.displacement);
+    const Snapshot<dim> start{*elasticity,
+                              decisions.pairs,
+                              contact->surfaces(),
+                              contact->gap_operator(),
+                              state.displacement,
+                              gap,
+                              nothing.pressure(),
+                              nothing.status,
+                              nothing,
+                              scene.load_steps.ends().front(),
+                              0};
+    Json                step =
+      results_at(scene, start, is_final ? scene.output.probes : std::vector<Probe<dim>>());
+    for (const char *number :
+         {"time", "newton_iterations", "active_points", "residual", "multigrid_cycles"})
+      step[number] = 0;
+    std::vector<std::string> whole{"ranks",
+                                   "dimension",
+                                   "cycles",
+                                   "load_steps",
+                                   "cells",
+                                   "dofs",
+                                   "degrees",
+                                   "multiplier_dofs",
+                                   "contact_faces",
+                                   "contact_candidates",
+                                   "contact_bytes",
+                                   "seconds",
+                                   "shares_of_ranks",
+                                   "peak_memory_mb",
+                                   "preflight",
+                                   "linear_reference",
+                                   "contact_geometry",
+                                   "deformation"};
+    if (!is_final)
+      whole.push_back("probes");
+    check_paths(scene.expected, step, whole);
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::solve_for_estimate()
+  {
+    // Only the end counts, and mostly it is found at once.
+    const double end = scene.load_steps.end_time;
+    n_steps          = 0;
+    if (solve(end, tolerance))
+      {
+        n_steps = report().steps.size();
+        return true;
+      }
+    if (report().is_loose || scene.load_steps.shortest(end) == end)
+      return false;
+    out << "  not solved at once (" << report().reason << "): step by step" << std::endl;
+    State nothing;
+    nothing.displacement = elasticity->zero_vector();
+    nothing.contact      = SurfaceField(dim);
+    equilibrium->set_state(nothing, equilibrium->follows());
+    equilibrium->recall_active_set();
+    Position start;
+    start.longest = end / 2;
+    return follow_loads(tolerance, start, [&](auto) {
+      n_steps += report().steps.size();
+      return true;
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::run_load_history()
+  {
+    // One step is the solution that was estimated, which others than the target's quantities are
+    // read from too; of several, some may have next to no forces.
+    constexpr double loosest = 1e-5;
+    const bool       is_one  = scene.load_steps.ends().size() == 1;
+    const double     final_tolerance =
+      scene.goals.has_targets() && is_one ?
+            std::max(std::min(tolerance, loosest), scene.newton.tolerance) :
+            scene.newton.tolerance;
+    follow_loads(final_tolerance, position, [&](const unsigned int step) {
+      // Meshes that were made for other load steps may be too coarse for the last one by a little.
+      const bool is_judged = is_over() && (!end_judged_on || *end_judged_on == position.cycle);
+      if (scene.goals.judge_all_steps() && !is_judged && !improve_step())
+        return false;
+      record_step(step);
+      reach();
+      return true;
+    });
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::follow_loads(const double                                  tolerance,
+                                Position                                     &from,
+                                const std::function<bool(unsigned int step)> &visit)
+  {
+    const std::vector<double> ends    = scene.load_steps.ends();
+    double                    start   = 0;
+    auto &[cycle, t, number, longest] = from;
+    for (const double end : ends)
+      {
+        const double shortest = scene.load_steps.shortest(end - start);
+        start                 = end;
+        while (t < end)
+          {
+            const double next = end - t <= 1.001 * longest ? end : t + longest;
+            if (ends.size() > 1 || next < end)
+              out << "  load step " << number + 1 << ", t = " << next << std::endl;
+            if (solve(next, tolerance))
+              {
+                longest = scene.load_steps.next_length(next - t, report().steps.size(), longest);
+                t       = next;
+                shortest_tried = 0;
+                if (!visit(++number))
+                  return false;
+              }
+            else
+              {
+                longest = (next - t) / 2;
+                if (longest < 0.999 * shortest || report().is_loose)
+                  return false;
+                out << "  not solved (" << report().reason
+                    << (report().curves_down ? "; the tangent was not positive definite" : "")
+                    << "): half the load step" << std::endl;
+                shortest_tried = longest;
+              }
+          }
+      }
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::record_step(const unsigned int step)
+  {
+    TimerOutput::Scope scope(timer, "output");
+    recorder->add_contact_geometry(equilibrium->neglected(), equilibrium->follows());
+    recorder->add_deformation(neglected_work, elasticity->is_finite());
+    recorder->add_step(equilibrium->snapshot(step),
+                       report(),
+                       multigrid_cycles(),
+                       std::exchange(of_step, {}));
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Simulation<dim>::multigrid_cycles() const
+  {
+    return former_cycles + equilibrium->multigrid_cycles();
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::mesh_seconds() const
+  {
+    return former_seconds + Utilities::MPI::max(equilibrium->seconds(), comm);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::compare_with_linear_solve()
+  {
+    const double          seconds = mesh_seconds(), cycles = multigrid_cycles();
+    const LinearReference linear = [&]() {
+      equilibrium->release(); // looks at the stiffness matrix
+      TimerOutput::Scope scope(timer, "linear reference");
+      return solve_without_contact(*elasticity, scene.solver, scene.newton.tolerance);
+    }();
+    recorder->add_linear_reference(linear, seconds, cycles);
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    bool
+    is_driven_by_forces(const Scene<dim> &scene)
+    {
+      const auto has_free = [](const Obstacle<dim> &obstacle) {
+        for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+          if (obstacle.body.is_free(i))
+            return true;
+        return false;
+      };
+      return !scene.loads.empty() ||
+             std::any_of(scene.obstacles.begin(), scene.obstacles.end(), has_free);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::finish(NewtonReport end)
+  {
+    if (!end.converged && end.curves_down)
+      end.reason +=
+        (state.time > 0 ? "; the last load that was solved is that of t = " +
+                            short_text(state.time) + ", and beyond" :
+                          std::string("; no load was solved, and on the way")) +
+        " the tangent was not positive definite: where bodies snap through or buckle, no load near "
+        "by is in balance" +
+        (is_driven_by_forces(scene) ? "; prescribe displacements instead of forces" : "");
+    else if (!end.converged && !is_interrupted && shortest_tried > 0)
+      end.reason +=
+        "; load steps down to " + short_text(shortest_tried) +
+        " were tried from t = " + short_text(state.time) +
+        " on: where contact slips off a corner or an edge, or a hook snaps, no state near by is in "
+        "balance, and no load step is small enough" +
+        (state.time > 0 ?
+           "; take Load steps/End time = " + short_text(state.time) + " for what comes before" :
+           "");
+    recorder->add_sizes(*elasticity,
+                        contact->surfaces(),
+                        contact->gap_operator(),
+                        contact->left_out());
+    std::ostringstream text;
+    if (!end.converged)
+      leave_checkpoint();
+    if (!end.converged && !is_interrupted)
+      if (const auto last = equilibrium->failure(position.step + 1))
+        recorder->add_failure(*last, end);
+    const ExitCode code = recorder->finish(end, text, is_interrupted);
+    if (end.converged) // after results.json has said so
+      checkpoints->remove();
+    out << text.str() << "\n"
+        << seconds(clock.wall_time()) << ", results in " << recorder->directory()
+        << "/results.json\n"
+        << "Output directory: " << recorder->directory() << std::endl;
+    return code;
+  }
+
+
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace Signorini

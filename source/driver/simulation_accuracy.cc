@@ -1,0 +1,310 @@
+#include "accuracy/enrichment.h"
+#include "driver/body_setup.h"
+#include "output/accuracy_results.h"
+#include "output/memory.h"
+#include "parameters/text.h"
+#include "driver/simulation.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Will a mesh that is so much larger fit, if the memory of this machine's ranks grows as it?
+    /// Collective.
+    bool
+    has_memory_for(const double growth, const MPI_Comm comm)
+    {
+      constexpr double               usable = 0.9;
+      Utilities::System::MemoryStats stats;
+      Utilities::System::get_memory_stats(stats);
+      MPI_Comm node;
+      MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+      const double used = Utilities::MPI::sum(static_cast<double>(stats.VmRSS), node);
+      MPI_Comm_free(&node);
+      const double more = (growth - 1) * used; // kB
+      const bool   fits = more <= usable * available_memory();
+      return Utilities::MPI::min(int(fits), comm) == 1;
+    }
+
+    template <int dim>
+    void
+    let_none_be_coarsened(const Mesh<dim> &mesh)
+    {
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        cell->clear_coarsen_flag();
+    }
+
+    template <int dim>
+    std::string
+    names_of(const std::vector<unsigned int> &numbers, const std::vector<Body<dim>> &bodies)
+    {
+      std::vector<std::string> names;
+      for (const unsigned int body : numbers)
+        names.push_back(bodies[body].name);
+      return join(names);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::improve(ErrorControl &control)
+  {
+    const ErrorEstimate estimate = judge(control);
+    const bool          is_end   = &control == &this->control;
+    Json                accuracy = accuracy_results(scene.goals, control, estimate);
+    if (!is_end)
+      of_step = accuracy;
+    if (scene.goals.has_targets())
+      {
+        tolerance   = control.tolerance(tolerance);
+        why_not_met = control.obstacle();
+        if (control.is_met(true) || !why_not_met.empty())
+          return false;
+        const double stiffening = control.stiffening();
+        decisions.penalty_factor *= stiffening;
+        accuracy["stiffening"] = stiffening;
+        if (stiffening > 1)
+          out << "  penalties times " << short_text(stiffening) << std::endl;
+      }
+    TimerOutput::Scope scope(timer, "refinement");
+    if (!mark(control, estimate))
+      return false;
+    if (!is_end)
+      accuracy["time"] = state.time;
+    recorder->add_cycle(n_steps, multigrid_cycles(), accuracy);
+    reached.reset(); // it belongs to the mesh
+    former_cycles  = 0;
+    former_seconds = 0;
+    equilibrium->release();
+    if (next_quadratic.empty())
+      {
+        std::vector<LA::Vector *> displacements = {&state.displacement};
+        if (state.start.displacement.size() > 0)
+          displacements.push_back(&state.start.displacement);
+        refine(*mesh, *elasticity, displacements);
+        equilibrium->forget_mesh();
+      }
+    else
+      enrich(std::exchange(next_quadratic, {}));
+    if (is_end)
+      end_judged_on.reset();
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::mark(const ErrorControl &control, const ErrorEstimate &estimate)
+  {
+    const std::vector<double> indicators = control.indicators(estimate.cells, comm);
+    if (!scene.goals.has_targets())
+      {
+        mark_cells(scene.refinement, *mesh, indicators);
+        return true;
+      }
+    if (control.needs_mesh())
+      {
+        next_quadratic =
+          bodies_to_enrich(*mesh, indicators, decisions.open_degrees, control.excess());
+        if (next_quadratic.empty())
+          mark_share(scene.refinement, *mesh, indicators, control.share());
+      }
+    if (&control != &this->control) // other load steps need what is fine
+      let_none_be_coarsened(*mesh);
+    const double of_cells = growth(*mesh),
+                 factor   = of_cells * growth_of_enrichment(*mesh, next_quadratic),
+                 now      = clock.wall_time();
+    const double cells    = of_cells * mesh->triangulation().n_global_active_cells();
+    const double seconds  = 1.3 * factor * (now - std::exchange(last_mesh_at, now)),
+                 limit    = 60 * scene.goals.time_limit;
+    if (cells > scene.refinement.maximum_cells)
+      why_not_met = "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
+    else if (limit > 0 && Utilities::MPI::max(now + seconds, comm) > limit)
+      why_not_met = "the next mesh would end after Accuracy/Time limit = " +
+                    short_text(scene.goals.time_limit, 3) + " minutes";
+    else if (!has_memory_for(factor, comm))
+      why_not_met = "the next mesh would not fit into the memory";
+    if (!why_not_met.empty())
+      {
+        clear_marks(*mesh);
+        return false;
+      }
+    out << "  next: ";
+    if (next_quadratic.empty())
+      out << "about " << static_cast<unsigned int>(cells) << " cells, errors of the mesh times "
+          << short_text(control.expected_reduction());
+    else
+      out << "degree 2 for " << names_of(next_quadratic, scene.bodies);
+    out << ", " << short_text(seconds, 2) << " s" << std::endl;
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::enrich(const std::vector<unsigned int> &bodies)
+  {
+    for (const unsigned int body : bodies)
+      decisions.raise_degree(body);
+    mesh->set_degrees(decisions.degrees);
+    auto richer = make_elasticity(decisions, *mesh);
+    richer->setup(elasticity->time_of_supports());
+    State carried        = state;
+    carried.bulk_stress  = LA::Vector();
+    carried.displacement = enriched(*elasticity, state.displacement, *richer);
+    if (state.start.displacement.size() > 0)
+      carried.start.displacement = enriched(*elasticity, state.start.displacement, *richer);
+    replace_elasticity(std::move(richer), carried, equilibrium->follows(), contact->memory());
+  }
+
+
+
+  template <int dim>
+  ErrorEstimate
+  Simulation<dim>::judge(ErrorControl &control)
+  {
+    const ErrorEstimate estimate = estimate_errors();
+    const bool          is_end   = &control == &this->control;
+    if (is_end && end_judged_on)
+      control.replace_last(estimate.quantities);
+    else
+      control.add(estimate.quantities);
+    if (is_end)
+      end_judged_on = position.cycle;
+    report_errors(control);
+    return estimate;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::improve_step()
+  {
+    // Beside what there is at the end, a value that passes through zero need not be known.
+    constexpr double    small = 0.01;
+    std::vector<double> least;
+    for (const ErrorHistory &of_end : control.quantities())
+      least.push_back(of_end.size() > 0 ? small * std::abs(of_end.last().value) : 0.);
+    const bool         is_end = is_over();
+    ErrorControl       of_load(scene.goals, scene.refinement, least);
+    ErrorControl      &its        = is_end ? control : of_load;
+    const std::string  why_at_end = std::exchange(why_not_met, {});
+    const unsigned int most       = position.cycle + scene.most_cycles();
+    for (;;)
+      {
+        n_steps = report().steps.size();
+        if (position.cycle == most)
+          {
+            of_step = accuracy_results(scene.goals, its, judge(its));
+            break;
+          }
+        if (!improve(its))
+          break;
+        ++position.cycle;
+        equilibrium->find_contact();
+        report_set_up();
+        if (!solve(position.time, scene.newton.tolerance))
+          return false;
+      }
+    if (is_end)
+      return true;
+    const std::string why = what_was_missed(of_load);
+    of_step["met"]        = why.empty();
+    of_step["reason"]     = why;
+    recorder->add_targets(of_load, why, position.time);
+    why_not_met = why_at_end;
+    return true;
+  }
+
+
+
+  template <int dim>
+  std::string
+  Simulation<dim>::what_was_missed(const ErrorControl &control) const
+  {
+    if (!scene.goals.has_targets() || control.is_met())
+      return {};
+    if (!why_not_met.empty())
+      return why_not_met;
+    return control.is_met(true) ?
+             "the solver cannot do better" :
+             "Accuracy/Refinement cycles = " + std::to_string(scene.most_cycles());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::report_errors(const ErrorControl &control)
+  {
+    if (control.quantities().empty())
+      return;
+    std::ostringstream text;
+    print_accuracy(scene.goals, control, text);
+    out << text.str() << std::flush;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::estimate_result()
+  {
+    const ErrorEstimate estimate = judge(control);
+    recorder->add_accuracy(accuracy_results(scene.goals, control, estimate),
+                           control,
+                           what_was_missed(control));
+  }
+
+
+
+  template <int dim>
+  ErrorEstimate
+  Simulation<dim>::estimate_errors()
+  {
+    const Snapshot<dim>       now = equilibrium->snapshot(0);
+    std::vector<Functional>   functionals;
+    std::vector<DualSolution> duals;
+    for (const QuantityName &name : decisions.quantities())
+      {
+        functionals.push_back(functional(name, now, scene.output.probes));
+        duals.push_back(equilibrium->dual(functionals.back()));
+      }
+    TimerOutput::Scope scope(timer, "estimate");
+    const Predictor    predictor = scene.contact.chosen().predictor();
+    const bool         is_consistent =
+      predictor == Predictor::multiplier || predictor == Predictor::normal_stress;
+    return error_estimate(now,
+                          functionals,
+                          duals,
+                          is_consistent,
+                          equilibrium->follows() ? 0. : equilibrium->neglected().value_or(0.));
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template bool          Simulation<dim>::improve(ErrorControl &);                                 \
+  template bool          Simulation<dim>::mark(const ErrorControl &, const ErrorEstimate &);       \
+  template ErrorEstimate Simulation<dim>::judge(ErrorControl &);                                   \
+  template bool          Simulation<dim>::improve_step();                                          \
+  template std::string   Simulation<dim>::what_was_missed(const ErrorControl &) const;             \
+  template void          Simulation<dim>::enrich(const std::vector<unsigned int> &);               \
+  template void          Simulation<dim>::report_errors(const ErrorControl &);                     \
+  template void          Simulation<dim>::estimate_result();                                       \
+  template ErrorEstimate Simulation<dim>::estimate_errors();
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

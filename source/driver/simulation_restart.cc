@@ -1,0 +1,313 @@
+#include "checkpoint/cells.h"
+#include "checkpoint/origin.h"
+#include "output/accuracy_results.h"
+#include "parameters/text.h"
+#include "driver/simulation.h"
+
+#include <fstream>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Places = std::vector<std::pair<FaceId, std::vector<PlaceValue>>>;
+
+    /// What each rank writes for itself: the state, and the start of its load step, if contact
+    /// depends on that.
+    struct Part
+    {
+      std::vector<CellValues> displacement, start_displacement;
+      Places                  contact, start_contact;
+      CellVariables           material, start_material;
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &displacement &contact &material &start_displacement &start_contact &start_material;
+      }
+    };
+
+    template <typename T>
+    void
+    append(const std::vector<T> &from, std::vector<T> &to)
+    {
+      to.insert(to.end(), from.begin(), from.end());
+    }
+
+    Places
+    places_of(const SurfaceField &field)
+    {
+      return {field.values().begin(), field.values().end()};
+    }
+
+    SurfaceField
+    field_of(const Places &places, const unsigned int dim)
+    {
+      SurfaceField result(dim);
+      for (const auto &[face, values] : places)
+        result.set(face, values);
+      return result;
+    }
+
+    /// All that some ranks have written.
+    Part
+    joined(const std::vector<std::string> &texts)
+    {
+      Part result;
+      for (const std::string &text : texts)
+        {
+          const std::vector<char> bytes(text.begin(), text.end());
+          const Part              part = Utilities::unpack<Part>(bytes, false);
+          append(part.displacement, result.displacement);
+          append(part.contact, result.contact);
+          append(part.start_displacement, result.start_displacement);
+          append(part.start_contact, result.start_contact);
+          result.material.insert(part.material.begin(), part.material.end());
+          result.start_material.insert(part.start_material.begin(), part.start_material.end());
+        }
+      return result;
+    }
+
+    std::string
+    megabytes(const double bytes)
+    {
+      return short_text(bytes / 1e6, 3) + " MB";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::optional<ExitCode>
+  Simulation<dim>::code_of_finished_run() const
+  {
+    std::ifstream file(scene.output.directory + "/results.json");
+    const Json    results = Json::parse(file, nullptr, false);
+    if (!results.is_object() || !results.value("complete", false))
+      return {};
+    const int code = results.at("exit_code");
+    out << "The run in " << scene.output.directory << " is finished, with exit code " << code
+        << ": nothing was done." << std::endl;
+    return static_cast<ExitCode>(code);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::find_checkpoint()
+  {
+    checkpoints = std::make_unique<Checkpoints>(recorder->directory(), comm);
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      {
+        if (!goes_on)
+          write_origin(recorder->directory(), origin_of(scene.name, text_with_defaults(decisions)));
+        origin = checksum_of_origin(recorder->directory());
+      }
+    origin = Utilities::MPI::broadcast(comm, origin);
+    if (!goes_on)
+      return;
+    former = checkpoints->newest(out);
+    if (!former)
+      {
+        out << "There is no checkpoint yet: the run starts from the beginning." << std::endl;
+        recorder->restore({});
+        return;
+      }
+    const Json &head = former->head;
+    if (head.at("origin") != origin)
+      throw SceneError("--restart " + recorder->directory() + ": " + former->name +
+                       " and restart.scene are of different runs; solve the scene from the start");
+    position = {head.at("cycle"), head.at("time"), head.at("step"), head.at("longest")};
+    out << "Restart from " << recorder->directory() << "/" << former->name << ", written by "
+        << head.at("parts").size() << " ranks: mesh " << position.cycle << ", load step "
+        << position.step << ", t = " << position.time << std::endl;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::restore_decisions()
+  {
+    decisions.load(former->head.at("decisions"));
+    if (const double share = former->head.value("neglected_work", -1.); share >= 0)
+      neglected_work = share;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::restore_mesh()
+  {
+    restore_cells(*mesh, joined(former->parts).displacement);
+    check_mark(*mesh, former->head.at("mesh"));
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::restore_state()
+  {
+    const Json &head = former->head;
+    const Part  part = joined(former->parts);
+    contact->remember(head.at("pairs"));
+    const auto displacement = [&](const std::vector<CellValues> &cells, const char *rigid_motion) {
+      const std::vector<double> rigid  = head.at(rigid_motion);
+      LA::Vector                result = vector_of_cells(*elasticity, cells);
+      elasticity->set_rigid_motion(rigid, result);
+      return result;
+    };
+    State there;
+    there.displacement = displacement(part.displacement, "rigid_motion");
+    there.contact      = field_of(part.contact, dim);
+    there.time         = head.at("state_time");
+    if (head.contains("rigid_motion_at_start"))
+      there.start = {displacement(part.start_displacement, "rigid_motion_at_start"),
+                     field_of(part.start_contact, dim),
+                     part.start_material,
+                     head.at("duration")};
+    there.material = part.material;
+    equilibrium->set_state(there, head.at("follows"));
+    former_cycles  = head.at("multigrid_cycles");
+    former_seconds = head.at("mesh_seconds");
+    recorder->restore(head.at("results"));
+    for (const Json &cycle : recorder->cycles())
+      if (!cycle.at("accuracy").contains("time")) // of the end of the load history
+        control.add(quantities_of(cycle.at("accuracy")));
+    tolerance = head.at("tolerance");
+    former.reset();
+    is_restored = true;
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::is_over() const
+  {
+    return position.time >= scene.load_steps.ends().back();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::reach()
+  {
+    Json head = {{"cycle", position.cycle},
+                 {"time", position.time},
+                 {"step", position.step},
+                 {"longest", position.longest},
+                 {"state_time", state.time},
+                 {"follows", equilibrium->follows()},
+                 {"tolerance", tolerance},
+                 {"decisions", decisions.save()},
+                 {"neglected_work", neglected_work.value_or(-1)},
+                 {"multigrid_cycles", multigrid_cycles()},
+                 {"rigid_motion", elasticity->rigid_motion(state.displacement)},
+                 {"pairs", contact->memory()}};
+    if (state.start.displacement.size() > 0)
+      {
+        head["rigid_motion_at_start"] = elasticity->rigid_motion(state.start.displacement);
+        head["duration"]              = state.start.duration;
+      }
+    reached = Reached{state, head};
+    if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_over())
+      return; // nothing to lose
+
+    has_gained = true;
+    ++steps_since;
+    const OutputSettings<dim> &settings = scene.output;
+    const double               passed   = clock.wall_time() - written_at;
+    const bool                 is_due =
+      (settings.checkpoint_steps > 0 &&
+       (steps_since >= settings.checkpoint_steps || position.step == 0)) ||
+      (settings.checkpoint_minutes > 0 && passed >= 60 * settings.checkpoint_minutes);
+    if (Utilities::MPI::max(int(is_due), comm))
+      write_checkpoint();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_checkpoint()
+  {
+    TimerOutput::Scope scope(timer, "checkpoint");
+    Json               head = reached->head;
+    head["origin"]          = origin;
+    head["mesh_seconds"]    = mesh_seconds();
+    head["mesh"]            = mark_of_mesh(*mesh);
+    head["results"]         = recorder->memory();
+    const State &now        = reached->state;
+    Part         part;
+    part.displacement = values_of_cells(*elasticity, now.displacement);
+    part.contact      = places_of(now.contact);
+    part.material     = now.material;
+    if (now.start.displacement.size() > 0)
+      {
+        part.start_displacement = values_of_cells(*elasticity, now.start.displacement);
+        part.start_contact      = places_of(now.start.contact);
+        part.start_material     = now.start.material;
+      }
+    const std::vector<char> bytes = Utilities::pack(part, false);
+    if (checkpoints->write(head, {bytes.begin(), bytes.end()}))
+      out << "  checkpoint after load step " << head["step"] << ": "
+          << megabytes(checkpoints->bytes()) << " in " << short_text(checkpoints->seconds(), 2)
+          << " s" << std::endl;
+    else
+      out << "  WARNING: the checkpoint cannot be written; is the disk full? The former one stays, "
+          << "and the run goes on" << std::endl;
+    if (interruption)
+      interruption->set_reserve(2 * checkpoints->seconds() + 1);
+    written_at  = clock.wall_time();
+    steps_since = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::leave_checkpoint()
+  {
+    if (reached && steps_since > 0)
+      write_checkpoint();
+  }
+
+
+
+  template <int dim>
+  StepVisitor
+  Simulation<dim>::watch()
+  {
+    const StepVisitor print = print_steps(out);
+    return [this, print](const NewtonStep &step) {
+      print(step);
+      look_for_interruption();
+    };
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template std::optional<ExitCode> Simulation<dim>::code_of_finished_run() const;                  \
+  template bool                    Simulation<dim>::is_over() const;                               \
+  template void                    Simulation<dim>::find_checkpoint();                             \
+  template void                    Simulation<dim>::restore_decisions();                           \
+  template void                    Simulation<dim>::restore_mesh();                                \
+  template void                    Simulation<dim>::restore_state();                               \
+  template void                    Simulation<dim>::reach();                                       \
+  template void                    Simulation<dim>::write_checkpoint();                            \
+  template void                    Simulation<dim>::leave_checkpoint();                            \
+  template StepVisitor             Simulation<dim>::watch();
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,162 @@
+#include "driver/state.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The history of all points, a vector a number; see PlaceValue.
+    PointVectors
+    history_of(const GapOperator &contact, const ContactState &state)
+    {
+      const auto &tangents = contact.tangential.at_rest;
+      const auto  at_rest  = [&](const PointVectors &components, PointVectors &result) {
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            result.push_back(contact.zero());
+            for (unsigned int a = 0; a < tangents.size() && d < tangents[a].size(); ++a)
+              {
+                LA::Vector term = components[a];
+                term.scale(tangents[a][d]);
+                result.back() += term;
+              }
+          }
+      };
+      PointVectors result;
+      if (!tangents.empty())
+        at_rest({state.traction.begin() + 1, state.traction.end()}, result);
+      for (const PointVectors &vector : state.internal.vectors)
+        at_rest(vector, result);
+      result.insert(result.end(), state.internal.scalars.begin(), state.internal.scalars.end());
+      return result;
+    }
+
+    /// The other way about.
+    void
+    take_history(const GapOperator &contact, const PointVectors &history, ContactState &state)
+    {
+      const auto  &tangents = contact.tangential.at_rest;
+      unsigned int next     = 0;
+      const auto   along    = [&](const unsigned int a) {
+        LA::Vector result = contact.zero();
+        for (unsigned int d = 0; d < tangents[a].size(); ++d)
+          {
+            LA::Vector term = history[next + d];
+            term.scale(tangents[a][d]);
+            result += term;
+          }
+        return result;
+      };
+      for (unsigned int a = 0; a < tangents.size(); ++a)
+        state.traction[a + 1] = along(a);
+      next += tangents.empty() ? 0 : 3;
+      for (PointVectors &vector : state.internal.vectors)
+        {
+          for (unsigned int a = 0; a < vector.size(); ++a)
+            vector[a] = along(a);
+          next += 3;
+        }
+      for (LA::Vector &scalar : state.internal.scalars)
+        scalar = history[next++];
+    }
+  } // namespace
+
+
+
+  SurfaceField
+  places_of_rows(const GapOperator &contact, const ContactState &state, const unsigned int dim)
+  {
+    const auto with_ghosts = [&](const LA::Vector &rows) {
+      LA::Vector result(contact.weight.locally_owned_elements(),
+                        contact.origin.readable,
+                        contact.weight.get_mpi_communicator());
+      result = rows;
+      return result;
+    };
+    SurfaceField result(dim);
+    if (contact.empty())
+      return result;
+    const LA::Vector p = with_ghosts(state.pressure()), s = with_ghosts(state.status);
+    PointVectors     history;
+    for (const LA::Vector &number : history_of(contact, state))
+      history.push_back(with_ghosts(number));
+    for (const FacePlaces &face : contact.origin.places)
+      {
+        std::vector<PlaceValue> values;
+        for (const auto &[place, rows] : face.places)
+          {
+            PlaceValue value;
+            value.place = place;
+            value.history.assign(history.size(), 0.);
+            for (const auto &[row, weight] : rows)
+              {
+                value.pressure += weight * p(row);
+                value.status = std::max(value.status, double(s(row)));
+                for (unsigned int k = 0; k < history.size(); ++k)
+                  value.history[k] += weight * history[k](row);
+              }
+            values.push_back(value);
+          }
+        result.set(face.id, values);
+      }
+    return result;
+  }
+
+
+
+  ContactState
+  rows_of_places(const SurfaceField   &field,
+                 const GapOperator    &contact,
+                 const InternalFields &internal)
+  {
+    // Not by copying one to the other: where as many rows lie on other ranks than before, a copy
+    // would keep the old layout on some of them.
+    ContactState state{contact.zeros(), contact.zero(), internal};
+    if (contact.empty())
+      return state;
+    const MPI_Comm      comm = contact.weight.get_mpi_communicator();
+    std::vector<FaceId> wanted;
+    for (const FacePlaces &face : contact.origin.places)
+      wanted.push_back(face.id);
+    const SurfaceField known = field.known_at(wanted, comm);
+
+    // Faces around a node all know it. A copy of another vector would bring along what that one had
+    // for other ranks.
+    const IndexSet    &owned     = contact.weight.locally_owned_elements();
+    const unsigned int n_history = history_of(contact, state).size();
+    PointVectors       sums(3 + n_history); // number, pressure, status, history
+    for (LA::Vector &sum : sums)
+      sum.reinit(owned, comm);
+    for (const FacePlaces &face : contact.origin.places)
+      for (const auto &[place, rows] : face.places)
+        if (rows.size() == 1)
+          if (const auto value = known.at(face.id, place))
+            {
+              const auto row = rows.front().first;
+              sums[0](row) += 1;
+              sums[1](row) += value->pressure;
+              sums[2](row) += value->status;
+              for (unsigned int k = 0; k < n_history && k < value->history.size(); ++k)
+                sums[3 + k](row) += value->history[k];
+            }
+    for (LA::Vector &sum : sums)
+      sum.compress(VectorOperation::add);
+    PointVectors history(n_history, contact.zero());
+    for (const auto i : owned)
+      if (const double n = sums[0](i); n > 0)
+        {
+          state.traction[0](i) = sums[1](i) / n;
+          // Of faces around a node that do not agree, those that are closed count if they are half.
+          state.status(i) = sums[2](i) > 0.5 * n ? std::max(1., std::round(sums[2](i) / n)) : 0.;
+          for (unsigned int k = 0; k < n_history; ++k)
+            history[k](i) = sums[3 + k](i) / n;
+        }
+    state.traction[0].compress(VectorOperation::insert);
+    state.status.compress(VectorOperation::insert);
+    for (LA::Vector &number : history)
+      number.compress(VectorOperation::insert);
+    take_history(contact, history, state);
+    return state;
+  }
+} // namespace Signorini

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "solid/elasticity.h"
+
+#include <array>
+#include <vector>
+
+namespace Signorini
+{
+  template <int dim>
+  struct ValueAtPlace
+  {
+    double             value = 0;
+    dealii::Point<dim> place; ///< at rest
+  };
+
+  /// Of one body, at the superconvergent points of its cells: what a cell knows best, half a cell
+  /// and more below the surface.
+  template <int dim>
+  struct LargestStresses
+  {
+    ValueAtPlace<dim> von_mises, shear, principal; ///< (s1 - s3)/2 of Tresca; most tensile
+  };
+
+  /// Body by body. Collective.
+  template <int dim>
+  std::vector<LargestStresses<dim>>
+  largest_stresses(const Elasticity<dim> &elasticity, const LA::Vector &displacement);
+} // namespace Signorini

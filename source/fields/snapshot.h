@@ -1,0 +1,25 @@
+#pragma once
+
+#include "contact/laws/contact_state.h"
+
+#include <vector>
+
+namespace Signorini
+{
+  /// One solution with what is needed to draw it. Refers to its parts, does not own them.
+  template <int dim>
+  struct Snapshot
+  {
+    const Elasticity<dim>                  &elasticity;
+    const std::vector<ContactPair<dim>>    &pairs;
+    const std::vector<ContactSurface<dim>> &surfaces; ///< pair by pair
+    const GapOperator                      &contact;
+    const LA::Vector                       &displacement; ///< owned, satisfies its constraints
+    /// At the contact points: gap positive when open, pressure positive in compression, active 1 or
+    /// 0, or 2 where it changes to and fro, of a load step that was not solved.
+    const LA::Vector   &gap, &pressure, &active;
+    const ContactState &contact_state;
+    double              time;
+    unsigned int        step;
+  };
+} // namespace Signorini

@@ -1,0 +1,259 @@
+#include "geometry/quadratic_manifold.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Place of a node of MeshFile::Element in the lattice of 3^dim points, as ix + 3 iy + 9 iz.
+    template <int dim>
+    unsigned int
+    lattice_point(const unsigned int node)
+    {
+      if (dim == 2)
+        return std::array<unsigned int, 9>{{0, 2, 8, 6, 1, 5, 7, 3, 4}}[node];
+      return std::array<unsigned int, 27>{{0,  2,  8, 6,  18, 20, 26, 24, 1,  5,  7, 3,  19, 23,
+                                           25, 21, 9, 11, 17, 15, 12, 14, 10, 16, 4, 22, 13}}[node];
+    }
+
+
+
+    /// The lattice point as numbers 0, 1, 2 in each direction.
+    template <int dim>
+    std::array<unsigned int, dim>
+    indices_of(unsigned int point)
+    {
+      std::array<unsigned int, dim> indices;
+      for (unsigned int &index : indices)
+        {
+          index = point % 3;
+          point /= 3;
+        }
+      return indices;
+    }
+
+
+
+    /// In how many directions is the point in the middle?
+    template <int dim>
+    unsigned int
+    n_middles(const unsigned int point)
+    {
+      unsigned int n = 0;
+      for (const unsigned int index : indices_of<dim>(point))
+        n += index == 1;
+      return n;
+    }
+
+
+
+    /// Does point b lie on the smallest edge, face or cell around a?
+    template <int dim>
+    bool
+    is_around(const unsigned int a, const unsigned int b)
+    {
+      const auto i = indices_of<dim>(a), j = indices_of<dim>(b);
+      for (unsigned int d = 0; d < dim; ++d)
+        if (i[d] != 1 && i[d] != j[d])
+          return false;
+      return true;
+    }
+
+
+
+    /// Value of a function on the lattice that corners (and, if wanted, edges) define, by the
+    /// multilinear (the serendipity) functions.
+    template <int dim>
+    Point<dim>
+    filled(const std::vector<Point<dim>> &points, const unsigned int a, const bool by_edges)
+    {
+      Point<dim>         sum;
+      const unsigned int n_points = points.size(), m = n_middles<dim>(a);
+      for (unsigned int b = 0; b < n_points; ++b)
+        if (is_around<dim>(a, b))
+          {
+            if (n_middles<dim>(b) == 0)
+              sum += (by_edges ? -0.25 : std::pow(0.5, m)) * points[b];
+            else if (by_edges && n_middles<dim>(b) == 1)
+              sum += (m == 2 ? 0.5 : 0.25) * points[b];
+          }
+      return sum;
+    }
+
+
+
+    /// Quadratic functions in one dimension, which are 1 at 0, 1/2, 1; and their derivatives.
+    std::array<double, 3>
+    values(const double x)
+    {
+      return {{(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)}};
+    }
+
+    std::array<double, 3>
+    slopes(const double x)
+    {
+      return {{4 * x - 3, 4 - 8 * x, 4 * x - 1}};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  QuadraticMap<dim>::QuadraticMap(const std::vector<Point<dim>> &nodes)
+    : points(Utilities::pow(3, dim))
+    , size(0)
+  {
+    for (unsigned int node = 0; node < nodes.size(); ++node)
+      {
+        points[lattice_point<dim>(node)] = nodes[node];
+        size                             = std::max(size, nodes[node].distance(nodes[0]));
+      }
+    for (unsigned int node = nodes.size(); node < points.size(); ++node)
+      points[lattice_point<dim>(node)] = filled(points, lattice_point<dim>(node), true);
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  QuadraticMap<dim>::value(const Point<dim> &xi) const
+  {
+    std::array<std::array<double, 3>, dim> v;
+    for (unsigned int d = 0; d < dim; ++d)
+      v[d] = values(xi[d]);
+    Point<dim> x;
+    for (unsigned int p = 0; p < points.size(); ++p)
+      {
+        const auto i      = indices_of<dim>(p);
+        double     weight = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+          weight *= v[d][i[d]];
+        x += weight * points[p];
+      }
+    return x;
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
+  QuadraticMap<dim>::gradient(const Point<dim> &xi) const
+  {
+    std::array<std::array<double, 3>, dim> v, s;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        v[d] = values(xi[d]);
+        s[d] = slopes(xi[d]);
+      }
+    Tensor<2, dim> result;
+    for (unsigned int p = 0; p < points.size(); ++p)
+      {
+        const auto i = indices_of<dim>(p);
+        for (unsigned int e = 0; e < dim; ++e)
+          {
+            double weight = 1;
+            for (unsigned int d = 0; d < dim; ++d)
+              weight *= d == e ? s[d][i[d]] : v[d][i[d]];
+            for (unsigned int c = 0; c < dim; ++c)
+              result[c][e] += weight * points[p][c];
+          }
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  QuadraticMap<dim>::inverse(const Point<dim> &x) const
+  {
+    Point<dim> xi;
+    for (unsigned int d = 0; d < dim; ++d)
+      xi[d] = 0.5;
+    // The lattice point next to x is a start from which Newton's method does not go astray.
+    double nearest = x.distance(value(xi));
+    for (unsigned int p = 0; p < points.size(); ++p)
+      if (x.distance(points[p]) < nearest)
+        {
+          nearest      = x.distance(points[p]);
+          const auto i = indices_of<dim>(p);
+          for (unsigned int d = 0; d < dim; ++d)
+            xi[d] = 0.5 * i[d];
+        }
+
+    Tensor<1, dim> residual = x - value(xi);
+    for (unsigned int step = 0; step < 50 && residual.norm() > 1e-15 * size; ++step)
+      {
+        const Tensor<1, dim> direction = invert(gradient(xi)) * residual;
+        // Shorten the step until it helps; at the level of rounding, none does.
+        double         factor = 1;
+        Tensor<1, dim> next   = x - value(xi + direction);
+        while (!(next.norm() < residual.norm()) && factor > 1e-3)
+          {
+            factor /= 2;
+            next = x - value(xi + factor * direction);
+          }
+        if (!(next.norm() < residual.norm()))
+          break;
+        xi += factor * direction;
+        residual = next;
+      }
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * x.norm();
+    if (residual.norm() > 1e-10 * size + rounding)
+      {
+        std::ostringstream place;
+        place << x;
+        throw std::runtime_error("A cell of second order has no point (" + place.str() +
+                                 "): its shape cannot be inverted there.");
+      }
+    return xi;
+  }
+
+
+
+  template <int dim>
+  bool
+  QuadraticMap<dim>::is_multilinear() const
+  {
+    for (unsigned int p = 0; p < points.size(); ++p)
+      if (n_middles<dim>(p) > 0 && points[p].distance(filled(points, p, false)) > 1e-8 * size)
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  QuadraticMap<dim>::is_invertible() const
+  {
+    constexpr unsigned int n        = 5; // a direction: the nodes, and one between each two
+    bool                   positive = false, negative = false;
+    for (unsigned int p = 0; p < Utilities::pow(n, dim); ++p)
+      {
+        Point<dim> xi;
+        for (unsigned int d = 0, rest = p; d < dim; ++d, rest /= n)
+          xi[d] = (rest % n) / (n - 1.);
+        const double volume = determinant(gradient(xi));
+        positive |= volume >= 0;
+        negative |= volume <= 0;
+      }
+    return positive != negative;
+  }
+
+
+
+  template class QuadraticMap<2>;
+  template class QuadraticMap<3>;
+  template class QuadraticManifold<2>;
+  template class QuadraticManifold<3>;
+} // namespace Signorini

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "linear_algebra/types.h"
+
+namespace Signorini
+{
+  namespace LA
+  {
+    /// Of a square matrix.
+    Vector
+    diagonal(const SparseMatrix &matrix);
+
+    /// Add what is positive to the diagonal of a square matrix that has places for it, and
+    /// compress. Collective.
+    void
+    add_to_diagonal(SparseMatrix &matrix, const Vector &terms);
+
+    /// Each element becomes its reciprocal; zero becomes the largest number, for the levels of a
+    /// multigrid method may have empty rows.
+    void
+    invert(Vector &v);
+
+    /// Multiply row i by factors(i).
+    void
+    scale_rows(SparseMatrix &matrix, const Vector &factors);
+
+    /// Multiply column j by factors(j).
+    void
+    scale_columns(SparseMatrix &matrix, const Vector &factors);
+  } // namespace LA
+} // namespace Signorini

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "materials/stretch_energy.h"
+
+namespace Signorini
+{
+  /// W = mu (e1^2 + e2^2 + e3^2) + lambda/2 (e1 + e2 + e3)^2 of the logarithmic strains.
+  class Hencky : public StretchEnergy
+  {
+  public:
+    Hencky(double lambda, double mu);
+
+  protected:
+    Derivatives
+    derivatives(const std::array<double, 3> &log_stretches) const override;
+
+  private:
+    const double lambda, mu;
+  };
+} // namespace Signorini

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "materials/hyperelastic.h"
+
+#include <array>
+
+namespace Signorini
+{
+  /// W of I1 = tr C, I2 = ((tr C)^2 - tr C^2)/2 and J = sqrt(det C), in this order.
+  class InvariantEnergy : public Hyperelastic
+  {
+  public:
+    struct Derivatives
+    {
+      double                               value = 0;
+      std::array<double, 3>                first{};
+      std::array<std::array<double, 3>, 3> second{}; ///< symmetric
+    };
+
+    ConstitutiveResponse
+    at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const override;
+
+  protected:
+    virtual Derivatives
+    derivatives(double I1, double I2, double J) const = 0;
+  };
+} // namespace Signorini

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "solid/elasticity.h"
+#include "matrix_free/cell_kernel.h"
+
+#include <vector>
+
+namespace Signorini
+{
+  /// A space of displacements in three dimensions as kernels see it: cells, degrees of freedom and
+  /// constraints, of the finest mesh or of a coarser one.
+  struct CellSpace
+  {
+    dealii::IndexSet                  owned; ///< degrees of freedom, those of rigid bodies last
+    std::vector<KernelCells>          cells; ///< of this rank, one a degree; nodes by global index
+    dealii::AffineConstraints<double> constraints; ///< of all that these cells touch
+    LA::Vector diagonal_terms; ///< what K has on its diagonal beyond the stiffness of cells
+    MPI_Comm   comm;
+  };
+
+  /// That of the bodies on the present mesh; a degree's cells are in the order of the mesh.
+  CellSpace
+  cell_space(const Elasticity<3> &elasticity);
+
+  /// The same with neither places nor moduli.
+  CellSpace
+  bare_cell_space(const Elasticity<3> &elasticity);
+
+  /// K assembled. Collective.
+  void
+  assemble(const CellSpace &space, LA::SparseMatrix &K);
+} // namespace Signorini

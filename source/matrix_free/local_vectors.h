@@ -1,0 +1,106 @@
+#pragma once
+
+#include "linear_algebra/ghost_exchange.h"
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+  /// Between vectors of all degrees of freedom and what a rank needs of them for the cells that it
+  /// owns: an array with its own degrees of freedom first, and then copies of those of others that
+  /// these cells touch, or that what they touch hangs on. Homogeneous constraints, u = C u_free,
+  /// are dealt with here, so that loops over cells know nothing of them.
+  template <typename Number>
+  class LocalVectors
+  {
+  public:
+    /// Collective.
+    /// @param nodes by their first degrees of freedom of three, those that this rank needs; lists
+    /// may name one more than once
+    LocalVectors(const dealii::IndexSet                                &owned,
+                 const std::vector<const std::vector<std::uint32_t> *> &nodes,
+                 const dealii::AffineConstraints<double>               &constraints,
+                 MPI_Comm                                               comm);
+
+    /// Where a degree of freedom is in the arrays.
+    std::uint32_t
+    place(const dealii::types::global_dof_index dof) const
+    {
+      return exchange->place(dof);
+    }
+
+    /// The inverse of place().
+    dealii::types::global_dof_index
+    dof(const std::uint32_t place) const
+    {
+      return exchange->dof(place);
+    }
+
+    /// Calls act(degree of freedom, weight) for what the element of C u at a place is the sum of.
+    template <typename Action>
+    void
+    for_each_element(std::uint32_t place, const Action &act) const;
+
+    /// The array of C u with the elements of u that this rank owns; constrained ones do not count.
+    /// Collective. Valid, as the other one, until the next call. One more element may be read.
+    const Number *
+    resolve(const Number *u) const;
+
+    /// An array of zeros for the result.
+    Number *
+    zero() const;
+
+    /// C^T f of the degrees of freedom of this rank, with the array f that zero() returned, in its
+    /// place; zero at constrained elements. Collective.
+    Number *
+    condense() const;
+
+    /// The same for the diagonal f of a matrix, without the products of different elements, and
+    /// with constrained elements left as they are.
+    Number *
+    condense_diagonal() const;
+
+    /// The largest of f on all ranks, without regard to constraints.
+    Number *
+    largest() const;
+
+    /// Places of constrained elements of this rank.
+    const std::vector<std::uint32_t> &
+    owned_constrained() const
+    {
+      return my_owned_constrained;
+    }
+
+  private:
+    Number *
+    sum() const;
+
+    std::unique_ptr<const LA::GhostExchange<Number>> exchange;
+
+    // Constrained element k of the arrays is the sum of weights times elements from first[k] on.
+    // They are sorted.
+    std::vector<std::uint32_t>  constrained, first, elements, my_owned_constrained;
+    std::vector<Number>         weights;
+    mutable std::vector<Number> of_u, of_f;
+  };
+
+
+
+  template <typename Number>
+  template <typename Action>
+  void
+  LocalVectors<Number>::for_each_element(const std::uint32_t place, const Action &act) const
+  {
+    const auto line = std::lower_bound(constrained.begin(), constrained.end(), place);
+    if (line == constrained.end() || *line != place)
+      return act(dof(place), 1.);
+    const std::size_t k = line - constrained.begin();
+    for (std::uint32_t e = first[k]; e < first[k + 1]; ++e)
+      act(dof(elements[e]), weights[e]);
+  }
+} // namespace Signorini

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <signorini/mesh/generator.h>
+#include "mesh_import/curved_boundary.h"
+#include "mesh_import/file_part.h"
+
+namespace Signorini
+{
+  /// True if a file is there; false also for names that no file can have.
+  bool
+  file_exists(const std::string &name);
+
+  /// Where a file is: as named, or in that folder; the name itself if it is not there.
+  std::string
+  found_beside_scene(const std::string &file, const std::string &folder);
+
+  /// A mesh file, or one part of it. Boundaries: the names that the file gives to faces of the
+  /// part, and `unnamed`, or `unnamed1` and so on, for faces without.
+  template <int dim>
+  class FileMesh : public MeshGenerator<dim>
+  {
+  public:
+    void
+    declare(Section &section) override;
+
+    /// The mesh must be good, and the names in the section in it.
+    std::vector<std::string>
+    read_file(const std::string &folder) override;
+
+    std::vector<std::string>
+    boundaries() const override
+    {
+      return mesh.boundaries;
+    }
+
+    CoarseMesh<dim>
+    generate() const override
+    {
+      return mesh;
+    }
+
+    bool
+    has_temperature() const override
+    {
+      return !temperature_field.empty();
+    }
+
+    const std::vector<double> &
+    temperature() const override
+    {
+      return temperatures;
+    }
+
+    bool
+    curved() const override
+    {
+      return is_curved;
+    }
+
+    std::vector<std::string>
+    node_sets() const override
+    {
+      return nodes.names();
+    }
+
+    NodeSet<dim>
+    node_set(const std::string &name) const override
+    {
+      return nodes.find(name);
+    }
+
+    std::vector<std::string>
+    cell_sets() const override
+    {
+      std::vector<std::string> names;
+      for (const auto &[name, cells] : sets_of_cells)
+        names.push_back(name);
+      return names;
+    }
+
+    std::vector<unsigned int>
+    cell_set(const std::string &name) const override
+    {
+      const auto found = sets_of_cells.find(name);
+      return found == sets_of_cells.end() ? std::vector<unsigned int>() : found->second;
+    }
+
+    std::string
+    needs_pair() const override
+    {
+      return unless_pair;
+    }
+
+  private:
+    /// The sets that the scene makes, as if they were in the file.
+    void
+    add_sets(MeshFile &all, std::string &key) const;
+
+    /// Divide cells that are no quadrilaterals or hexahedra. Returns how to go on.
+    /// @param notes what was divided is added
+    FileSelection
+    divide(MeshFile &all, std::vector<std::string> &notes) const;
+
+    std::string   file, curved_text = "automatic", temperature_field;
+    std::string   node_set_text, face_set_text, cell_set_text;
+    FileSelection selection;
+    bool          mid_side_nodes = true;
+    std::vector<CurvedBoundary<dim>>   surfaces; ///< those that `curved_text` names
+    std::map<std::string, std::string> place_of; ///< keys, in the scene
+
+    CoarseMesh<dim>                                  mesh;
+    std::vector<double>                              temperatures; ///< at its vertices
+    FileNodes<dim>                                   nodes;
+    std::map<std::string, std::vector<unsigned int>> sets_of_cells;
+    std::string                                      unless_pair;
+    bool                                             is_curved = false;
+  };
+} // namespace Signorini

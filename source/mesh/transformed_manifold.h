@@ -1,0 +1,58 @@
+#pragma once
+
+#include <signorini/geometry/coarse_mesh.h>
+#include "mesh/invertible_map.h"
+
+namespace Signorini
+{
+  /// The image of a manifold under a map: new points are found before the map and then mapped.
+  template <int dim>
+  class TransformedManifold : public dealii::Manifold<dim>
+  {
+  public:
+    using Points = dealii::ArrayView<const dealii::Point<dim>>;
+
+    /// No base stands for flat space.
+    TransformedManifold(std::shared_ptr<const InvertibleMap<dim>>    map,
+                        std::shared_ptr<const dealii::Manifold<dim>> base = nullptr);
+
+    std::unique_ptr<dealii::Manifold<dim>>
+    clone() const override;
+
+    dealii::Point<dim>
+    get_intermediate_point(const dealii::Point<dim> &p1,
+                           const dealii::Point<dim> &p2,
+                           double                    w) const override;
+
+    dealii::Point<dim>
+    get_new_point(const Points                          &surrounding,
+                  const dealii::ArrayView<const double> &weights) const override;
+
+    void
+    get_new_points(const Points                         &surrounding,
+                   const dealii::Table<2, double>       &weights,
+                   dealii::ArrayView<dealii::Point<dim>> new_points) const override;
+
+    dealii::Point<dim>
+    project_to_manifold(const Points             &surrounding,
+                        const dealii::Point<dim> &candidate) const override;
+
+    dealii::Tensor<1, dim>
+    get_tangent_vector(const dealii::Point<dim> &x1, const dealii::Point<dim> &x2) const override;
+
+  private:
+    std::vector<dealii::Point<dim>>
+    before_map(const Points &points) const;
+
+    std::shared_ptr<const InvertibleMap<dim>>    map;
+    std::shared_ptr<const dealii::Manifold<dim>> base;
+  };
+
+  /// Move the mesh by x = F(X). Afterwards every cell, face and line has a manifold, the
+  /// transformed former one, so that refined points lie exactly where F puts them; but a mesh that
+  /// stays straight needs none. Returns true if it is curved now. Throws SceneError if F leaves
+  /// components free, is not finite, or turns cells inside out.
+  template <int dim>
+  bool
+  transform(CoarseMesh<dim> &mesh, bool is_curved, const VectorExpression<dim> &F);
+} // namespace Signorini

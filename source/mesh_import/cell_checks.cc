@@ -1,0 +1,106 @@
+#include "mesh_import/cell_checks.h"
+#include "mesh_import/cells.h"
+#include <signorini/parameters/raw.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The corners of a cell, as the volumes of the edges there are.
+    struct Corners
+    {
+      std::vector<unsigned int> positive, negative, flat;
+    };
+
+
+
+    template <int dim>
+    Corners
+    corners_of(const CellData<dim> &cell, const std::vector<Point<dim>> &vertices)
+    {
+      Point<dim>     corners[GeometryInfo<dim>::vertices_per_cell];
+      Tensor<0, dim> volumes[GeometryInfo<dim>::vertices_per_cell];
+      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+        corners[v] = vertices[cell.vertices[v]];
+      GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
+
+      Corners result;
+      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+        {
+          double edges = 1;
+          for (unsigned int d = 0; d < dim; ++d)
+            edges *= corners[v].distance(corners[v ^ (1u << d)]);
+          const double rounding = 1e-10 * edges;
+          (std::abs(volumes[v]) <= rounding ? result.flat :
+           volumes[v] > 0                   ? result.positive :
+                                              result.negative)
+            .push_back(v);
+        }
+      return result;
+    }
+
+
+
+    /// The corner to be named: a flat one, or one of those that differ from the most.
+    unsigned int
+    worst(const Corners &corners)
+    {
+      if (!corners.flat.empty())
+        return corners.flat[0];
+      return corners.positive.size() < corners.negative.size() ? corners.positive[0] :
+                                                                 corners.negative[0];
+    }
+
+
+
+    template <int dim>
+    void
+    turn(CellData<dim> &cell)
+    {
+      if (dim == 2)
+        std::swap(cell.vertices[1], cell.vertices[2]);
+      else
+        for (unsigned int v = 0; v < 4; ++v)
+          std::swap(cell.vertices[v], cell.vertices[v + 4]);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  orient(std::vector<CellData<dim>>                   &cells,
+         const std::vector<Point<dim>>                &vertices,
+         const std::vector<const MeshFile::Element *> &elements)
+  {
+    constexpr unsigned int all      = GeometryInfo<dim>::vertices_per_cell;
+    unsigned int           n_folded = 0;
+    std::string            first;
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      {
+        const Corners corners = corners_of(cells[c], vertices);
+        if (corners.negative.size() == all)
+          turn(cells[c]);
+        else if (corners.positive.size() != all && ++n_folded == 1)
+          first = "element " + std::to_string(elements[c]->number) + " at its corner " +
+                  text_of(vertices[cells[c].vertices[worst(corners)]]);
+      }
+    if (n_folded > 0)
+      throw SceneError("has " + std::to_string(n_folded) +
+                       (n_folded == 1 ? " cell that is" : " cells that are") + " folded or flat: " +
+                       (n_folded == 1 ? "" : "the first is ") + first + "; improve the mesh there");
+  }
+
+
+
+  template void
+  orient(std::vector<CellData<2>> &,
+         const std::vector<Point<2>> &,
+         const std::vector<const MeshFile::Element *> &);
+  template void
+  orient(std::vector<CellData<3>> &,
+         const std::vector<Point<3>> &,
+         const std::vector<const MeshFile::Element *> &);
+} // namespace Signorini

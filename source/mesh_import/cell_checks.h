@@ -1,0 +1,17 @@
+#pragma once
+
+#include "mesh_import/mesh_file.h"
+
+#include <deal.II/grid/tria_description.h>
+
+namespace Signorini
+{
+  /// Turn cells whose nodes are listed the other way round. Throws SceneError with the number of
+  /// cells that are folded, and with the element and the corner of the first.
+  /// @param elements the element of each cell, for the message
+  template <int dim>
+  void
+  orient(std::vector<dealii::CellData<dim>>           &cells,
+         const std::vector<dealii::Point<dim>>        &vertices,
+         const std::vector<const MeshFile::Element *> &elements);
+} // namespace Signorini

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "mesh_import/mesh_file.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/point.h>
+#include <deal.II/grid/tria_description.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// The shape that cells of a body have: quadrilaterals in 2D, hexahedra in 3D.
+  template <int dim>
+  constexpr MeshFile::Shape cell_shape =
+    dim == 2 ? MeshFile::Shape::quadrilateral : MeshFile::Shape::hexahedron;
+
+  /// The same nodes in the order in which sets of nodes can be compared.
+  inline std::vector<unsigned int>
+  sorted(std::vector<unsigned int> nodes)
+  {
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  }
+
+  /// The nodes of a cell's face, in deal.II's order.
+  template <int dim>
+  std::vector<unsigned int>
+  face_nodes(const dealii::CellData<dim> &cell, const unsigned int face)
+  {
+    using Info = dealii::GeometryInfo<dim>;
+    std::vector<unsigned int> nodes(Info::vertices_per_face);
+    for (unsigned int v = 0; v < nodes.size(); ++v)
+      nodes[v] = cell.vertices[Info::face_to_cell_vertices(face, v)];
+    return nodes;
+  }
+
+  /// "(1 2 3)"
+  template <int dim>
+  std::string
+  text_of(const dealii::Point<dim> &p)
+  {
+    std::ostringstream out;
+    out << '(' << p << ')';
+    return out.str();
+  }
+} // namespace Signorini

@@ -1,0 +1,197 @@
+#include "mesh_import/cells.h"
+#include "mesh_import/coinciding_nodes.h"
+#include "mesh_import/pieces.h"
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <numeric>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    double
+    shortest_edge(const std::vector<CellData<dim>> &cells, const std::vector<Point<dim>> &vertices)
+    {
+      double shortest = std::numeric_limits<double>::max();
+      for (const auto &cell : cells)
+        for (unsigned int l = 0; l < GeometryInfo<dim>::lines_per_cell; ++l)
+          {
+            const unsigned int a = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 0)],
+                               b = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)];
+            shortest             = std::min(shortest, vertices[a].distance(vertices[b]));
+          }
+      return shortest;
+    }
+
+
+
+    template <int dim>
+    std::vector<unsigned int>
+    nodes_of(const std::vector<CellData<dim>> &cells)
+    {
+      std::vector<unsigned int> nodes;
+      for (const auto &cell : cells)
+        nodes.insert(nodes.end(), cell.vertices.begin(), cell.vertices.end());
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+      return nodes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  CoincidingNodes<dim>::CoincidingNodes(const std::vector<CellData<dim>> &cells,
+                                        const std::vector<Point<dim>>    &vertices,
+                                        const double                      distance)
+    : cells(cells)
+    , vertices(vertices)
+  {
+    namespace bgi      = boost::geometry::index;
+    const double reach = distance > 0 ? distance : 1e-3 * shortest_edge(cells, vertices);
+    std::vector<std::pair<Point<dim>, unsigned int>> nodes;
+    for (const unsigned int node : nodes_of(cells))
+      nodes.emplace_back(vertices[node], node);
+    const auto tree = pack_rtree(nodes);
+    for (const auto &[p, node] : nodes)
+      {
+        BoundingBox<dim> box({p, p});
+        box.extend(reach);
+        for (const auto &[q, other] : tree | bgi::adaptors::queried(bgi::intersects(box)))
+          if (other > node && p.distance(q) <= reach)
+            pairs.emplace_back(node, other);
+      }
+    std::sort(pairs.begin(), pairs.end());
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  CoincidingNodes<dim>::representatives() const
+  {
+    std::vector<unsigned int> result(vertices.size());
+    std::iota(result.begin(), result.end(), 0);
+    for (const auto &[node, other] : pairs)
+      result[other] = std::min(result[other], result[node]);
+    return result;
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    std::vector<unsigned int>
+    pieces_of_vertices(const std::vector<CellData<dim>> &cells, const unsigned int n_vertices)
+    {
+      const std::vector<unsigned int> piece_of_cell = pieces_of(cells, n_vertices);
+      std::vector<unsigned int>       piece(n_vertices);
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (const unsigned int vertex : cells[c].vertices)
+          piece[vertex] = piece_of_cell[c];
+      return piece;
+    }
+
+
+
+    std::string
+    number_of_pairs(const unsigned int n)
+    {
+      return std::to_string(n) + (n == 1 ? " pair at " : " pairs, the first at ");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  CoincidingNodes<dim>::refuse_cracks() const
+  {
+    const std::vector<unsigned int> piece = pieces_of_vertices(cells, vertices.size());
+    std::vector<unsigned int>       cracks, between; // first nodes
+    for (const auto &[node, other] : pairs)
+      (piece[node] == piece[other] ? cracks : between).push_back(node);
+    if (!cracks.empty())
+      throw SceneError(
+        "has nodes that coincide, at which cells that are connected elsewhere are not: " +
+        number_of_pairs(cracks.size()) + text_of(vertices[cracks[0]]) +
+        "; say Coinciding nodes = keep if there is a crack or a slit, or Coinciding nodes = merge "
+        "if the mesh has a fault");
+    if (between.empty())
+      return "";
+    return "has pieces that touch, but are not connected: they have nodes of their own at the same "
+           "places, " +
+           number_of_pairs(between.size()) + text_of(vertices[between[0]]) +
+           "; if they are in contact, take each as a body by the key 'Part', or let a contact pair "
+           "join two boundaries of this body; if there is nothing between them, say "
+           "Coinciding nodes = keep; only if they are one, Coinciding nodes = merge";
+  }
+
+
+
+  template <int dim>
+  void
+  refuse_hanging_nodes(const std::vector<CellData<dim>>     &cells,
+                       const std::vector<CellData<dim - 1>> &boundary_faces,
+                       const std::vector<Point<dim>>        &vertices)
+  {
+    namespace bgi = boost::geometry::index;
+    std::vector<bool> at_boundary(vertices.size());
+    for (const auto &face : boundary_faces)
+      for (const unsigned int vertex : face.vertices)
+        at_boundary[vertex] = true;
+    std::vector<std::pair<Point<dim>, unsigned int>> nodes;
+    for (unsigned int vertex = 0; vertex < vertices.size(); ++vertex)
+      if (at_boundary[vertex])
+        nodes.emplace_back(vertices[vertex], vertex);
+    const auto                      tree  = pack_rtree(nodes);
+    const std::vector<unsigned int> piece = pieces_of_vertices(cells, vertices.size());
+    constexpr double                near  = 1e-4; // of the edge
+    for (const auto &cell : cells)
+      for (unsigned int l = 0; l < GeometryInfo<dim>::lines_per_cell; ++l)
+        {
+          const unsigned int a = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 0)],
+                             b = cell.vertices[GeometryInfo<dim>::line_to_cell_vertices(l, 1)];
+          if (!at_boundary[a] || !at_boundary[b])
+            continue;
+          const Tensor<1, dim> edge   = vertices[b] - vertices[a];
+          const double         length = edge.norm();
+          BoundingBox<dim>     box({vertices[a], vertices[a]});
+          box.merge_with(BoundingBox<dim>({vertices[b], vertices[b]}));
+          box.extend(near * length);
+          for (const auto &[x, node] : tree | bgi::adaptors::queried(bgi::intersects(box)))
+            {
+              const Tensor<1, dim> offset = x - vertices[a];
+              const double         along  = offset * edge / (length * length);
+              if (piece[node] == piece[a] && along > 0.01 && along < 0.99 &&
+                  (offset - along * edge).norm() < near * length)
+                throw SceneError(
+                  "has a node at " + text_of(x) + " on the edge of a cell from " +
+                  text_of(vertices[a]) + " to " + text_of(vertices[b]) +
+                  " that does not have it: cells of different sizes are not connected there; make "
+                  "the mesh conforming, take the parts as bodies with a contact pair, or say "
+                  "Coinciding nodes = keep if there is a crack or a slit");
+            }
+        }
+  }
+
+
+
+  template class CoincidingNodes<2>;
+  template class CoincidingNodes<3>;
+  template void
+  refuse_hanging_nodes(const std::vector<CellData<2>> &,
+                       const std::vector<CellData<1>> &,
+                       const std::vector<Point<2>> &);
+  template void
+  refuse_hanging_nodes(const std::vector<CellData<3>> &,
+                       const std::vector<CellData<2>> &,
+                       const std::vector<Point<3>> &);
+} // namespace Signorini

@@ -1,0 +1,263 @@
+#include "mesh_import/decks/scene_writer.h"
+#include "mesh_import/formats/abaqus_elements.h"
+#include "mesh_import/cells.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+
+// The pieces of the deck's mesh as bodies, with their boundaries, materials and temperatures.
+
+namespace Signorini
+{
+  namespace
+  {
+    using Nodes = MeshFile::Nodes;
+
+    bool
+    is_second_order(const MeshFile::Element &element)
+    {
+      return element.nodes.size() > n_corners(element.shape);
+    }
+  } // namespace
+
+
+
+  std::string
+  SceneWriter::as_name(std::string name)
+  {
+    for (char &c : name)
+      if (std::string("./=;:,#\\").find(c) != std::string::npos)
+        c = '_';
+    return trim(name).empty() ? "body" : trim(name);
+  }
+
+
+
+  void
+  SceneWriter::make_bodies()
+  {
+    const MeshFile          &mesh   = model.deck.mesh;
+    const std::vector<Piece> pieces = pieces_of(mesh, dim);
+    n_pieces                        = pieces.size();
+    for (const Piece &piece : pieces)
+      {
+        Body body;
+        body.part = piece.name;
+        body.name = as_name(piece.name);
+        while (std::any_of(all.begin(), all.end(), [&](const Body &other) {
+          return other.name == body.name;
+        }))
+          body.name += "_";
+        body.has_node.resize(mesh.nodes.size());
+        body.has_element.resize(mesh.elements.size());
+        body.is_quadratic = true;
+        for (const unsigned int e : piece.elements)
+          {
+            body.has_element[e] = true;
+            body.is_quadratic &= is_second_order(mesh.elements[e]);
+            for (const unsigned int node : mesh.elements[e].nodes)
+              body.has_node[node] = true;
+          }
+        body.boundaries = boundaries_of(piece);
+        if (!give_material(body, piece))
+          continue;
+        give_temperature(body);
+        if (dim == 2 && !all.empty() && body.thickness != all[0].thickness)
+          model.leave_out("different thicknesses of " + all[0].name + " and " + body.name +
+                            "; contact acts per thickness",
+                          "*SOLID SECTION",
+                          "pair");
+        all.push_back(body);
+      }
+    if (all.empty())
+      throw SceneError("'" + file + "': no elements have a *SOLID SECTION");
+  }
+
+
+
+  /// The names that have a face of the piece, as the mesh file's faces get them: by an element, or
+  /// by all of their corners.
+  std::set<std::string>
+  SceneWriter::boundaries_of(const Piece &piece) const
+  {
+    const MeshFile               &mesh = model.deck.mesh;
+    std::map<Nodes, unsigned int> n_cells;
+    for (const unsigned int e : piece.elements)
+      for (const Nodes &face : abaqus_faces(mesh.elements[e], ""))
+        ++n_cells[sorted(face)];
+    std::set<unsigned int> nodes;
+    for (const unsigned int e : piece.elements)
+      for (const unsigned int node : corners_of(mesh.elements[e]))
+        nodes.insert(node);
+    std::set<std::string> result;
+    for (const auto &group : mesh.groups)
+      {
+        bool has_face = false;
+        for (const Nodes &face : group.faces)
+          if (const auto found = n_cells.find(sorted(face)); found != n_cells.end())
+            has_face |= found->second == 1;
+        const std::set<unsigned int> set(group.nodes.begin(), group.nodes.end());
+        const bool is_all = std::includes(set.begin(), set.end(), nodes.begin(), nodes.end());
+        if (!set.empty() && !is_all && group.faces.empty())
+          for (const auto &[face, n] : n_cells)
+            has_face |=
+              n == 1 && std::all_of(face.begin(), face.end(), [&](const unsigned int node) {
+                return set.count(node) > 0;
+              });
+        if (has_face)
+          result.insert(group.name);
+      }
+    return result;
+  }
+
+
+
+  /// That of most elements, and others of sets of cells. False if it has none: then it is left out.
+  bool
+  SceneWriter::give_material(Body &body, const Piece &piece)
+  {
+    // Of an element that several sections name, the last one counts.
+    std::map<unsigned int, std::string> of_elements;
+    std::map<unsigned int, double>      thickness_of;
+    for (const auto &one : model.sections)
+      for (const unsigned int e : one.elements)
+        if (body.has_element[e])
+          {
+            of_elements[e]  = one.material;
+            thickness_of[e] = one.thickness > 0 && kind != "axisymmetric" ? one.thickness : 1;
+          }
+    if (of_elements.empty())
+      {
+        model.leave_out(description(piece) + ", which has no *SOLID SECTION", "", "body");
+        return false;
+      }
+    body.thickness = thickness_of.begin()->second;
+    if (const auto other =
+          std::find_if(thickness_of.begin(),
+                       thickness_of.end(),
+                       [&](const auto &one) { return one.second != body.thickness; });
+        dim == 2 && other != thickness_of.end())
+      throw SceneError(
+        "'" + file + "': elements " +
+        std::to_string(model.deck.mesh.elements[thickness_of.begin()->first].number) + " and " +
+        std::to_string(model.deck.mesh.elements[other->first].number) +
+        " are connected and have different thicknesses; a plane body has one. Mesh "
+        "it in three dimensions");
+    std::map<std::string, unsigned int> n;
+    for (const auto &element : of_elements)
+      ++n[element.second];
+    body.material = std::max_element(n.begin(), n.end(), [](const auto &a, const auto &b) {
+                      return a.second < b.second;
+                    })->first;
+    if (of_elements.size() < piece.elements.size())
+      model.leave_out("that " + std::to_string(piece.elements.size() - of_elements.size()) +
+                        " elements of " + body.name + " have no *SOLID SECTION; they are of " +
+                        body.material,
+                      "",
+                      "body");
+    if (n.size() > 1)
+      give_other_materials(body);
+    for (const auto &[name, count] : n)
+      {
+        const auto found = model.materials.find(name);
+        if (found == model.materials.end() || !found->second.youngs_modulus)
+          throw SceneError(
+            "'" + file + "': the material '" + name + "' of " + body.name +
+            " is not elastic: it has neither *ELASTIC nor one of the *HYPERELASTIC that "
+            "are there");
+      }
+    return true;
+  }
+
+
+
+  /// All sections, in their order, but those before the first one of another material.
+  void
+  SceneWriter::give_other_materials(Body &body)
+  {
+    for (const auto &section : model.sections)
+      {
+        if (std::none_of(section.elements.begin(),
+                         section.elements.end(),
+                         [&](const unsigned int e) { return body.has_element[e]; }))
+          continue;
+        if (!body.others.empty() || section.material != body.material)
+          for (const std::string &set : section.sets)
+            body.others.push_back({section.material, set});
+      }
+  }
+
+
+
+  /// CalculiX 2.20 begins the amplitude of temperatures anew in each later step, at all nodes but
+  /// one; that of loads it does not, and Abaqus neither.
+  void
+  SceneWriter::leave_out_going_amplitudes(const DeckModel::Curve &curve)
+  {
+    for (unsigned int i = 0; i < curve.size(); ++i)
+      {
+        const unsigned int next = i + 1 < curve.size() ? curve[i + 1].step : model.steps.size() + 1;
+        const auto         amplitude = model.amplitudes.find(curve[i].amplitude);
+        if (amplitude != model.amplitudes.end() && !amplitude->second.is_total &&
+            next > curve[i].step + 1)
+          model.leave_out("that CalculiX begins the amplitude of temperatures anew in later steps; "
+                          "they stay",
+                          "*TEMPERATURE",
+                          "load");
+      }
+  }
+
+
+
+  /// A body has one temperature, from its initial one on.
+  void
+  SceneWriter::give_temperature(Body &body)
+  {
+    bool expands = model.materials.at(body.material).expansion.has_value();
+    for (const MaterialOfCells &one : body.others)
+      expands |= model.materials.at(one.material).expansion.has_value();
+    if (!expands || model.temperatures.empty())
+      return;
+    // Empty where no node has one; false if they differ.
+    using Value     = std::pair<double, std::string>;
+    const auto same = [&](const DeckModel::Temperatures &of, std::optional<Value> &value) {
+      unsigned int n = 0, n_nodes = 0;
+      for (unsigned int node = 0; node < body.has_node.size(); ++node)
+        if (body.has_node[node])
+          {
+            ++n_nodes;
+            const auto found = of.of_nodes.find(node);
+            if (found == of.of_nodes.end())
+              continue;
+            if (value && *value != found->second)
+              return false;
+            value = found->second;
+            ++n;
+          }
+      return n == 0 || n == n_nodes;
+    };
+    std::optional<Value> initial;
+    bool                 is_uniform = same(model.initial_temperatures, initial);
+    body.initial_temperature        = initial.value_or(Value()).first;
+    DeckModel::Curve curve{{0, body.initial_temperature, "", {}}};
+    for (const auto &[step, temperatures] : model.temperatures)
+      {
+        std::optional<Value> value;
+        is_uniform &= same(temperatures, value);
+        if (value)
+          curve.push_back({step, value->first, value->second, {}});
+        else if (temperatures.is_new)
+          curve.push_back({step, body.initial_temperature, "", {}});
+      }
+    if (!is_uniform)
+      model.leave_out("temperatures that differ from node to node of " + body.name +
+                        "; it has no thermal strain",
+                      "*TEMPERATURE",
+                      "load");
+    else if (curve.size() > 1)
+      {
+        body.temperature = curve;
+        leave_out_going_amplitudes(curve);
+      }
+  }
+} // namespace Signorini

@@ -1,0 +1,481 @@
+#include "mesh_import/decks/deck_reader.h"
+#include "mesh_import/formats/abaqus_elements.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+#include <cmath>
+
+// What acts on the bodies: supports, loads, temperatures.
+
+namespace Signorini
+{
+  /// Is the model, or a step that is computed.
+  bool
+  DeckReader::counts()
+  {
+    const bool result = !in_step || step_counts;
+    if (!result)
+      leave_out("in a step that is left out");
+    return result;
+  }
+
+
+
+  void
+  DeckReader::know_parameters(const std::set<std::string> &known)
+  {
+    for (const auto &[name, value] : in.all_parameters())
+      if (known.count(name) == 0)
+        leave_out("its " + name);
+    const std::string amplitude = in.value("AMPLITUDE");
+    if (!amplitude.empty() && model.amplitudes.count(upper_case(amplitude)) == 0)
+      leave_out("its AMPLITUDE=" + amplitude + ", which is not there above; values are ramped");
+  }
+
+
+
+  DeckModel::Change
+  DeckReader::change_to(const double value) const
+  {
+    const bool is_velocity = upper_case(in.value("TYPE")) == "VELOCITY";
+    return {present_step(),
+            value,
+            upper_case(in.value("AMPLITUDE")),
+            is_velocity ? DeckModel::Change::Kind::velocity : DeckModel::Change::Kind::value};
+  }
+
+
+
+  /// The last line of a step counts.
+  void
+  DeckReader::replace(Curve &curve, const double value) const
+  {
+    if (!curve.empty() && curve.back().step == present_step())
+      curve.pop_back();
+    curve.push_back(change_to(value));
+  }
+
+
+
+  /// What one step says adds up, and replaces what earlier ones have said.
+  void
+  DeckReader::add(Curve &curve, const double value) const
+  {
+    const DeckModel::Change change = change_to(value);
+    if (curve.empty() || curve.back().step < change.step ||
+        curve.back().kind == DeckModel::Change::Kind::removed)
+      replace(curve, value);
+    else if (curve.back().amplitude != change.amplitude)
+      in.fail("loads of different amplitudes at one place in one step; CalculiX refuses them, and "
+              "so does this program");
+    else
+      curve.back().value += value;
+  }
+
+
+
+  /// OP=NEW ends what earlier steps have begun; that of the first card of its kind in a step
+  /// counts.
+  bool
+  DeckReader::removes_old(const std::string &kind)
+  {
+    return told.insert(kind).second && in_step && upper_case(in.value("OP")) == "NEW";
+  }
+
+
+
+  void
+  DeckReader::remove_old(Curve &curve) const
+  {
+    if (curve.back().step < present_step() && curve.back().kind != DeckModel::Change::Kind::removed)
+      curve.push_back({present_step(), 0., "", DeckModel::Change::Kind::removed});
+  }
+
+
+
+  /// Of a displacement or force, counted from 1; what no unsigned int can be is none either.
+  unsigned int
+  DeckReader::component(const Words &words, const unsigned int i) const
+  {
+    return std::clamp(number(words, i), 0., 1000.);
+  }
+
+
+
+  /// Each once.
+  std::vector<unsigned int>
+  DeckReader::nodes_of(const std::string &target)
+  {
+    if (target.empty())
+      in.fail("*" + in.keyword() + " without the name of a node or set");
+    std::vector<unsigned int> nodes;
+    model.deck.nodes.append(in, target, nodes);
+    if (in.keyword() == "CLOAD")
+      leave_out_repetitions(target, nodes);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+
+
+  /// As often as the deck names them; all without a target.
+  DeckReader::Members
+  DeckReader::elements_of(const std::string &target)
+  {
+    Members elements;
+    if (target.empty())
+      for (unsigned int e = 0; e < model.deck.mesh.elements.size(); ++e)
+        elements.push_back(e);
+    else
+      model.deck.elements.append(in, target, elements);
+    leave_out_repetitions(target, elements);
+    return elements;
+  }
+
+
+
+  /// Sets may have members twice. CalculiX loads them twice then, Abaqus once.
+  void
+  DeckReader::leave_out_repetitions(const std::string &target, Members members)
+  {
+    std::sort(members.begin(), members.end());
+    if (std::adjacent_find(members.begin(), members.end()) != members.end())
+      leave_out("on " + target +
+                ", which names members twice: each is loaded once, as in Abaqus, "
+                "but not in CalculiX");
+  }
+
+
+
+  /// The entry of a node or set; null if it has axes of its own.
+  DeckModel::AtNodes *
+  DeckReader::at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target)
+  {
+    const std::string upper = upper_case(target);
+    const auto        known = places.find({&list, upper});
+    if (known != places.end())
+      return &list[known->second];
+    DeckModel::AtNodes one;
+    const AbaqusSet   *set = model.deck.nodes.find(target);
+    one.name               = set ? set->name : target;
+    one.nodes              = nodes_of(target);
+    if (set && target.find_first_not_of("0123456789") == std::string::npos)
+      in.fail("a set of nodes is called as a number: " + target + "; give it another name");
+    for (const unsigned int node : one.nodes)
+      if (transformed.count(node) > 0)
+        {
+          leave_out("on nodes whose axes *TRANSFORM turns");
+          model.lacks_restraint |= in.keyword() == "BOUNDARY";
+          return nullptr;
+        }
+    places[{&list, upper}] = list.size();
+    list.push_back(one);
+    return &list.back();
+  }
+
+
+
+  void
+  DeckReader::hold(const std::string               &target,
+                   const std::vector<unsigned int> &components,
+                   const double                     value)
+  {
+    if (DeckModel::AtNodes *nodes = at_nodes(model.supported, target))
+      for (const unsigned int d : components)
+        {
+          nodes->components[d] = true;
+          for (const unsigned int node : nodes->nodes)
+            replace(model.supports[{node, d}], value);
+        }
+  }
+
+
+
+  /// False for what is neither a displacement nor a velocity that stays the same.
+  bool
+  DeckReader::takes_type()
+  {
+    const std::string type = upper_case(in.value("TYPE"));
+    if (type.empty() || type == "DISPLACEMENT" || (type == "VELOCITY" && !in.has("AMPLITUDE")))
+      return true;
+    leave_out("its TYPE=" + type + (in.has("AMPLITUDE") ? " with an amplitude" : ""));
+    model.lacks_restraint = true;
+    return false;
+  }
+
+
+
+  void
+  DeckReader::read_boundary()
+  {
+    if (!counts())
+      return;
+    if (removes_old("BOUNDARY"))
+      for (auto &[where, curve] : model.supports)
+        remove_old(curve);
+    for (const std::string type : {"FIXED", "USER", "SUBMODEL"})
+      if (in.has(type))
+        {
+          leave_out(type);
+          return;
+        }
+    know_parameters({"OP", "AMPLITUDE", "TYPE"});
+    if (!takes_type())
+      return;
+    for (Words words; in.next_line(words);)
+      {
+        if (words.size() > 1 && !words[1].empty() && !std::isdigit(words[1][0]))
+          {
+            add_symmetry(words[0], upper_case(words[1]));
+            continue;
+          }
+        const unsigned int first = component(words, 1),
+                           last =
+                             words.size() > 2 && !words[2].empty() ? component(words, 2) : first;
+        if (last > 6)
+          leave_out("of temperatures, fluxes and the like");
+        else if (last > 3)
+          model.leave_out("*BOUNDARY of rotations", in.place());
+        if (last < first)
+          leave_out("whose last component is below the first");
+        if (first < 1 || first > 3)
+          continue;
+        std::vector<unsigned int> components;
+        for (unsigned int d = first; d <= std::min(last, 3u); ++d)
+          components.push_back(d - 1);
+        hold(words[0], components, number(words, 3));
+      }
+  }
+
+
+
+  void
+  DeckReader::add_symmetry(const std::string &target, const std::string &kind)
+  {
+    static const std::map<std::string, std::vector<unsigned int>> held  = {{"XSYMM", {0}},
+                                                                           {"YSYMM", {1}},
+                                                                           {"ZSYMM", {2}},
+                                                                           {"PINNED", {0, 1, 2}},
+                                                                           {"ENCASTRE", {0, 1, 2}},
+                                                                           {"XASYMM", {1, 2}},
+                                                                           {"YASYMM", {0, 2}},
+                                                                           {"ZASYMM", {0, 1}}};
+    const auto                                                    found = held.find(kind);
+    if (found == held.end())
+      leave_out("type " + kind);
+    else
+      hold(target, found->second, 0.);
+  }
+
+
+
+  void
+  DeckReader::read_forces()
+  {
+    if (!counts())
+      return;
+    know_parameters({"OP", "AMPLITUDE"});
+    if (removes_old("CLOAD"))
+      for (auto &[where, curve] : model.forces)
+        remove_old(curve);
+    for (Words words; in.next_line(words);)
+      {
+        const unsigned int d = component(words, 1);
+        if (d < 1 || d > 3)
+          model.leave_out("*CLOAD of moments and fluxes", in.place());
+        else if (DeckModel::AtNodes *nodes = at_nodes(model.loaded, words[0]))
+          {
+            nodes->components[d - 1] = true;
+            for (const unsigned int node : nodes->nodes)
+              add(model.forces[{node, d - 1}], number(words, 2));
+          }
+      }
+  }
+
+
+
+  void
+  DeckReader::read_element_loads()
+  {
+    ++n_element_loads;
+    if (!counts())
+      return;
+    know_parameters({"OP", "AMPLITUDE"});
+    if (removes_old("DLOAD"))
+      remove_distributed();
+    std::vector<double> pressures; // in the order of the surfaces that the mesh reader makes
+    for (Words words; in.next_line(words);)
+      {
+        const std::string label = words.size() > 1 ? upper_case(words[1]) : "";
+        if (!is_pressure_label(label))
+          {
+            add_body_load(words);
+            continue;
+          }
+        const double value = number(words, 2);
+        if (std::find(pressures.begin(), pressures.end(), value) == pressures.end())
+          {
+            pressures.push_back(value);
+            model.pressed.push_back(name_of_loaded_faces(n_element_loads, pressures.size()));
+          }
+        std::set<DeckModel::Face> faces;
+        for (const unsigned int e : elements_of(words[0]))
+          for (DeckModel::Face face :
+               abaqus_faces(model.deck.mesh.elements[e], "S" + label.substr(1)))
+            {
+              std::sort(face.begin(), face.end());
+              faces.insert(face);
+            }
+        for (const DeckModel::Face &face : faces)
+          add(model.pressures[face], value);
+      }
+  }
+
+
+
+  /// *DLOAD and *DSLOAD alike. CalculiX leaves forces per volume as they are.
+  void
+  DeckReader::remove_distributed()
+  {
+    for (auto &[face, curve] : model.pressures)
+      remove_old(curve);
+    for (DeckModel::BodyLoad &load : model.gravity)
+      remove_old(load.size);
+    for (const auto &[where, curve] : model.body_forces)
+      if (curve.back().step < present_step())
+        {
+          leave_out("that OP=NEW ends BX, BY, BZ; they go on, as in CalculiX");
+          break;
+        }
+  }
+
+
+
+  void
+  DeckReader::add_pressure(const std::string &surface, const double value)
+  {
+    model.pressed.push_back(surface);
+    const std::set<DeckModel::Face> faces = model.faces_of(surface);
+    if (faces.empty())
+      leave_out("on '" + surface + "', which has no faces of elements");
+    for (const DeckModel::Face &face : faces)
+      add(model.pressures[face], value);
+  }
+
+
+
+  void
+  DeckReader::add_body_load(const Words &words)
+  {
+    const std::string label = words.size() > 1 ? upper_case(words[1]) : "";
+    if (label == "GRAV")
+      add_gravity(words);
+    else if (label == "BX" || label == "BY" || label == "BZ")
+      {
+        const unsigned int    d = label[1] - 'X';
+        DeckModel::BodyForces one{words[0], elements_of(words[0]), d};
+        std::sort(one.elements.begin(), one.elements.end());
+        one.elements.erase(std::unique(one.elements.begin(), one.elements.end()),
+                           one.elements.end());
+        for (const unsigned int e : one.elements)
+          add(model.body_forces[{e, d}], number(words, 2));
+        model.forced.push_back(one);
+      }
+    else
+      leave_out("type " + label);
+  }
+
+
+
+  /// Replaces gravity of an earlier step of the same name and direction, and no other.
+  void
+  DeckReader::add_gravity(const Words &words)
+  {
+    const double x = number(words, 3), y = number(words, 4), z = number(words, 5);
+    const double n = std::sqrt(x * x + y * y + z * z);
+    if (n == 0)
+      in.fail("*DLOAD, GRAV needs a direction");
+    DeckModel::BodyLoad load{upper_case(words[0]), {}, {{x / n, y / n, z / n}}, {}};
+    for (DeckModel::BodyLoad &other : model.gravity)
+      if (other.name == load.name && other.direction == load.direction)
+        return add(other.size, number(words, 2));
+    load.elements = elements_of(words[0]);
+    add(load.size, number(words, 2));
+    model.gravity.push_back(load);
+  }
+
+
+
+  void
+  DeckReader::read_surface_loads()
+  {
+    if (!counts())
+      return;
+    know_parameters({"OP", "AMPLITUDE"});
+    if (removes_old("DLOAD"))
+      remove_distributed();
+    for (Words words; in.next_line(words);)
+      if (words.size() > 1 && upper_case(words[1]) == "P")
+        add_pressure(words[0], number(words, 2));
+      else
+        leave_out("type " + (words.size() > 1 ? upper_case(words[1]) : ""));
+  }
+
+
+
+  void
+  DeckReader::read_transform()
+  {
+    Members nodes;
+    model.deck.nodes.append(in, in.value("NSET"), nodes);
+    for (const unsigned int node : nodes)
+      for (unsigned int d = 0; d < 3; ++d)
+        if (model.supports.count({node, d}) + model.forces.count({node, d}) > 0)
+          in.fail("*TRANSFORM of nodes that have *BOUNDARY or *CLOAD above; put it before these");
+    transformed.insert(nodes.begin(), nodes.end());
+  }
+
+
+
+  void
+  DeckReader::read_initial_conditions()
+  {
+    if (upper_case(in.value("TYPE")) != "TEMPERATURE")
+      {
+        leave_out("bodies are at rest and without stress at the start");
+        return;
+      }
+    read_temperatures_of_nodes(model.initial_temperatures);
+  }
+
+
+
+  void
+  DeckReader::read_temperatures()
+  {
+    if (!counts())
+      return;
+    for (const std::string where : {"FILE", "USER", "SUBMODEL"})
+      if (in.has(where))
+        {
+          leave_out("from " + where);
+          return;
+        }
+    know_parameters({"OP", "AMPLITUDE"});
+    const bool               is_new = removes_old("TEMPERATURE");
+    DeckModel::Temperatures &here   = model.temperatures[present_step()];
+    here.is_new |= is_new;
+    read_temperatures_of_nodes(here);
+  }
+
+
+
+  void
+  DeckReader::read_temperatures_of_nodes(DeckModel::Temperatures &temperatures)
+  {
+    for (Words words; in.next_line(words);)
+      for (const unsigned int node : nodes_of(words[0]))
+        temperatures.of_nodes[node] = {number(words, 1), upper_case(in.value("AMPLITUDE"))};
+  }
+} // namespace Signorini

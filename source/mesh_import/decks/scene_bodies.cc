@@ -1,0 +1,165 @@
+#include "mesh_import/decks/scene_text.h"
+#include "mesh_import/decks/scene_writer.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+
+// Bodies, and the pairs between them.
+
+namespace Signorini
+{
+  /// Linear ones of large deformation as CalculiX has them, by the strain of Green, or in decks of
+  /// parts, which are of Abaqus, by logarithmic strain.
+  std::vector<std::pair<std::string, std::string>>
+  SceneWriter::material_keys(const DeckModel::Material &material) const
+  {
+    std::vector<std::pair<std::string, std::string>> keys;
+    if (!material.law.empty())
+      {
+        std::vector<std::string> numbers;
+        for (const double c : material.coefficients)
+          numbers.push_back(long_text(c));
+        keys.emplace_back("Law", material.law);
+        keys.emplace_back("Coefficients", join(numbers));
+      }
+    else
+      {
+        if (is_finite)
+          keys.emplace_back("Law",
+                            model.deck.instances_of.empty() ? "Saint Venant-Kirchhoff" : "Hencky");
+        keys.emplace_back("Young's modulus", long_text(*material.youngs_modulus));
+      }
+    keys.emplace_back("Poisson's ratio", long_text(*material.poissons_ratio));
+    return keys;
+  }
+
+
+
+  std::string
+  SceneWriter::bodies() const
+  {
+    std::vector<SceneItem> items;
+    for (const Body &body : all)
+      {
+        const auto &material = model.materials.at(body.material);
+        SceneItem   item{body.name, {{"Mesh", "file"}, {"File", file}}};
+        if (n_pieces > 1)
+          item.keys.emplace_back("Part", body.part);
+        for (const auto &key : material_keys(material))
+          item.keys.push_back(key);
+        if (body.is_quadratic)
+          item.keys.emplace_back("Degree", "2");
+        // Nodes that were moved onto facets would not lie on surfaces that are rounded.
+        if (std::any_of(body.boundaries.begin(),
+                        body.boundaries.end(),
+                        [&](const std::string &name) {
+                          return model.deck.adjusted.count(upper_case(name)) > 0;
+                        }))
+          item.keys.emplace_back("Curved boundaries", "none");
+        for (const auto &[key, sets] : {std::pair{"Node sets", body.node_sets},
+                                        {"Face sets", body.face_sets},
+                                        {"Cell sets", body.cell_sets}})
+          if (!sets.empty())
+            item.keys.emplace_back(key, join(sets, "; "));
+        if (!body.temperature.empty())
+          {
+            item.keys.emplace_back("Thermal expansion", long_text(material.expansion.value_or(0)));
+            item.keys.emplace_back("Temperature",
+                                   formula(model.history(body.temperature, true).points));
+            item.keys.emplace_back("Reference temperature", long_text(body.initial_temperature));
+          }
+        std::vector<SceneItem> others;
+        SetNames               names;
+        for (const MaterialOfCells &one : body.others)
+          {
+            const auto &other = model.materials.at(one.material);
+            others.push_back({names.unlike(as_name(other.name)), {{"Cells", one.cells}}});
+            for (const auto &key : material_keys(other))
+              others.back().keys.push_back(key);
+            if (!body.temperature.empty())
+              others.back().keys.emplace_back("Thermal expansion",
+                                              long_text(other.expansion.value_or(0)));
+          }
+        item.within = section("Materials", others);
+        items.push_back(item);
+      }
+    return section("Bodies", items);
+  }
+
+
+
+  std::string
+  SceneWriter::pairs()
+  {
+    std::vector<SceneItem> items;
+    SetNames               names;
+    for (const auto &pair : model.pairs)
+      {
+        const std::string slaves  = surfaces(pair.slave, "the slave of a contact pair"),
+                          masters = surfaces(pair.master, "the master of a contact pair");
+        const auto found          = model.interactions.find(pair.interaction);
+        if (!pair.interaction.empty() && found == model.interactions.end())
+          model.leave_out("*SURFACE INTERACTION " + pair.interaction +
+                            ", which is not there; contact of " + pair.slave + " on " +
+                            pair.master + " is hard",
+                          "",
+                          "pair");
+        const bool stays = found != model.interactions.end() &&
+                           found->second.kind == DeckModel::Interaction::Kind::tied;
+        for (const std::string &slave : split(slaves, ','))
+          for (const std::string &master : split(masters, ','))
+            {
+              items.push_back({names.unlike(as_name(pair.slave) + " on " + as_name(pair.master)),
+                               {{"Slave", slave}, {"Master", master}}});
+              if (stays)
+                items.back().keys.emplace_back("Separates", "no");
+              const auto clearance =
+                std::find_if(model.clearances.begin(),
+                             model.clearances.end(),
+                             [&](const auto &one) {
+                               return upper_case(one.slave) == upper_case(pair.slave) &&
+                                      upper_case(one.master) == upper_case(pair.master);
+                             });
+              if (clearance != model.clearances.end())
+                items.back().keys.emplace_back("Initial gap", long_text(clearance->value));
+            }
+      }
+    return section("Contact pairs", items);
+  }
+
+
+
+  /// One method for all pairs: that of linear ones if there are no others.
+  std::string
+  SceneWriter::method()
+  {
+    using Kind       = DeckModel::Interaction::Kind;
+    double stiffness = 0;
+    bool   has_hard  = false;
+    for (const auto &pair : model.pairs)
+      if (const auto found = model.interactions.find(pair.interaction);
+          found != model.interactions.end())
+        {
+          const auto &one = found->second;
+          has_hard |= one.kind == Kind::hard;
+          if (one.kind == Kind::linear && stiffness > 0 && one.stiffness != stiffness)
+            model.leave_out("different slopes of *SURFACE BEHAVIOR (the largest counts for all)",
+                            "",
+                            "material");
+          if (one.kind == Kind::linear)
+            stiffness = std::max(stiffness, one.stiffness);
+        }
+    if (stiffness == 0)
+      return "";
+    if (has_hard)
+      {
+        model.leave_out("the slope of linear contact beside a hard one (all contact is hard)",
+                        "",
+                        "material");
+        return "";
+      }
+    return "\nsubsection Contact method\n  set Method = penalty\n  subsection penalty\n    set "
+           "Stiffness = " +
+           long_text(stiffness) + "\n  end\nend\n";
+  }
+} // namespace Signorini

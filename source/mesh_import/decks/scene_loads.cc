@@ -1,0 +1,273 @@
+#include "mesh_import/decks/scene_text.h"
+#include "mesh_import/decks/scene_writer.h"
+#include "mesh_import/formats/abaqus_elements.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+
+// Supports and loads.
+
+namespace Signorini
+{
+  namespace
+  {
+    std::vector<MemberTarget>
+    targets_of(const std::vector<DeckModel::AtNodes> &list)
+    {
+      std::vector<MemberTarget> result;
+      for (const DeckModel::AtNodes &one : list)
+        result.push_back({one.nodes, one.components});
+      return result;
+    }
+
+
+
+    /// Nodes of their own with the same value are one item.
+    void
+    add_at_nodes(std::vector<SceneItem> &items,
+                 SetNames               &names,
+                 const bool              is_number,
+                 SceneItem               item)
+    {
+      if (is_number)
+        {
+          const auto like = std::find_if(items.begin(), items.end(), [&](const SceneItem &one) {
+            return one.name.compare(0, 5, "nodes") == 0 && std::equal(one.keys.begin() + 1,
+                                                                      one.keys.end(),
+                                                                      item.keys.begin() + 1,
+                                                                      item.keys.end());
+          });
+          if (like != items.end())
+            {
+              like->keys[0].second += ", " + item.keys[0].second;
+              return;
+            }
+          item.name = "nodes";
+        }
+      item.name = names.unlike(item.name);
+      items.push_back(item);
+    }
+  } // namespace
+
+
+
+  std::string
+  SceneWriter::supports()
+  {
+    std::vector<SceneItem> items;
+    SetNames               names;
+    for (const MemberGroup &group :
+         groups_by_history(model.supports, targets_of(model.supported), true, histories))
+      {
+        const DeckModel::AtNodes &at = model.supported[group.target];
+        // A component after the other, as long as it holds.
+        std::map<std::pair<double, double>, MemberGroup> by_span;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (group.histories[d] != MemberGroup::free)
+            {
+              auto spans = history(group.histories[d]).spans;
+              if (model.steps.empty())
+                spans = {{0., 0.}};
+              for (const auto &span : spans)
+                {
+                  MemberGroup &part = by_span.insert({span, group}).first->second;
+                  if (part.histories == group.histories)
+                    part.histories.fill(MemberGroup::free);
+                  part.histories[d] = group.histories[d];
+                }
+            }
+        const std::string where = by_span.empty() ? "" : nodes_of(group, at.name, "*BOUNDARY");
+        if (where.empty())
+          continue;
+        for (const auto &[span, part] : by_span)
+          {
+            SceneItem item{as_name(at.name),
+                           {{"Nodes", where}, {"Displacement", vector_formula(part, "free")}}};
+            if (span.first > 0)
+              late_supports.emplace_back(at.name, span.first);
+            if (span.first > 0)
+              item.keys.emplace_back("From", text_of_time(span.first));
+            if (!model.steps.empty() && span.second < model.steps.back().end)
+              item.keys.emplace_back("Until", text_of_time(span.second));
+            add_at_nodes(items, names, is_a_node(at), item);
+          }
+      }
+    return section("Supports", items);
+  }
+
+
+
+  std::string
+  SceneWriter::loads()
+  {
+    std::vector<SceneItem> items;
+    SetNames               names;
+    for (const auto &list : {forces(), pressures(), body_forces(), gravity()})
+      for (SceneItem item : list)
+        {
+          item.name = names.unlike(item.name);
+          items.push_back(item);
+        }
+    return section("Loads", items);
+  }
+
+
+
+  std::vector<SceneItem>
+  SceneWriter::forces()
+  {
+    std::vector<SceneItem> items;
+    SetNames               names;
+    for (const MemberGroup &group :
+         groups_by_history(model.forces, targets_of(model.loaded), false, histories))
+      {
+        const DeckModel::AtNodes &at = model.loaded[group.target];
+        if (!says_something(group))
+          continue;
+        if (const std::string where = nodes_of(group, at.name, "*CLOAD"); !where.empty())
+          add_at_nodes(items,
+                       names,
+                       is_a_node(at),
+                       {as_name(at.name),
+                        {{"Nodes", where},
+                         {"Force", vector_formula(group, "0", 1 / thickness_at(group.members))}}});
+      }
+    return items;
+  }
+
+
+
+  /// Faces that two elements share are no boundary.
+  void
+  SceneWriter::leave_out_pressures_inside()
+  {
+    std::map<DeckModel::Face, unsigned int> n_cells;
+    if (!model.pressures.empty())
+      for (unsigned int e = 0; e < model.deck.mesh.elements.size(); ++e)
+        if (std::any_of(all.begin(), all.end(), [&](const Body &body) {
+              return body.has_element[e];
+            }))
+          for (DeckModel::Face face : abaqus_faces(model.deck.mesh.elements[e], ""))
+            {
+              std::sort(face.begin(), face.end());
+              ++n_cells[face];
+            }
+    const std::size_t before = model.pressures.size();
+    for (auto one = model.pressures.begin(); one != model.pressures.end();)
+      {
+        const auto found = n_cells.find(one->first);
+        one = found != n_cells.end() && found->second > 1 ? model.pressures.erase(one) : ++one;
+      }
+    const std::size_t n = before - model.pressures.size();
+    if (n > 0)
+      model.leave_out("pressures on " + std::to_string(n) + " faces inside of bodies", "", "load");
+  }
+
+
+
+  std::vector<SceneItem>
+  SceneWriter::pressures()
+  {
+    leave_out_pressures_inside();
+    std::vector<SceneItem>    items;
+    std::set<DeckModel::Face> done;
+    for (const std::string &surface : model.pressed)
+      {
+        const std::set<DeckModel::Face>                      faces = model.faces_of(surface);
+        std::map<unsigned int, std::vector<DeckModel::Face>> groups;
+        std::size_t                                          n_faces = 0;
+        for (const DeckModel::Face &face : faces)
+          n_faces += model.pressures.count(face);
+        for (const DeckModel::Face &face : faces)
+          if (model.pressures.count(face) > 0 && done.insert(face).second)
+            groups[histories.number(model.pressures.at(face))].push_back(face);
+        for (const auto &[number, members] : groups)
+          {
+            const bool        is_whole = members.size() == n_faces;
+            const std::string where =
+              is_whole ? surfaces(surface, "a pressure") :
+                         faces_of(members, set_names.unlike(as_name(surface) + " part"));
+            if (!where.empty())
+              items.push_back(
+                {as_name(surface),
+                 {{"Boundaries", where}, {"Pressure", formula(history(number).points)}}});
+          }
+      }
+    return items;
+  }
+
+
+
+  std::vector<SceneItem>
+  SceneWriter::body_forces()
+  {
+    std::vector<MemberTarget> targets;
+    for (const DeckModel::BodyForces &one : model.forced)
+      {
+        targets.push_back({one.elements, {{false, false, false}}});
+        targets.back().components[one.component] = true;
+      }
+    std::vector<SceneItem> items;
+    for (const MemberGroup &group : groups_by_history(model.body_forces, targets, false, histories))
+      {
+        const std::string name = model.forced[group.target].name;
+        if (!says_something(group))
+          continue;
+        if (const std::string where = cells_of(group.members, name); !where.empty())
+          items.push_back({"body force of " + as_name(name),
+                           {{"Bodies", where}, {"Body force", vector_formula(group, "0")}}});
+      }
+    return items;
+  }
+
+
+
+  /// Of the elements; 0 where the material has none.
+  std::vector<double>
+  SceneWriter::densities() const
+  {
+    std::vector<double> result(model.deck.mesh.elements.size());
+    for (const DeckModel::SolidSection &section : model.sections)
+      if (const auto material = model.materials.find(section.material);
+          material != model.materials.end())
+        for (const unsigned int e : section.elements)
+          result[e] = material->second.density.value_or(0);
+    return result;
+  }
+
+
+
+  std::vector<SceneItem>
+  SceneWriter::gravity()
+  {
+    const std::vector<double> density_of = densities();
+    std::vector<SceneItem>    items;
+    for (const DeckModel::BodyLoad &load : model.gravity)
+      {
+        std::map<double, std::vector<unsigned int>> by_density;
+        for (const unsigned int e : load.elements)
+          by_density[density_of[e]].push_back(e);
+        for (const auto &[density, elements] : by_density)
+          {
+            if (density == 0)
+              {
+                model.leave_out("gravity on " + load.name + ", whose material has no *DENSITY",
+                                "",
+                                "load");
+                continue;
+              }
+            const std::string where = cells_of(elements, load.name);
+            if (where.empty())
+              continue;
+            const std::string size = formula(history(histories.number(load.size)).points, density);
+            std::vector<std::string> words;
+            for (unsigned int d = 0; d < dim; ++d)
+              words.push_back(
+                load.direction[d] == 0 ? "0" : long_text(load.direction[d]) + "*(" + size + ")");
+            items.push_back({"gravity of " + as_name(load.name),
+                             {{"Bodies", where}, {"Body force", join(words, "; ")}}});
+          }
+      }
+    return items;
+  }
+} // namespace Signorini

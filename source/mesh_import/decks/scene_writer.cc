@@ -1,0 +1,253 @@
+#include "mesh_import/decks/import_deck.h"
+#include "mesh_import/decks/scene_text.h"
+#include "mesh_import/decks/scene_writer.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <set>
+
+namespace Signorini
+{
+  namespace
+  {
+    /// By the types of the plane elements. Throws SceneError where they differ.
+    std::string
+    model_of_types(const DeckModel &model, const std::string &file)
+    {
+      static const std::vector<std::pair<std::string, std::string>> models = {
+        {"CAX", "axisymmetric"}, {"CPS", "plane stress"}, {"CPE", "plane strain"}};
+      std::string result, type;
+      for (const auto &element : model.deck.mesh.elements)
+        for (const auto &[start, name] : models)
+          if (element.type.compare(0, start.size(), start) == 0)
+            {
+              if (!result.empty() && result != name)
+                throw SceneError(
+                  "'" + file + "': has elements of " + result + " (" + type + ") and of " + name +
+                  " (" + element.type +
+                  "); a scene has one Model for all bodies. Give all elements one of these types, or mesh "
+                  "the deck in three dimensions");
+              result = name;
+              type   = element.type;
+            }
+      return result.empty() ? "plane strain" : result;
+    }
+  } // namespace
+
+
+
+  SceneWriter::SceneWriter(DeckModel given, const std::string &file)
+    : model(std::move(given))
+    , file(file)
+    , histories(model)
+  {
+    for (const auto &group : model.deck.mesh.groups)
+      set_names.unlike(group.name);
+    bool has_solids = false, has_planes = false;
+    for (const auto &element : model.deck.mesh.elements)
+      {
+        has_solids |= dimension_of(element.shape) == 3;
+        has_planes |=
+          dimension_of(element.shape) == 2 && element.type[0] == 'C' && element.type != "CONN3D2";
+      }
+    if (!has_solids && !has_planes)
+      throw SceneError("'" + file +
+                       "': no elastic solid is left: there are no elements of the "
+                       "families C3D, CPE, CPS, CAX");
+    dim = has_solids ? 3 : 2;
+    if (dim == 2)
+      kind = model_of_types(model, file);
+    check_plane();
+    leave_out_other_elements();
+    make_bodies();
+    is_finite = becomes_finite();
+  }
+
+
+
+  /// Supports and loads of plane elements are along x and y.
+  void
+  SceneWriter::check_plane() const
+  {
+    const MeshFile &mesh = model.deck.mesh;
+    if (dim == 2)
+      for (const auto &element : mesh.elements)
+        if (dimension_of(element.shape) == 2)
+          for (const unsigned int node : element.nodes)
+            if (std::abs(mesh.nodes[node][2] - mesh.nodes[element.nodes[0]][2]) >
+                1e-10 * mesh.nodes[node].norm())
+              throw SceneError("'" + file + "': element " + std::to_string(element.number) + " (" +
+                               element.type + ") does not lie in the plane of x and y");
+  }
+
+
+
+  /// Those of sections that are no solids here.
+  void
+  SceneWriter::leave_out_other_elements()
+  {
+    std::set<unsigned int> others;
+    for (const auto &section : model.sections)
+      for (const unsigned int e : section.elements)
+        if (dimension_of(model.deck.mesh.elements[e].shape) < dim)
+          others.insert(e);
+    std::map<std::string, unsigned int> n;
+    for (const unsigned int e : others)
+      ++n[model.deck.mesh.elements[e].type];
+    for (const auto &[type, count] : n)
+      model.leave_out(std::to_string(count) + " elements of type " + type +
+                        " (beside solids they have no stiffness)",
+                      "*SOLID SECTION",
+                      "body");
+  }
+
+
+
+  /// If the deck asks for it, and the program has it.
+  bool
+  SceneWriter::becomes_finite()
+  {
+    bool is_wanted = !model.nlgeom.empty(), is_warm = false;
+    for (const Body &body : all)
+      {
+        is_wanted |= !model.materials.at(body.material).law.empty();
+        for (const MaterialOfCells &one : body.others)
+          is_wanted |= !model.materials.at(one.material).law.empty();
+        is_warm |= !body.temperature.empty();
+      }
+    const bool        has_pressure = kind == "plane stress" && !model.pressures.empty();
+    const std::string why          = is_warm      ? "thermal expansion" :
+                                     has_pressure ? "pressures on edges of plane stress" :
+                                                    "";
+    if (is_wanted && !why.empty())
+      model.leave_out("*STEP, NLGEOM (strains and rotations are small, as " + why + " needs it)",
+                      model.nlgeom);
+    return is_wanted && why.empty();
+  }
+
+
+
+  std::string
+  SceneWriter::steps() const
+  {
+    if (model.steps.empty())
+      return "";
+    std::set<double> times = bends;
+    for (const auto &step : model.steps)
+      times.insert(step.end);
+    std::vector<std::string> ends;
+    for (const double t : times)
+      ends.push_back(text_of_time(t));
+    return "\nsubsection Load steps\n  set Times = " + join(ends) + "\nend\n";
+  }
+
+
+
+  std::string
+  SceneWriter::free_motions() const
+  {
+    return std::string("\nsubsection Newton\n  # ") +
+           (model.lacks_restraint ?
+              "What was left out may have held bodies. Look at the forces that this takes." :
+              "Motions that nothing stops are held, as CalculiX does; the run tells which.") +
+           "\n  set Undetermined motions = hold\nend\n";
+  }
+
+
+
+  // Without what the scene file has a meaning for.
+  std::vector<std::string>
+  SceneWriter::left_out() const
+  {
+    std::vector<std::string> lines;
+    for (const auto &[kind, what, places] : model.left_out)
+      {
+        std::string line = kind + ": " + what;
+        if (!places[0].empty())
+          line += ": " + places[0];
+        if (places.size() > 1)
+          line += " and " + std::to_string(places.size() - 1) + " more";
+        std::replace(line.begin(), line.end(), ';', ',');
+        std::replace_if(
+          line.begin(), line.end(), [](const char c) { return c == '#' || c == '\\'; }, ' ');
+        lines.push_back(line);
+      }
+    return lines;
+  }
+
+
+
+  /// A support that begins in a later step takes its nodes from where they are to its value in that
+  /// step; a formula knows only its value.
+  void
+  SceneWriter::leave_out_ways_of_late_supports()
+  {
+    for (const auto &[name, begin] : late_supports)
+      for (const auto &step : model.steps)
+        if (const auto bend = bends.upper_bound(step.begin);
+            step.begin == begin && bend != bends.end() && *bend < step.end)
+          model.leave_out("the way of " + name +
+                            " to the value of a support that begins in a later step, from where "
+                            "it is; it goes there from zero",
+                          "*BOUNDARY",
+                          "support");
+  }
+
+
+
+  /// A load step for each of very many would take long.
+  void
+  SceneWriter::limit_bends()
+  {
+    constexpr std::size_t most = 100;
+    for (const auto &step : model.steps)
+      {
+        const auto begin = bends.upper_bound(step.begin), end = bends.lower_bound(step.end);
+        const auto n = std::distance(begin, end);
+        if (static_cast<std::size_t>(n) <= most)
+          continue;
+        model.leave_out("the " + std::to_string(n) +
+                          " bends of amplitudes in the step that ends at " +
+                          text_of_time(step.end) + "; its end alone is solved",
+                        "*AMPLITUDE",
+                        "load");
+        bends.erase(begin, end);
+      }
+  }
+
+
+
+  void
+  SceneWriter::write(std::ostream &scene)
+  {
+    // First all sections, which leave things out.
+    const std::string what_acts = supports() + loads(); // and makes sets of the bodies
+    limit_bends();
+    leave_out_ways_of_late_supports();
+    const std::string body = bodies() + what_acts + pairs() + method() + steps() + free_motions();
+    scene << "# Made of " << file << "\nset Dimension = " << dim << "\n";
+    if (dim == 2)
+      scene << "set Model     = " << kind << "\n";
+    if (is_finite)
+      scene << "set Deformation = finite\n";
+    scene << "set Title     = " << std::filesystem::path(file).stem().string() << "\n";
+    if (const auto lines = left_out(); !lines.empty())
+      scene << "set Left out  = \\\n  " << join(lines, "; \\\n  ") << "\n";
+    scene << body;
+  }
+
+
+
+  void
+  import_deck(const std::string &file, std::ostream &out, std::ostream &messages)
+  {
+    SceneWriter writer(read_deck_model(file), file);
+    writer.write(out);
+    for (const std::string &line : writer.left_out())
+      messages << "warning: " << file << ": left out: " << line << "\n";
+  }
+} // namespace Signorini

@@ -1,0 +1,142 @@
+#pragma once
+
+#include "mesh_import/decks/deck_model.h"
+#include "mesh_import/decks/history_groups.h"
+#include "mesh_import/pieces.h"
+
+#include <iosfwd>
+
+namespace Signorini
+{
+  /// Writes the scene of a deck's model, section by section: bodies and pairs in scene_bodies.cc,
+  /// supports and loads in scene_loads.cc, sets in scene_sets.cc. Bodies are found in
+  /// deck_bodies.cc.
+  class SceneWriter
+  {
+  public:
+    SceneWriter(DeckModel model, const std::string &file);
+
+    /// Throws SceneError if no elastic solid is left.
+    void
+    write(std::ostream &scene);
+
+    /// What was left out, one line each.
+    std::vector<std::string>
+    left_out() const;
+
+  private:
+    struct MaterialOfCells
+    {
+      std::string material, cells;
+    };
+
+    struct Body
+    {
+      std::string                  name, part, material;
+      std::vector<MaterialOfCells> others; ///< of sets of its cells, later ones before earlier ones
+      std::vector<bool>            has_node, has_element;
+      std::set<std::string>        boundaries; ///< names of surfaces and sets with faces of it
+      double                       thickness           = 1;
+      bool                         is_quadratic        = false;
+      double                       initial_temperature = 0;
+      DeckModel::Curve             temperature; ///< empty without thermal strain
+
+      /// Sets that the scene makes beside those of the deck, as the keys of the body have them.
+      std::vector<std::string> node_sets, face_sets, cell_sets;
+    };
+
+    /// Without what the scene file has a meaning for.
+    static std::string
+    as_name(std::string name);
+
+    void
+    make_bodies();
+    bool
+    give_material(Body &body, const Piece &piece);
+    void
+    give_other_materials(Body &body);
+    void
+    check_plane() const;
+    void
+    leave_out_other_elements();
+    bool
+    becomes_finite();
+    void
+    give_temperature(Body &body);
+    void
+    leave_out_going_amplitudes(const DeckModel::Curve &curve);
+    std::set<std::string>
+    boundaries_of(const Piece &piece) const;
+
+    std::string
+    bodies() const;
+    std::vector<std::pair<std::string, std::string>>
+    material_keys(const DeckModel::Material &material) const;
+    std::string
+    supports();
+    std::string
+    loads();
+    std::vector<SceneItem>
+    forces();
+    std::vector<SceneItem>
+    pressures();
+    std::vector<SceneItem>
+    body_forces();
+    std::vector<SceneItem>
+    gravity();
+    std::string
+    pairs();
+    std::string
+    steps() const;
+    std::string
+    method();
+    std::string
+    free_motions() const;
+
+    std::string
+    kind_at_no_solid(const MemberGroup &group, const std::string &what);
+    std::string
+    nodes_of(const MemberGroup &group, const std::string &target, const std::string &what);
+    std::string
+    faces_of(const std::vector<DeckModel::Face> &faces, const std::string &name);
+    std::string
+    cells_of(const std::vector<unsigned int> &elements, const std::string &name);
+    void
+    leave_out_pressures_inside();
+    std::vector<double>
+    densities() const;
+    bool
+    is_a_node(const DeckModel::AtNodes &at) const;
+    std::string
+    surfaces(const std::string &surface, const std::string &what);
+    double
+    thickness_at(const std::vector<unsigned int> &nodes) const;
+    std::string
+    formula(const DeckModel::Points &points, double factor = 1) const;
+    std::string
+    vector_formula(const MemberGroup &group, const std::string &otherwise, double factor = 1) const;
+    const DeckModel::History &
+    history(unsigned int id);
+    bool
+    says_something(const MemberGroup &group);
+    void
+    limit_bends();
+    void
+    leave_out_ways_of_late_supports();
+    void
+    end_steps_where_it_bends(const DeckModel::History &history);
+
+    DeckModel         model;
+    const std::string file;
+    unsigned int      dim = 3;
+    std::string       kind; ///< of 2D: plane strain, ...
+    unsigned int      n_pieces  = 0;
+    bool              is_finite = false;
+    std::vector<Body> all;
+
+    Histories                                   histories;     ///< of the model
+    SetNames                                    set_names;     ///< of the deck and of the scene
+    std::set<double>                            bends;         ///< within steps, of what acts
+    std::vector<std::pair<std::string, double>> late_supports; ///< and when they begin
+  };
+} // namespace Signorini

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "mesh_import/mesh_file.h"
+
+#include <map>
+#include <vector>
+
+namespace Signorini
+{
+  /// What a cell of a mesh file consists of, and how it is divided: one child a corner, between the
+  /// corner, the middles of its edges, the centers of its faces and that of the cell (midpoint
+  /// subdivision). That is a hexahedron where three edges meet at a corner, a quadrilateral in 2D.
+  ///
+  /// Triangle, tetrahedron, quadrilateral, hexahedron and wedge are products of simplices (a line
+  /// is one too). So are their functions of second order: the product over the simplices of either
+  /// a barycentric coordinate L_i or 4 L_i L_j. The map from the reference cell to a child in it is
+  /// trilinear in all L, so that the child of a quadratic cell is a triquadratic cell of 27 nodes,
+  /// exactly.
+  class CellShape
+  {
+  public:
+    /// A set of corners of the cell, bit by bit. It stands for the corner, edge, face or cell that
+    /// they span, and for the node at its center.
+    using Corners = unsigned int;
+
+    /// Of cells in 2D and 3D; pyramids have no children and no weights.
+    static const CellShape &
+    of(MeshFile::Shape shape);
+
+    unsigned int dim;
+    /// The edges, and the faces around (of plane cells the edges).
+    std::vector<MeshFile::Nodes> edges, faces;
+    /// What each node of the cell is the center of, up to that of the whole cell, in the order of
+    /// MeshFile::Element; cells may have fewer nodes.
+    std::vector<Corners> nodes;
+    /// What the corners of the child at each corner are the centers of, in the order of MeshFile.
+    std::vector<std::vector<Corners>> children;
+
+    /// All corners.
+    Corners
+    all() const
+    {
+      return (1u << n_corners) - 1;
+    }
+
+    unsigned int n_corners;
+
+    /// What node number i of such a cell is the center of.
+    MeshFile::Nodes
+    corners_around(unsigned int i, const MeshFile::Element &cell) const;
+
+    /// Volume that three edges from corner a span in the reference cell (2D: an area by two).
+    double
+    orientation(const MeshFile::Nodes &corners) const;
+
+    /// Weights of a cell's nodes in the value at a point.
+    using Weights = std::vector<double>;
+
+    struct SecondOrder
+    {
+      /// For each child and each of its 27 (2D: 9) nodes.
+      std::vector<std::vector<Weights>> children;
+      /// For each node behind the corners how far it is from where the nodes before it would put
+      /// it: all zero in a cell with straight edges, evenly divided.
+      std::vector<Weights> bends;
+      /// In the value at the center.
+      Weights center;
+    };
+
+    /// Of cells with so many nodes.
+    const SecondOrder &
+    second_order(unsigned int n_nodes) const;
+
+  private:
+    explicit CellShape(MeshFile::Shape shape);
+
+    using Coordinates = std::vector<double>; ///< the L of all simplices
+
+    void
+    add_children();
+    Coordinates
+    center_of(const std::vector<Coordinates> &points, Corners which) const;
+    double
+    function(Corners node, const Coordinates &point) const;
+    Weights
+    weights(unsigned int n_nodes, const Coordinates &point) const;
+
+    std::vector<unsigned int>                   simplices; ///< number of corners of each
+    std::vector<Coordinates>                    corners;
+    mutable std::map<unsigned int, SecondOrder> by_n_nodes;
+  };
+
+  /// The nodes of a cell at `positions` of its list, such as those of one of its faces.
+  MeshFile::Nodes
+  nodes_at(const MeshFile::Element &element, const MeshFile::Nodes &positions);
+} // namespace Signorini

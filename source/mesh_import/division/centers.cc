@@ -1,0 +1,186 @@
+#include "mesh_import/division/cell_shape.h"
+#include "mesh_import/division/centers.h"
+#include "mesh_import/cells.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  Centers::Key
+  Centers::key(const MeshFile::Nodes &corners)
+  {
+    Key result{{none, none, none, none}};
+    std::copy(corners.begin(), corners.end(), result.begin());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+
+
+  void
+  Centers::remember(const unsigned int node, const MeshFile::Nodes &corners)
+  {
+    Between one{node, {}};
+    one.corners.fill(corners[0]);
+    std::copy(corners.begin(), corners.end(), one.corners.begin());
+    between.push_back(one);
+  }
+
+
+
+  void
+  Centers::take(const MeshFile::Element &cell)
+  {
+    const CellShape &shape = CellShape::of(cell.shape);
+    for (unsigned int i = shape.n_corners; i < cell.nodes.size(); ++i)
+      {
+        const MeshFile::Nodes corners = shape.corners_around(i, cell);
+        if (shape.nodes[i] == shape.all())
+          {
+            remember(cell.nodes[i], corners);
+            continue;
+          }
+        const auto [entry, is_new] = nodes.insert({key(corners), cell.nodes[i]});
+        if (is_new)
+          remember(cell.nodes[i], corners);
+        else if (entry->second != cell.nodes[i])
+          throw SceneError("has element " + std::to_string(cell.number) + " (" + cell.type + ")" +
+                           " with the mid-side node " + text_of(file.nodes[cell.nodes[i]]) +
+                           " where a neighbour has another one, " +
+                           text_of(file.nodes[entry->second]) +
+                           "; the cells are not connected there: merge these nodes");
+      }
+  }
+
+
+
+  unsigned int
+  Centers::add(const MeshFile::Nodes &corners, const Point<3> &place)
+  {
+    file.nodes.push_back(place);
+    remember(file.nodes.size() - 1, corners);
+    return file.nodes.size() - 1;
+  }
+
+
+
+  unsigned int
+  Centers::of_edge(const unsigned int a, const unsigned int b)
+  {
+    const auto [entry, is_new] = nodes.insert({key({a, b}), none});
+    if (is_new)
+      entry->second = add({a, b}, file.nodes[a] + 0.5 * (file.nodes[b] - file.nodes[a]));
+    return entry->second;
+  }
+
+
+
+  Point<3>
+  Centers::center(const MeshFile::Nodes &around)
+  {
+    // Of the triangle of six nodes and of the quadrilateral of eight.
+    const double of_corner = around.size() == 3 ? -1. / 9 : -0.25,
+                 of_middle = around.size() == 3 ? 4. / 9 : 0.5;
+    Point<3> sum;
+    for (unsigned int i = 0; i < around.size(); ++i)
+      sum += of_corner * file.nodes[around[i]] +
+             of_middle * file.nodes[of_edge(around[i], around[(i + 1) % around.size()])];
+    return sum;
+  }
+
+
+
+  unsigned int
+  Centers::of_face(const MeshFile::Nodes &around)
+  {
+    const auto found = nodes.find(key(around));
+    if (found != nodes.end())
+      return found->second;
+    return nodes[key(around)] = add(around, center(around));
+  }
+
+
+
+  bool
+  Centers::is_in_file(const MeshFile::Nodes &corners) const
+  {
+    const auto found = nodes.find(key(corners));
+    return found != nodes.end() && found->second < n_in_file;
+  }
+
+
+
+  unsigned int
+  Centers::of_diagonal(const MeshFile::Nodes &around, const unsigned int a, const unsigned int b)
+  {
+    const auto found = nodes.find(key({a, b}));
+    if (found != nodes.end())
+      return found->second;
+    bool second_order = is_in_file(around);
+    for (unsigned int i = 0; i < around.size(); ++i)
+      second_order = second_order || is_in_file({around[i], around[(i + 1) % around.size()]});
+    if (!second_order)
+      return of_edge(a, b);
+    return nodes[key({a, b})] =
+             is_in_file(around) ? nodes[key(around)] : add({a, b}, center(around));
+  }
+
+
+
+  unsigned int
+  Centers::of_cell(const MeshFile::Nodes &corners, const Point<3> &place)
+  {
+    return add(corners, place);
+  }
+
+
+
+  void
+  Centers::complete_node_sets()
+  {
+    std::vector<bool> contains;
+    for (MeshFile::Group &group : file.groups)
+      {
+        if (group.nodes.empty())
+          continue;
+        contains.assign(file.nodes.size(), false);
+        for (const unsigned int node : group.nodes)
+          contains[node] = true;
+        for (const auto &[node, corners] : between)
+          if (!contains[node] && std::all_of(corners.begin(), corners.end(), [&](const unsigned c) {
+                return contains[c];
+              }))
+            {
+              contains[node] = true;
+              group.nodes.push_back(node);
+            }
+      }
+  }
+
+
+
+  void
+  Centers::complete_fields()
+  {
+    for (auto &[name, values] : file.fields)
+      {
+        values.resize(file.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+        // In the order in which they were made: corners come before what lies between them.
+        for (const auto &[node, corners] : between)
+          if (!std::isfinite(values[node]))
+            {
+              const std::set<unsigned int> distinct(corners.begin(), corners.end());
+              double                       sum = 0;
+              for (const unsigned int corner : distinct)
+                sum += values[corner];
+              values[node] = sum / distinct.size();
+            }
+      }
+  }
+} // namespace Signorini

@@ -1,0 +1,174 @@
+#include "mesh_import/division/cell_shape.h"
+#include "mesh_import/division/collapsed_cells.h"
+#include "mesh_import/cells.h"
+
+#include <algorithm>
+#include <set>
+
+namespace Signorini
+{
+  namespace
+  {
+    using Shape = MeshFile::Shape;
+    using Nodes = MeshFile::Nodes;
+
+    bool
+    contains(const Nodes &nodes, const unsigned int node)
+    {
+      return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+    }
+
+
+
+    bool
+    has_repeated_corners(const MeshFile::Element &element)
+    {
+      const unsigned int n = n_corners(element.shape);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          if (element.nodes[i] == element.nodes[j])
+            return true;
+      return false;
+    }
+
+
+
+    /// A cell with corners that are there several times.
+    class Collapsed
+    {
+    public:
+      explicit Collapsed(const MeshFile::Element &element)
+        : element(element)
+        , shape(CellShape::of(element.shape))
+        , distinct(element.nodes.begin(), element.nodes.begin() + shape.n_corners)
+      {
+        std::set<Nodes> known;
+        for (const Nodes &face : shape.faces)
+          {
+            Nodes around;
+            for (const unsigned int place : face)
+              if (!contains(around, element.nodes[place]))
+                around.push_back(element.nodes[place]);
+            if (around.size() >= shape.dim && known.insert(sorted(around)).second)
+              (around.size() == 4 ? squares : triangles).push_back(around);
+          }
+      }
+
+      /// The element as it is, or the same element if that is no shape.
+      MeshFile::Element
+      recognised() const
+      {
+        MeshFile::Element result = element;
+        const Nodes       list   = corners();
+        if (list.empty())
+          return element;
+        result.shape = shape.dim == 2   ? Shape::triangle :
+                       list.size() == 6 ? Shape::wedge :
+                       list.size() == 5 ? Shape::pyramid :
+                                          Shape::tetrahedron;
+        result.nodes = list;
+        return add_middles(result) ? result : element;
+      }
+
+    private:
+      /// In the order of the new shape; none if it is not known.
+      Nodes
+      corners() const
+      {
+        if (shape.dim == 2)
+          return distinct.size() == 3 ? around_plane() : Nodes();
+        if (distinct.size() == 6 && squares.size() == 3 && triangles.size() == 2)
+          return wedge();
+        if (distinct.size() == 5 && squares.size() == 1 && triangles.size() == 4)
+          return with_apex(squares[0]);
+        if (distinct.size() == 4 && squares.empty() && triangles.size() == 4)
+          return with_apex(triangles[0]);
+        return {};
+      }
+
+      Nodes
+      around_plane() const
+      {
+        Nodes result;
+        for (unsigned int i = 0; i < shape.n_corners; ++i)
+          if (!contains(result, element.nodes[i]))
+            result.push_back(element.nodes[i]);
+        return result;
+      }
+
+      Nodes
+      with_apex(Nodes base) const
+      {
+        for (const unsigned int node : distinct)
+          if (!contains(base, node))
+            {
+              base.push_back(node);
+              break;
+            }
+        return base;
+      }
+
+      /// Above each corner of a triangle is its neighbour in the squares that is not in the
+      /// triangle.
+      Nodes
+      wedge() const
+      {
+        Nodes result = triangles[0];
+        for (unsigned int i = 0; i < 3; ++i)
+          for (const Nodes &square : squares)
+            {
+              const auto at = std::find(square.begin(), square.end(), triangles[0][i]);
+              if (at == square.end())
+                continue;
+              const unsigned int place = at - square.begin(), next = square[(place + 1) % 4],
+                                 previous = square[(place + 3) % 4];
+              result.push_back(contains(triangles[0], next) ? previous : next);
+              break;
+            }
+        return result;
+      }
+
+      /// Those of second order that lie on its edges; false if some are missing.
+      bool
+      add_middles(MeshFile::Element &result) const
+      {
+        if (element.nodes.size() == shape.n_corners)
+          return true;
+        std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles;
+        for (unsigned int i = 0; i < shape.edges.size(); ++i)
+          middles.insert(
+            {std::minmax({element.nodes[shape.edges[i][0]], element.nodes[shape.edges[i][1]]}),
+             element.nodes[shape.n_corners + i]});
+        for (const Nodes &edge : CellShape::of(result.shape).edges)
+          {
+            const auto found =
+              middles.find(std::minmax({result.nodes[edge[0]], result.nodes[edge[1]]}));
+            if (found == middles.end())
+              return false;
+            result.nodes.push_back(found->second);
+          }
+        return true;
+      }
+
+      const MeshFile::Element     &element;
+      const CellShape             &shape;
+      const std::set<unsigned int> distinct;
+      std::vector<Nodes>           squares, triangles; ///< faces that are left, around
+    };
+  } // namespace
+
+
+
+  void
+  recognise_collapsed_cells(MeshFile &file, const std::vector<unsigned int> &elements)
+  {
+    for (const unsigned int e : elements)
+      {
+        MeshFile::Element &element = file.elements[e];
+        if (element.shape != Shape::hexahedron && element.shape != Shape::quadrilateral)
+          continue;
+        if (has_repeated_corners(element))
+          element = MeshFile::Element(Collapsed(element).recognised());
+      }
+  }
+} // namespace Signorini

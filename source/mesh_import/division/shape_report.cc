@@ -1,0 +1,154 @@
+#include "mesh_import/division/shape_report.h"
+#include "mesh_import/cells.h"
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double       flat = 1e-10, poor = 0.05;
+    constexpr unsigned int n_named = 3;
+
+
+
+    /// Of the edges that meet at a corner of a cell of MeshFile.
+    double
+    scaled_jacobian(const MeshFile          &file,
+                    const MeshFile::Element &cell,
+                    const unsigned int       corner,
+                    const unsigned int       dim)
+    {
+      const unsigned int layer = corner / 4 * 4, i = corner % 4;
+      const Point<3>    &p    = file.nodes[cell.nodes[corner]];
+      const auto         edge = [&](const unsigned int other) {
+        const Tensor<1, 3> e = file.nodes[cell.nodes[other]] - p;
+        return e / std::max(e.norm(), 1e-300);
+      };
+      const Tensor<1, 3> normal =
+        cross_product_3d(edge(layer + (i + 1) % 4), edge(layer + (i + 3) % 4));
+      if (dim == 2)
+        return normal[2];
+      return layer == 0 ? normal * edge(corner + 4) : -(normal * edge(corner - 4));
+    }
+  } // namespace
+
+
+
+  void
+  ShapeReport::add(const MeshFile::Element &element, const MeshFile::Element &child)
+  {
+    if (present != &element)
+      {
+        finish();
+        present = &element;
+        least   = 2;
+        largest = -2;
+      }
+    for (unsigned int corner = 0; corner < n_corners(child.shape); ++corner)
+      {
+        const double quality = scaled_jacobian(file, child, corner, dim);
+        if (quality < least)
+          {
+            least          = quality;
+            place_of_least = file.nodes[child.nodes[corner]];
+          }
+        if (quality > largest)
+          {
+            largest          = quality;
+            place_of_largest = file.nodes[child.nodes[corner]];
+          }
+      }
+  }
+
+
+
+  void
+  ShapeReport::finish()
+  {
+    if (!present)
+      return;
+    // Nodes that are listed the other way round give the same cells mirrored.
+    const bool mirrored = largest < -flat;
+    if (least <= flat && !mirrored)
+      {
+        if (++n_folded == 1)
+          first_folded = "element " + std::to_string(present->number) + " of type " +
+                         present->type + " at " +
+                         Signorini::text_of(least < -flat && -least > largest ? place_of_largest :
+                                                                                place_of_least) +
+                         (largest <= flat || least > -flat ?
+                            ", which is flat: its corners lie in one plane or on one line" :
+                            "") +
+                         (present->nodes.size() > n_corners(present->shape) ?
+                            "; Mid-side nodes = no helps if only its mid-side nodes fold it" :
+                            "");
+        return;
+      }
+    const Worst one{present->number,
+                    present->type,
+                    mirrored ? -largest : least,
+                    mirrored ? place_of_largest : place_of_least};
+    n_poor += one.quality < poor;
+    if (worst.size() == n_named && one.quality >= worst.back().quality)
+      return;
+    worst.insert(std::upper_bound(worst.begin(),
+                                  worst.end(),
+                                  one,
+                                  [](const Worst &a, const Worst &b) {
+                                    return a.quality < b.quality;
+                                  }),
+                 one);
+    worst.resize(std::min<std::size_t>(worst.size(), n_named), one);
+  }
+
+
+
+  std::string
+  ShapeReport::text_of(const Worst &one) const
+  {
+    std::ostringstream out;
+    out << "element " << one.number << " (" << one.type << ") " << std::setprecision(2)
+        << one.quality << std::setprecision(4) << " at (" << one.place << ")";
+    return out.str();
+  }
+
+
+
+  std::vector<std::string>
+  ShapeReport::notes()
+  {
+    finish();
+    present = nullptr;
+    if (n_folded > 0)
+      throw SceneError("has " + std::to_string(n_folded) +
+                       (n_folded == 1 ? " cell that is" : " cells that are") +
+                       " folded or flat: " + (n_folded == 1 ? "" : "the first is ") + first_folded +
+                       "; improve the mesh there, in Gmsh by Mesh.Optimize = 1 or "
+                       "Mesh.OptimizeNetgen = 1");
+    if (worst.empty())
+      return {};
+    if (n_poor == 0)
+      return {
+        "the worst shape has " + text_of(worst[0]) +
+        ", the smallest scaled Jacobian of its parts: 1 in a cube, 0.71 in those of a regular "
+        "tetrahedron, 0 if flat"};
+    std::vector<std::string> names;
+    for (const Worst &one : worst)
+      if (one.quality < poor)
+        names.push_back(text_of(one));
+    return {"warning: " + std::to_string(n_poor) + (n_poor == 1 ? " cell is" : " cells are") +
+            " nearly flat, their smallest scaled Jacobians below 0.05: " + join(names) +
+            "; stresses there are poor and the solver slower: improve the mesh, in Gmsh by "
+            "Mesh.Optimize = 1 or Mesh.OptimizeNetgen = 1"};
+  }
+} // namespace Signorini

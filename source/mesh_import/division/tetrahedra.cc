@@ -1,0 +1,134 @@
+#include "mesh_import/division/cell_shape.h"
+#include "mesh_import/division/tetrahedra.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Nodes = MeshFile::Nodes;
+
+    /// The cell, with its corners as places 0, 1, ...
+    class Cell
+    {
+    public:
+      Cell(const MeshFile::Element &element, MeshFile &file, Centers &centers)
+        : element(element)
+        , shape(CellShape::of(element.shape))
+        , file(file)
+        , centers(centers)
+      {}
+
+      std::vector<MeshFile::Element>
+      tetrahedra()
+      {
+        const unsigned int             lowest = place_of_lowest(corners_of(element));
+        std::vector<MeshFile::Element> result;
+        for (const Nodes &face : shape.faces)
+          if (std::find(face.begin(), face.end(), lowest) == face.end())
+            for (const Nodes &triangle : divided(face))
+              result.push_back(tetrahedron({triangle[0], triangle[1], triangle[2], lowest}));
+        return result;
+      }
+
+    private:
+      static unsigned int
+      place_of_lowest(const Nodes &nodes)
+      {
+        return std::min_element(nodes.begin(), nodes.end()) - nodes.begin();
+      }
+
+      /// The triangles of a face, in places.
+      std::vector<Nodes>
+      divided(const Nodes &face) const
+      {
+        if (face.size() == 3)
+          return {face};
+        Nodes nodes;
+        for (const unsigned int corner : face)
+          nodes.push_back(element.nodes[corner]);
+        const unsigned int i = place_of_lowest(nodes);
+        return {{face[i], face[(i + 1) % 4], face[(i + 2) % 4]},
+                {face[i], face[(i + 2) % 4], face[(i + 3) % 4]}};
+      }
+
+      MeshFile::Element
+      tetrahedron(Nodes places)
+      {
+        if (shape.orientation(places) < 0)
+          std::swap(places[0], places[1]);
+        MeshFile::Element result{MeshFile::Shape::tetrahedron, element.type, element.number, {}};
+        for (const unsigned int place : places)
+          result.nodes.push_back(element.nodes[place]);
+        if (element.nodes.size() > shape.n_corners)
+          for (const Nodes &edge : CellShape::of(result.shape).edges)
+            result.nodes.push_back(middle(places[edge[0]], places[edge[1]]));
+        return result;
+      }
+
+      unsigned int
+      middle(const unsigned int a, const unsigned int b)
+      {
+        const unsigned int from = element.nodes[a], to = element.nodes[b];
+        for (const Nodes &edge : shape.edges)
+          if (std::minmax(a, b) == std::minmax(edge[0], edge[1]))
+            return centers.of_edge(from, to);
+        for (const Nodes &face : shape.faces)
+          if (std::count(face.begin(), face.end(), a) && std::count(face.begin(), face.end(), b))
+            {
+              Nodes around;
+              for (const unsigned int corner : face)
+                around.push_back(element.nodes[corner]);
+              return centers.of_diagonal(around, from, to);
+            }
+        return center();
+      }
+
+      /// Of a hexahedron; the tetrahedra around its inner diagonal share it.
+      unsigned int
+      center()
+      {
+        if (shape.nodes[element.nodes.size() - 1] == shape.all())
+          return element.nodes.back();
+        if (my_center == Centers::none)
+          {
+            const auto &weights = shape.second_order(element.nodes.size()).center;
+            Point<3>    place;
+            for (unsigned int i = 0; i < weights.size(); ++i)
+              place += weights[i] * file.nodes[element.nodes[i]];
+            my_center = centers.of_cell(corners_of(element), place);
+          }
+        return my_center;
+      }
+
+      const MeshFile::Element &element;
+      const CellShape         &shape;
+      MeshFile                &file;
+      Centers                 &centers;
+      unsigned int             my_center = Centers::none;
+    };
+  } // namespace
+
+
+
+  std::vector<MeshFile::Element>
+  tetrahedra_of(const MeshFile::Element &cell, MeshFile &file, Centers &centers)
+  {
+    if (cell.shape == MeshFile::Shape::tetrahedron)
+      return {cell};
+    return Cell(cell, file, centers).tetrahedra();
+  }
+
+
+
+  std::vector<MeshFile::Nodes>
+  triangles_of(const Nodes &around)
+  {
+    const unsigned int i = std::min_element(around.begin(), around.end()) - around.begin();
+    return {{around[i], around[(i + 1) % 4], around[(i + 2) % 4]},
+            {around[i], around[(i + 2) % 4], around[(i + 3) % 4]}};
+  }
+} // namespace Signorini

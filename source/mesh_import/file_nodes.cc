@@ -1,0 +1,176 @@
+#include "mesh_import/division/cell_shape.h"
+#include "mesh_import/cells.h"
+#include "mesh_import/file_nodes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Nodes = MeshFile::Nodes;
+
+    /// The corners of the edges, faces and the inside of a cell, as sets of its vertices.
+    template <int dim>
+    std::vector<Nodes>
+    objects()
+    {
+      std::vector<Nodes> result;
+      using Info = GeometryInfo<dim>;
+      for (unsigned int l = 0; l < Info::lines_per_cell; ++l)
+        result.push_back({Info::line_to_cell_vertices(l, 0), Info::line_to_cell_vertices(l, 1)});
+      Nodes all;
+      for (const unsigned int v : Info::vertex_indices())
+        all.push_back(v);
+      if (dim == 3)
+        for (const unsigned int f : Info::face_indices())
+          {
+            result.emplace_back();
+            for (unsigned int v = 0; v < Info::vertices_per_face; ++v)
+              result.back().push_back(Info::face_to_cell_vertices(f, v));
+          }
+      result.push_back(all);
+      return result;
+    }
+
+    template <int dim>
+    Point<dim>
+    middle_of(const Nodes &vertices)
+    {
+      Point<dim> result;
+      for (const unsigned int v : vertices)
+        result += GeometryInfo<dim>::unit_cell_vertex(v) / double(vertices.size());
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FileNodes<dim>::FileNodes(const MeshFile                               &file,
+                            const std::vector<CellData<dim>>             &cells,
+                            const std::vector<const MeshFile::Element *> &elements,
+                            const std::vector<unsigned int>              &representatives)
+  {
+    const auto representative = [&](const unsigned int node) {
+      return node < representatives.size() ? representatives[node] : node;
+    };
+    numbers    = file.numbers;
+    first_made = file.first_made;
+    std::set<unsigned int> known;
+    for (const auto &cell : cells)
+      {
+        corners.emplace_back(cell.vertices.begin(), cell.vertices.end());
+        known.insert(cell.vertices.begin(), cell.vertices.end());
+      }
+    for (const MeshFile::Element *element : elements)
+      for (unsigned int i = n_corners(element->shape);
+           element->shape == cell_shape<dim> && i < element->nodes.size();
+           ++i)
+        {
+          Nodes of_node = CellShape::of(element->shape).corners_around(i, *element);
+          for (unsigned int &node : of_node)
+            node = representative(node);
+          between[element->nodes[i]] = sorted(of_node);
+          known.insert(element->nodes[i]);
+        }
+    for (const auto &group : file.groups)
+      {
+        std::set<unsigned int> here;
+        for (const unsigned int node : group.nodes)
+          if (known.count(representative(node)) > 0)
+            here.insert(representative(node));
+        if (!here.empty())
+          sets[group.name].assign(here.begin(), here.end());
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  FileNodes<dim>::names() const
+  {
+    std::vector<std::string> result;
+    for (const auto &[name, nodes] : sets)
+      result.push_back(name);
+    return result;
+  }
+
+
+
+  template <int dim>
+  MeshFile::Nodes
+  FileNodes<dim>::nodes_called(const std::string &name) const
+  {
+    if (const auto set = sets.find(name); set != sets.end())
+      return set->second;
+    const auto  dot      = name.rfind('.');
+    std::string instance = dot == std::string::npos ? "" : name.substr(0, dot);
+    std::transform(instance.begin(), instance.end(), instance.begin(), ::toupper);
+    const std::string      number      = dot == std::string::npos ? name : name.substr(dot + 1);
+    const auto             of          = numbers.find(instance);
+    constexpr unsigned int most_digits = 18;
+    if (of == numbers.end() || number.empty() || number.size() > most_digits ||
+        number.find_first_not_of("0123456789") != std::string::npos)
+      return {};
+    const auto node = of->second.find(std::stoul(number));
+    return node == of->second.end() ? Nodes() : Nodes{node->second};
+  }
+
+
+
+  template <int dim>
+  NodeSet<dim>
+  FileNodes<dim>::find(const std::string &name) const
+  {
+    const Nodes                          nodes = nodes_called(name);
+    std::map<unsigned int, unsigned int> at_corner; // index into the set
+    std::map<Nodes, unsigned int>        at_middle;
+    std::set<unsigned int>               near_middle;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (const auto middle = between.find(nodes[i]); middle != between.end())
+        {
+          at_middle[middle->second] = i;
+          near_middle.insert(middle->second.begin(), middle->second.end());
+        }
+      else
+        at_corner[nodes[i]] = i;
+
+    static const std::vector<Nodes> edges_and_faces = objects<dim>();
+    NodeSet<dim>                    result(nodes.size());
+    for (unsigned int c = 0; c < corners.size(); ++c)
+      {
+        for (unsigned int v = 0; v < corners[c].size(); ++v)
+          if (const auto found = at_corner.find(corners[c][v]); found != at_corner.end())
+            result[found->second].push_back(
+              {c, GeometryInfo<dim>::unit_cell_vertex(v), corners[c][v] >= first_made});
+        const auto n_near =
+          std::count_if(corners[c].begin(), corners[c].end(), [&](const unsigned int node) {
+            return near_middle.count(node) > 0;
+          });
+        if (n_near > 1)
+          for (const Nodes &object : edges_and_faces)
+            {
+              Nodes of_object;
+              for (const unsigned int v : object)
+                of_object.push_back(corners[c][v]);
+              if (const auto found = at_middle.find(sorted(of_object)); found != at_middle.end())
+                result[found->second].push_back({c, middle_of<dim>(object)});
+            }
+      }
+    result.erase(std::remove_if(result.begin(),
+                                result.end(),
+                                [](const auto &places) { return places.empty(); }),
+                 result.end());
+    return result;
+  }
+
+
+
+  template class FileNodes<2>;
+  template class FileNodes<3>;
+} // namespace Signorini

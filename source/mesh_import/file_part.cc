@@ -1,0 +1,394 @@
+#include "mesh_import/division/centers.h"
+#include "mesh_import/cell_checks.h"
+#include "mesh_import/cells.h"
+#include "mesh_import/coinciding_nodes.h"
+#include "mesh_import/face_names.h"
+#include "mesh_import/file_part.h"
+#include "mesh_import/reconstruction/smooth_patches.h"
+#include "mesh_import/pieces.h"
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    void
+    check_shape(const MeshFile::Element &element)
+    {
+      if (element.shape == MeshFile::Shape::unknown)
+        throw SceneError("has elements of a type that is not known here: " + element.type +
+                         ", the first is number " + std::to_string(element.number));
+      if (dimension_of(element.shape) > dim)
+        throw SceneError("has cells in three dimensions, the scene has two");
+      AssertThrow(element.shape == cell_shape<dim>,
+                  ExcInternalError("A cell of a mesh file was not divided."));
+    }
+
+
+
+    /// All cells of the dimension, or those of the part.
+    template <int dim>
+    std::vector<const MeshFile::Element *>
+    elements_of(const MeshFile &file, const std::string &part)
+    {
+      std::vector<bool> wanted(file.elements.size(), part.empty());
+      for (const auto &group : file.groups)
+        if (!part.empty() && group.name == part)
+          for (const unsigned int e : group.elements)
+            wanted[e] = true;
+
+      std::vector<const MeshFile::Element *> elements;
+      for (unsigned int e = 0; e < wanted.size(); ++e)
+        if (wanted[e] && dimension_of(file.elements[e].shape) >= dim)
+          {
+            check_shape<dim>(file.elements[e]);
+            elements.push_back(&file.elements[e]);
+          }
+      if (elements.empty())
+        throw SceneError(part.empty() ? "has no cells of dimension " + std::to_string(dim) :
+                                        "has no cells in the part '" + part + "'");
+      return elements;
+    }
+
+
+
+    template <int dim>
+    std::vector<CellData<dim>>
+    cells_of(const std::vector<const MeshFile::Element *> &elements)
+    {
+      // Files go around the quadrilateral, deal.II crosses over.
+      static const std::array<unsigned int, 8> order{{0, 1, 3, 2, 4, 5, 7, 6}};
+      std::vector<CellData<dim>>               cells(elements.size());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+          cells[c].vertices[v] = elements[c]->nodes.at(order[v]);
+      return cells;
+    }
+
+
+
+    template <int dim>
+    std::vector<Point<dim>>
+    vertices_of(const MeshFile &file)
+    {
+      std::vector<Point<dim>> vertices(file.nodes.size());
+      for (unsigned int i = 0; i < vertices.size(); ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          vertices[i][d] = file.nodes[i][d];
+      return vertices;
+    }
+
+
+
+    void
+    check_plane(const MeshFile &file, const std::vector<CellData<2>> &cells)
+    {
+      const double z = file.nodes[cells[0].vertices[0]][2];
+      for (const auto &cell : cells)
+        for (const unsigned int v : cell.vertices)
+          if (std::abs(file.nodes[v][2] - z) > 1e-10 * file.nodes[v].norm())
+            throw SceneError("does not lie in the plane of x and y, the scene is two-dimensional");
+    }
+
+
+
+    /// CalculiX adds the stiffness of elements that coincide.
+    template <int dim>
+    void
+    refuse_repetitions(const std::vector<CellData<dim>>             &cells,
+                       const std::vector<const MeshFile::Element *> &elements,
+                       const std::vector<Point<dim>>                &vertices)
+    {
+      using Corners = std::array<unsigned int, GeometryInfo<dim>::vertices_per_cell>;
+      std::vector<std::pair<Corners, unsigned int>> all(cells.size());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        {
+          std::copy(cells[c].vertices.begin(), cells[c].vertices.end(), all[c].first.begin());
+          std::sort(all[c].first.begin(), all[c].first.end());
+          all[c].second = c;
+        }
+      std::sort(all.begin(), all.end());
+      const auto same = [](const auto &a, const auto &b) { return a.first == b.first; };
+      const auto name = [&](const unsigned int c) {
+        return "element " + std::to_string(elements[c]->number) + " (" + elements[c]->type + ")";
+      };
+      unsigned int n     = 0;
+      auto         first = all.end();
+      for (auto next = all.begin(); (next = std::adjacent_find(next, all.end(), same)) != all.end();
+           ++next)
+        if (++n == 1)
+          first = next;
+      if (n > 0)
+        throw SceneError("has " + name(first->second) + " twice, also as " +
+                         name((first + 1)->second) + ", at " + text_of(vertices[first->first[0]]) +
+                         (n > 1 ? ", and " + std::to_string(n - 1) + " others" : "") +
+                         "; take one of them out (CalculiX adds their stiffness: then it has the "
+                         "modulus of both)");
+    }
+
+
+
+    /// Faces with one cell. Two cells share an inner face.
+    template <int dim>
+    std::vector<CellData<dim - 1>>
+    boundary_faces(const std::vector<CellData<dim>> &cells, const std::vector<Point<dim>> &vertices)
+    {
+      std::unordered_map<Centers::Key, unsigned int, Centers::Hash> n_cells;
+      for (const auto &cell : cells)
+        for (const unsigned int face : GeometryInfo<dim>::face_indices())
+          ++n_cells[Centers::key(face_nodes(cell, face))];
+
+      std::vector<CellData<dim - 1>> faces;
+      for (const auto &cell : cells)
+        for (const unsigned int face : GeometryInfo<dim>::face_indices())
+          {
+            const MeshFile::Nodes nodes = face_nodes(cell, face);
+            const unsigned int    n     = n_cells[Centers::key(nodes)];
+            if (n > 2)
+              throw SceneError("has a face with more than two cells at " +
+                               text_of(vertices[nodes[0]]));
+            if (n == 1)
+              {
+                faces.emplace_back();
+                faces.back().vertices = nodes;
+              }
+          }
+      return faces;
+    }
+
+
+
+    /// Names of boundaries, and those of each boundary id.
+    struct Names
+    {
+      std::vector<std::string>               boundaries;
+      std::vector<std::vector<unsigned int>> of_ids;
+
+      /// One more boundary id for these faces.
+      template <typename Face>
+      void
+      add(const std::vector<unsigned int> &names,
+          const std::vector<unsigned int> &members,
+          std::vector<Face>               &faces)
+      {
+        for (const unsigned int f : members)
+          faces[f].boundary_id = of_ids.size();
+        of_ids.push_back(names);
+      }
+
+      unsigned int
+      index(const std::string &name)
+      {
+        const auto found = std::find(boundaries.begin(), boundaries.end(), name);
+        if (found != boundaries.end())
+          return found - boundaries.begin();
+        boundaries.push_back(name);
+        return boundaries.size() - 1;
+      }
+    };
+
+
+
+    /// Give the faces boundary ids, one for all that have the same names: first those with names in
+    /// the file, in the order of these, then the others.
+    template <int dim>
+    Names
+    name_faces(std::vector<CellData<dim - 1>> &faces,
+               const std::vector<Point<dim>>  &vertices,
+               const FaceNames                &names,
+               const double                    feature_angle,
+               std::vector<std::string>       &notes)
+    {
+      std::map<std::set<unsigned int>, std::vector<unsigned int>> named;
+      std::set<unsigned int>                                      all;
+      for (unsigned int f = 0; f < faces.size(); ++f)
+        {
+          const std::set<unsigned int> of_face = names(faces[f].vertices);
+          named[of_face].push_back(f);
+          all.insert(of_face.begin(), of_face.end());
+        }
+      const std::vector<unsigned int> unnamed = std::move(named[{}]);
+      named.erase(std::set<unsigned int>());
+
+      Names result;
+      for (const unsigned int name : all)
+        result.boundaries.push_back(names.name(name));
+      for (const auto &[of_faces, members] : named)
+        {
+          std::vector<unsigned int> indices;
+          for (const unsigned int name : of_faces)
+            indices.push_back(std::distance(all.begin(), all.find(name)));
+          result.add(indices, members, faces);
+        }
+      if (unnamed.empty())
+        return result;
+      if (feature_angle == 0)
+        {
+          result.add({result.index("unnamed")}, unnamed, faces);
+          return result;
+        }
+      std::vector<CellData<dim - 1>> nameless;
+      for (const unsigned int f : unnamed)
+        nameless.push_back(faces[f]);
+      const auto patches = smooth_patches(nameless, vertices, feature_angle);
+      for (unsigned int i = 0; i < patches.size(); ++i)
+        {
+          std::vector<unsigned int> members;
+          for (const unsigned int f : patches[i].faces)
+            members.push_back(unnamed[f]);
+          const std::string name = "unnamed" + std::to_string(i + 1);
+          result.add({result.index(name)}, members, faces);
+          notes.push_back("boundary " + name + ": " + std::to_string(members.size()) +
+                          " faces about " + text_of(patches[i].center));
+        }
+      return result;
+    }
+
+
+
+    /// Nodes that no element of the file uses: forgotten ones, and those of references and arcs.
+    std::vector<std::string>
+    note_of_unused_nodes(const MeshFile &file)
+    {
+      std::vector<bool> used(file.nodes.size());
+      for (const auto &element : file.elements)
+        for (const unsigned int node : element.nodes)
+          used[node] = true;
+      const auto n = std::count(used.begin(), used.end(), false);
+      if (n == 0)
+        return {};
+      const auto first = std::find(used.begin(), used.end(), false) - used.begin();
+      return {std::to_string(n) + " nodes that no element uses are left out, the first is at " +
+              text_of(file.nodes[first])};
+    }
+
+
+
+    /// What a body of several pieces is made of.
+    std::vector<std::string>
+    note_of_pieces(const MeshFile &file, const unsigned int dim, const std::string &part)
+    {
+      std::vector<bool> wanted(file.elements.size(), part.empty());
+      for (const auto &group : file.groups)
+        if (group.name == part)
+          for (const unsigned int e : group.elements)
+            wanted[e] = true;
+      const std::vector<Piece> pieces = pieces_of(file, dim, wanted);
+      if (pieces.size() < 2)
+        return {};
+      constexpr unsigned int   most = 20;
+      std::vector<std::string> words;
+      for (unsigned int i = 0; i < std::min<std::size_t>(pieces.size(), most); ++i)
+        words.push_back(description(pieces[i]));
+      return {"consists of " + std::to_string(pieces.size()) + " pieces that are not connected: " +
+              join(words, "; ") + (pieces.size() > most ? "; ..." : "")};
+    }
+
+
+
+    /// Of the vertices that cells use, in order: were they made by dividing cells?
+    template <int dim>
+    std::vector<bool>
+    made_vertices(const std::vector<CellData<dim>> &cells, const MeshFile &file)
+    {
+      std::vector<bool> used(file.nodes.size()), made;
+      for (const auto &cell : cells)
+        for (const unsigned int node : cell.vertices)
+          used[node] = true;
+      for (unsigned int node = 0; node < used.size(); ++node)
+        if (used[node])
+          made.push_back(node >= file.first_made);
+      return made;
+    }
+
+
+
+    template <int dim>
+    void
+    replace_nodes(std::vector<CellData<dim>>      &cells,
+                  const std::vector<unsigned int> &representatives)
+    {
+      for (auto &cell : cells)
+        for (unsigned int &node : cell.vertices)
+          node = representatives[node];
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FilePart<dim>::FilePart(const MeshFile &file, const FileSelection &selection)
+    : vertices(vertices_of<dim>(file))
+    , elements(elements_of<dim>(file, selection.part))
+    , notes(file.notes)
+  {
+    for (const std::string &note : note_of_unused_nodes(file))
+      notes.push_back(note);
+    if (selection.coinciding_nodes != AtOnePlace::merge)
+      for (const std::string &note : note_of_pieces(file, dim, selection.part))
+        notes.push_back(note);
+    cells = cells_of<dim>(elements);
+    if constexpr (dim == 2)
+      check_plane(file, cells);
+
+    std::vector<unsigned int> representatives(vertices.size());
+    std::iota(representatives.begin(), representatives.end(), 0);
+    if (selection.coinciding_nodes == AtOnePlace::merge)
+      {
+        representatives =
+          CoincidingNodes<dim>(cells, vertices, selection.node_distance).representatives();
+        replace_nodes(cells, representatives);
+      }
+    orient(cells, vertices, elements);
+    if (selection.coinciding_nodes == AtOnePlace::refuse)
+      touching_pieces =
+        CoincidingNodes<dim>(cells, vertices, selection.node_distance).refuse_cracks();
+
+    std::set<unsigned int> corners;
+    for (const auto &cell : cells)
+      corners.insert(cell.vertices.begin(), cell.vertices.end());
+    const FaceNames names(file, dim, selection.boundaries, representatives, corners);
+    auto           &list = [&]() -> std::vector<CellData<dim - 1>>           &{
+      if constexpr (dim == 2)
+        return faces.boundary_lines;
+      else
+        return faces.boundary_quads;
+    }();
+    refuse_repetitions(cells, elements, vertices);
+    list = boundary_faces(cells, vertices);
+    if (selection.coinciding_nodes != AtOnePlace::keep)
+      refuse_hanging_nodes<dim>(cells, list, vertices);
+    const Names all_names = name_faces(list, vertices, names, selection.feature_angle, notes);
+    boundaries            = all_names.boundaries;
+    names_of_ids          = all_names.of_ids;
+    std::vector<MeshFile::Nodes> face_corners;
+    for (const auto &face : list)
+      face_corners.push_back(face.vertices);
+    for (const std::string &note : names.notes(face_corners, corners))
+      notes.push_back(note);
+
+    made = made_vertices(cells, file);
+    file_nodes.assign(corners.begin(), corners.end()); // what is left keeps its order
+    GridTools::consistently_order_cells(cells);
+    nodes = FileNodes<dim>(file, cells, elements, representatives);
+    GridTools::delete_unused_vertices(vertices, cells, faces);
+  }
+
+
+
+  template struct FilePart<2>;
+  template struct FilePart<3>;
+} // namespace Signorini

@@ -1,0 +1,509 @@
+#include "mesh_import/formats/abaqus_reader.h"
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  // The registry: one line a keyword. Those that are not here say nothing about the mesh.
+  const std::map<std::string, void (AbaqusReader::*)(), IgnoringBlanks> AbaqusReader::registry = {
+    {"NODE", &AbaqusReader::read_nodes},
+    {"ELEMENT", &AbaqusReader::read_elements},
+    {"NSET", &AbaqusReader::read_node_set},
+    {"ELSET", &AbaqusReader::read_element_set},
+    {"SURFACE", &AbaqusReader::read_surface},
+    {"DLOAD", &AbaqusReader::read_element_loads},
+    {"CONTACT PAIR", &AbaqusReader::read_adjustments},
+    {"SYSTEM", &AbaqusReader::read_system},
+    {"PART", &AbaqusReader::begin_part},
+    {"END PART", &AbaqusReader::end_scope},
+    {"INSTANCE", &AbaqusReader::begin_instance},
+    {"END INSTANCE", &AbaqusReader::end_instance},
+    {"NGEN", &AbaqusReader::generate_nodes},
+    {"NFILL", &AbaqusReader::fill_nodes},
+    {"NCOPY", &AbaqusReader::copy_nodes},
+    {"ELGEN", &AbaqusReader::generate_elements},
+    {"ELCOPY", &AbaqusReader::copy_elements},
+    {"NMAP", &AbaqusReader::refuse},
+    {"STEP", &AbaqusReader::complete_scope},
+    {"SUBSTRUCTURE PATH", &AbaqusReader::refuse},
+    {"IMPORT", &AbaqusReader::refuse}};
+
+
+
+  AbaqusReader::AbaqusReader(const std::string &file_name)
+    : in(file_name)
+  {
+    whole.mesh = std::make_shared<MeshFile>();
+  }
+
+
+
+  AbaqusDeck
+  AbaqusReader::read()
+  {
+    while (in.next_keyword())
+      if (const auto found = registry.find(in.keyword()); found != registry.end())
+        (this->*found->second)();
+    if (scope != &whole)
+      in.fail("a part or an instance is without its end: *END PART, *END INSTANCE");
+    if (whole.mesh->elements.empty())
+      in.fail(parts.empty() ? "the file has no elements: *ELEMENT" :
+                              "the file has parts, but no elements in instances: *INSTANCE");
+    complete_scope();
+    make_groups();
+    for (const Adjustment &one : adjustments)
+      adjust(one);
+    note_of_other_elements();
+    whole.mesh->notes.assign(notes.begin(), notes.end());
+    whole.mesh->numbers = whole.nodes.all_numbers();
+    deck.mesh           = std::move(*whole.mesh);
+    deck.nodes          = std::move(whole.nodes);
+    deck.elements       = std::move(whole.elements);
+    return std::move(deck);
+  }
+
+
+
+  void
+  AbaqusReader::refuse()
+  {
+    in.fail("*" + in.keyword() +
+            " is not read here; write out the nodes and elements that it makes");
+  }
+
+
+
+  AbaqusSet *
+  AbaqusReader::set_of(const std::string &parameter, AbaqusSets &sets)
+  {
+    return in.value(parameter).empty() ? nullptr : &sets.get(in.value(parameter));
+  }
+
+
+
+  void
+  AbaqusReader::read_nodes()
+  {
+    if (scope == &instance)
+      in.fail("*NODE within an instance is not read here; write the nodes in the part");
+    AbaqusSet *const  set        = set_of("NSET", scope->nodes);
+    const std::string coordinate = upper_case(in.value("SYSTEM"));
+    for (Words words; in.next_line(words);)
+      {
+        Point<3> x;
+        for (unsigned int d = 0; d < 3; ++d)
+          x[d] = d + 1 < words.size() ? real_from(in, words[d + 1]) : 0.;
+        x = cartesian(x, coordinate);
+        add_node(number_from(in, words[0]), system ? (*system)(x) : x, set);
+      }
+  }
+
+
+
+  Point<3>
+  AbaqusReader::cartesian(const Point<3> x, const std::string &coordinates) const
+  {
+    const double degree = numbers::PI / 180, a = x[1] * degree, b = x[2] * degree;
+    if (coordinates.empty() || coordinates == "R")
+      return x;
+    if (coordinates == "C")
+      return {x[0] * std::cos(a), x[0] * std::sin(a), x[2]};
+    if (coordinates == "S")
+      return {x[0] * std::cos(a) * std::cos(b),
+              x[0] * std::sin(a) * std::cos(b),
+              x[0] * std::sin(b)};
+    in.fail("*NODE, SYSTEM=" + coordinates + ": R, C and S are known");
+  }
+
+
+
+  void
+  AbaqusReader::add_node(const std::size_t number, const Point<3> &place, AbaqusSet *set)
+  {
+    if (scope->nodes.insert(number, scope->mesh->nodes.size()))
+      scope->mesh->nodes.emplace_back();
+    const unsigned int node  = scope->nodes.index(number);
+    scope->mesh->nodes[node] = place;
+    scope->number_of[node]   = number;
+    if (set)
+      set->members.push_back(node);
+  }
+
+
+
+  void
+  AbaqusReader::read_elements()
+  {
+    const std::string type_name = upper_case(in.value("TYPE"));
+    if (type_name.empty())
+      in.fail("*ELEMENT needs TYPE=...");
+    if (scope == &instance)
+      in.fail("*ELEMENT within an instance is not read here; write the elements in the part");
+    const AbaqusType         type = abaqus_type(type_name);
+    AbaqusSet *const         set  = set_of("ELSET", scope->elements);
+    std::vector<std::size_t> numbers;
+    for (Words words; in.next_line(words);)
+      {
+        for (const std::string &word : words)
+          if (!word.empty())
+            // Elements of the assembly refer to nodes of instances; no solid does.
+            numbers.push_back(
+              numbers.empty() || word.find('.') == std::string::npos ? number_from(in, word) : 0);
+        const bool complete = type.n_nodes > 0 ? numbers.size() > type.n_nodes : !in.goes_on();
+        if (complete)
+          {
+            add_element(type, type_name, numbers, set);
+            numbers.clear();
+          }
+      }
+    if (!numbers.empty())
+      in.fail("element " + std::to_string(numbers[0]) + " of type " + type_name +
+              " is without its " + std::to_string(type.n_nodes) + " nodes");
+  }
+
+
+
+  void
+  AbaqusReader::add_element(const AbaqusType               &type,
+                            const std::string              &type_name,
+                            const std::vector<std::size_t> &numbers,
+                            AbaqusSet                      *set)
+  {
+    if (numbers.empty() || (type.n_nodes > 0 && numbers.size() != type.n_nodes + 1))
+      in.fail("an element of type " + type_name + " does not have its " +
+              std::to_string(type.n_nodes) + " nodes");
+    MeshFile::Nodes members;
+    for (unsigned int i = 1; i < numbers.size(); ++i)
+      {
+        const unsigned int node = scope->nodes.index(numbers[i]);
+        // Springs to the ground and the like may have a node 0 or none.
+        if (node == AbaqusSets::none && type.n_nodes > 0)
+          in.fail("element " + std::to_string(numbers[0]) + " has the unknown node " +
+                  std::to_string(numbers[i]));
+        if (node != AbaqusSets::none)
+          members.push_back(node);
+      }
+    std::vector<MeshFile::Element> &elements = scope->mesh->elements;
+    if (!scope->elements.insert(numbers[0], elements.size()))
+      in.fail("element " + std::to_string(numbers[0]) + " is there twice");
+    if (set)
+      set->members.push_back(elements.size());
+    const bool lacks_nodes = members.size() < n_corners(type.shape);
+    elements.push_back({lacks_nodes ? MeshFile::Shape::point : type.shape,
+                        type_name,
+                        numbers[0],
+                        reordered(type, members)});
+  }
+
+
+
+  void
+  AbaqusReader::read_node_set()
+  {
+    if (in.value("NSET").empty())
+      in.fail("*NSET needs NSET=name");
+    Members members;
+    if (in.has("ELSET"))
+      members = nodes_of(in.value("ELSET"));
+    read_members(scope->nodes, in.value("NSET"), members);
+  }
+
+
+
+  void
+  AbaqusReader::read_element_set()
+  {
+    if (in.value("ELSET").empty())
+      in.fail("*ELSET needs ELSET=name");
+    read_members(scope->elements, in.value("ELSET"), {});
+  }
+
+
+
+  /// @param members those that are known already
+  void
+  AbaqusReader::read_members(AbaqusSets &sets, const std::string &name, Members members)
+  {
+    const auto unknown = sets.append_lines(in, members);
+    AbaqusSet &set     = sets.get(name);
+    set.members.insert(set.members.end(), members.begin(), members.end());
+    if (!unknown.empty())
+      scope->late_members.push_back({&sets == &scope->nodes, name, unknown});
+  }
+
+
+
+  AbaqusReader::Members
+  AbaqusReader::nodes_of(const std::string &element_set) const
+  {
+    Members members;
+    scope->elements.append(in, element_set, members, in.value("INSTANCE"));
+    std::set<unsigned int> result;
+    for (const unsigned int e : members)
+      result.insert(scope->mesh->elements[e].nodes.begin(), scope->mesh->elements[e].nodes.end());
+    return {result.begin(), result.end()};
+  }
+
+
+
+  /// Other kinds than the two are not made of the mesh: analytical rigid surfaces.
+  void
+  AbaqusReader::read_surface()
+  {
+    const std::string type = in.has("TYPE") ? upper_case(in.value("TYPE")) : "ELEMENT";
+    if (type != "ELEMENT" && type != "NODE")
+      return;
+    if (in.value("NAME").empty())
+      in.fail("*SURFACE needs NAME=name");
+    if (in.has("COMBINE") && upper_case(in.value("COMBINE")) != "UNION")
+      in.fail("*SURFACE, COMBINE=" + in.value("COMBINE") + " is not read here; UNION is");
+    LateSurface late{in.value("NAME"), type, in.has("COMBINE"), in.value("INSTANCE"), {}};
+    for (Words words; in.next_line(words);)
+      late.lines.emplace_back(words, in.place_in_messages());
+    scope->late_surfaces.push_back(late);
+  }
+
+
+
+  void
+  AbaqusReader::complete_scope()
+  {
+    complete_sets();
+    for (const LateSurface &late : scope->late_surfaces)
+      scope->surfaces.push_back(completed(late));
+    scope->late_surfaces.clear();
+  }
+
+
+
+  /// Sets may be members of each other in any order.
+  void
+  AbaqusReader::complete_sets()
+  {
+    for (bool has_found = true; has_found;)
+      {
+        has_found = false;
+        for (LateMembers &late : scope->late_members)
+          {
+            AbaqusSets &sets    = late.are_nodes ? scope->nodes : scope->elements;
+            AbaqusSet  &set     = sets.get(late.set);
+            const auto  is_open = [&](const std::string &word) {
+              return std::any_of(scope->late_members.begin(),
+                                 scope->late_members.end(),
+                                 [&](const LateMembers &other) {
+                                   return &other != &late && other.are_nodes == late.are_nodes &&
+                                          !other.words.empty() &&
+                                          upper_case(other.set) == upper_case(word);
+                                 });
+            };
+            Words   unknown;
+            Members found;
+            for (const std::string &word : late.words)
+              if (!is_open(word) && sets.append_if_known(word, found))
+                has_found = true;
+              else
+                unknown.push_back(word);
+            set.members.insert(set.members.end(), found.begin(), found.end());
+            late.words = unknown;
+          }
+      }
+    for (const LateMembers &late : scope->late_members)
+      for (const std::string &word : late.words)
+        {
+          const std::string note = (late.are_nodes ? "node set " : "element set ") + late.set +
+                                   ": there is no '" + word + "'; it is left out";
+          notes.insert(note);
+          if (word.find_first_not_of("0123456789") != std::string::npos)
+            deck.missing.push_back(note);
+        }
+    scope->late_members.clear();
+  }
+
+
+
+  MeshFile::Group
+  AbaqusReader::completed(const LateSurface &late)
+  {
+    MeshFile::Group surface{late.name, {}, {}, {}};
+    for (const auto &[words, place] : late.lines)
+      if (late.is_union)
+        for (const std::string &word : words)
+          add_surface(word, place, surface);
+      else if (late.type == "NODE")
+        {
+          if (!words[0].empty() &&
+              !scope->nodes.append_if_known(words[0], surface.nodes, late.instance))
+            throw SceneError(place + "there is no node or set of nodes '" + words[0] + "'");
+        }
+      else
+        add_faces((late.instance.empty() || words[0].empty() ? "" : late.instance + ".") + words[0],
+                  words.size() > 1 ? upper_case(words[1]) : "",
+                  place,
+                  surface);
+    return surface;
+  }
+
+
+
+  void
+  AbaqusReader::add_surface(const std::string &name,
+                            const std::string &place,
+                            MeshFile::Group   &to) const
+  {
+    if (name.empty())
+      return;
+    const auto found =
+      std::find_if(scope->surfaces.begin(), scope->surfaces.end(), [&](const auto &other) {
+        return upper_case(other.name) == upper_case(name);
+      });
+    if (found == scope->surfaces.end())
+      throw SceneError(place + "there is no surface '" + name + "' above");
+    check_amount(in, double(to.faces.size()) + found->faces.size());
+    check_amount(in, double(to.nodes.size()) + found->nodes.size());
+    to.faces.insert(to.faces.end(), found->faces.begin(), found->faces.end());
+    to.nodes.insert(to.nodes.end(), found->nodes.begin(), found->nodes.end());
+  }
+
+
+
+  /// No elements: all of the scope. @param place in the file, for messages
+  void
+  AbaqusReader::add_faces(const std::string &of,
+                          const std::string &label,
+                          const std::string &place,
+                          MeshFile::Group   &surface)
+  {
+    Members members;
+    if (!of.empty() && !scope->elements.append_if_known(of, members))
+      throw SceneError(place + "'" + of + "' is no element or set of elements of the file");
+    if (of.empty())
+      for (const auto &[number, e] : scope->elements.numbers())
+        members.push_back(e);
+    check_amount(in, double(surface.faces.size()) + members.size());
+    for (const unsigned int e : members)
+      {
+        const MeshFile::Element &element = scope->mesh->elements[e];
+        const auto               faces   = abaqus_faces(element, label);
+        surface.faces.insert(surface.faces.end(), faces.begin(), faces.end());
+        if (faces.empty())
+          if (const std::string note = "surface " + surface.name + ": elements of type " +
+                                       element.type + " have no face " + label;
+              notes.insert(note).second)
+            deck.missing.push_back(note);
+      }
+  }
+
+
+
+  bool
+  is_pressure_label(const std::string &label)
+  {
+    return label.size() == 2 && label[0] == 'P' && label[1] >= '1' && label[1] <= '6';
+  }
+
+
+
+  std::string
+  name_of_loaded_faces(const unsigned int n, const unsigned int k)
+  {
+    const std::string name = "DLOAD " + std::to_string(n);
+    return k == 1 ? name : name + " " + std::to_string(k);
+  }
+
+
+
+  /// Faces that have a pressure of their own have no other name.
+  void
+  AbaqusReader::read_element_loads()
+  {
+    ++n_element_loads;
+    complete_scope();
+    std::vector<double>          pressures;
+    std::vector<MeshFile::Group> loaded;
+    for (Words words; in.next_line(words);)
+      {
+        const std::string label = words.size() > 1 ? upper_case(words[1]) : "";
+        if (!is_pressure_label(label))
+          continue;
+        const double pressure = words.size() > 2 ? real_from(in, words[2]) : 0;
+        const auto   found    = std::find(pressures.begin(), pressures.end(), pressure);
+        const auto   k        = found - pressures.begin();
+        if (found == pressures.end())
+          {
+            pressures.push_back(pressure);
+            loaded.push_back({name_of_loaded_faces(n_element_loads, k + 1), {}, {}, {}});
+          }
+        add_faces(words[0], "S" + label.substr(1), in.place_in_messages(), loaded[k]);
+      }
+    whole.surfaces.insert(whole.surfaces.end(), loaded.begin(), loaded.end());
+  }
+
+
+
+  void
+  AbaqusReader::make_groups()
+  {
+    MeshFile &file = *whole.mesh;
+    for (const MeshFile::Group &one : instances)
+      {
+        if (const AbaqusSet *set = whole.elements.find(one.name);
+            set && set->members != one.elements)
+          in.fail("the element set '" + one.name + "' is called as an instance is");
+        file.groups.push_back(one);
+      }
+    for (const MeshFile::Group &surface : whole.surfaces)
+      {
+        MeshFile::Group &group = file.group(surface.name);
+        group.faces.insert(group.faces.end(), surface.faces.begin(), surface.faces.end());
+        group.nodes.insert(group.nodes.end(), surface.nodes.begin(), surface.nodes.end());
+      }
+    for (const auto &[name, set] : whole.elements.all())
+      file.group(set.name).elements = set.members;
+    for (const auto &[name, set] : whole.nodes.all())
+      {
+        MeshFile::Nodes &members = file.group(set.name).nodes;
+        members.insert(members.end(), set.members.begin(), set.members.end());
+      }
+  }
+
+
+
+  /// What a deck computes with, but not this program.
+  void
+  AbaqusReader::note_of_other_elements()
+  {
+    std::map<std::string, unsigned int> others;
+    unsigned int                        largest = 0;
+    for (const auto &element : whole.mesh->elements)
+      if (element.shape != MeshFile::Shape::unknown)
+        largest = std::max(largest, dimension_of(element.shape));
+    for (const auto &element : whole.mesh->elements)
+      if (dimension_of(element.shape) < largest)
+        ++others[element.type];
+    for (const auto &[type, n] : others)
+      notes.insert(std::to_string(n) + " elements of type " + type +
+                   " are no solids: they have no stiffness here");
+  }
+
+
+
+  AbaqusDeck
+  read_abaqus_deck(const std::string &file_name)
+  {
+    return AbaqusReader(file_name).read();
+  }
+
+
+
+  MeshFile
+  read_abaqus(const std::string &file_name)
+  {
+    return read_abaqus_deck(file_name).mesh;
+  }
+} // namespace Signorini

@@ -1,0 +1,167 @@
+#pragma once
+
+#include "mesh_import/formats/abaqus.h"
+#include "mesh_import/formats/abaqus_elements.h"
+#include "mesh_import/formats/rigid_motion.h"
+
+#include <memory>
+#include <set>
+
+namespace Signorini
+{
+  /// Reads the keywords that make a mesh: a small function each, in the registry of abaqus.cc.
+  class AbaqusReader
+  {
+  public:
+    explicit AbaqusReader(const std::string &file_name);
+
+    AbaqusDeck
+    read();
+
+  private:
+    using Words   = std::vector<std::string>;
+    using Members = std::vector<unsigned int>;
+
+    /// Members of a set that stand below it in the file, or nowhere.
+    struct LateMembers
+    {
+      bool                     are_nodes;
+      std::string              set;
+      std::vector<std::string> words;
+    };
+
+    /// A surface, whose elements and sets may stand below it.
+    struct LateSurface
+    {
+      std::string name, type;
+      bool        is_union;
+      std::string instance;
+
+      std::vector<std::pair<Words, std::string>> lines; ///< with their places, for messages
+    };
+
+    /// Slave nodes that are to be moved onto a master: a set, or up to a distance.
+    struct Adjustment
+    {
+      std::string slave, master, of;
+    };
+
+    /// Where names and numbers count: the file or assembly, a part, or an instance.
+    struct Scope
+    {
+      std::shared_ptr<MeshFile>    mesh; ///< an instance has that of the file
+      AbaqusSets                   nodes, elements;
+      std::vector<MeshFile::Group> surfaces;
+
+      std::vector<LateMembers> late_members;
+      std::vector<LateSurface> late_surfaces;
+
+      std::unordered_map<unsigned int, std::size_t> number_of; ///< nodes, by their indices
+    };
+
+    // Nodes and elements
+    void
+    read_nodes();
+    void
+    add_node(std::size_t number, const dealii::Point<3> &place, AbaqusSet *set);
+    dealii::Point<3>
+    cartesian(dealii::Point<3> x, const std::string &system) const;
+    void
+    read_elements();
+    void
+    add_element(const AbaqusType               &type,
+                const std::string              &type_name,
+                const std::vector<std::size_t> &numbers,
+                AbaqusSet                      *set);
+    /// An element like another one with other nodes.
+    void
+    copy_element(unsigned int like, std::size_t number, const MeshFile::Nodes &nodes);
+    void
+    read_system();
+
+    // Sets and surfaces
+    void
+    read_node_set();
+    void
+    read_element_set();
+    Members
+    nodes_of(const std::string &element_set) const;
+    void
+    read_surface();
+    void
+    read_members(AbaqusSets &sets, const std::string &name, Members members);
+    /// Sets and surfaces that may ask for what stands below them: at the end of the model.
+    void
+    complete_scope();
+    void
+    complete_sets();
+    MeshFile::Group
+    completed(const LateSurface &late);
+    void
+    add_surface(const std::string &name, const std::string &place, MeshFile::Group &to) const;
+    void
+    add_faces(const std::string &of,
+              const std::string &label,
+              const std::string &place,
+              MeshFile::Group   &surface);
+
+    void
+    read_element_loads();
+
+    void
+    read_adjustments();
+    void
+    adjust(const Adjustment &one);
+
+    // Parts and instances
+    void
+    begin_part();
+    void
+    end_scope();
+    void
+    begin_instance();
+    RigidMotion
+    read_motion();
+    void
+    end_instance();
+
+    // Nodes and elements made of others
+    void
+    generate_nodes();
+    void
+    fill_nodes();
+    void
+    copy_nodes();
+    void
+    generate_elements();
+    void
+    copy_elements();
+    std::size_t
+    node_number(unsigned int index) const;
+
+    void
+    refuse();
+    AbaqusSet *
+    set_of(const std::string &parameter, AbaqusSets &sets);
+    const dealii::Point<3> &
+    place_of(const std::string &word) const;
+    void
+    make_groups();
+    void
+    note_of_other_elements();
+
+    static const std::map<std::string, void (AbaqusReader::*)(), IgnoringBlanks> registry;
+
+    KeywordFile                  in;
+    AbaqusDeck                   deck;
+    Scope                        whole, instance;
+    std::map<std::string, Scope> parts; ///< by their names in upper case
+    Scope                       *scope = &whole;
+    std::string                  instance_name;
+    std::vector<MeshFile::Group> instances; ///< the elements of each
+    std::unique_ptr<RigidMotion> system;    ///< of *SYSTEM
+    std::vector<Adjustment>      adjustments;
+    std::set<std::string>        notes;
+    unsigned int                 n_element_loads = 0;
+  };
+} // namespace Signorini

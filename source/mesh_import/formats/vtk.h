@@ -1,0 +1,11 @@
+#pragma once
+
+#include "mesh_import/mesh_file.h"
+
+namespace Signorini
+{
+  /// Read a legacy file of VTK with an unstructured grid, as text or binary, of version 2 to 5.
+  /// Groups: see add_vtk_groups(). Throws SceneError with the name of the file.
+  MeshFile
+  read_vtk(const std::string &file_name);
+} // namespace Signorini

@@ -1,0 +1,119 @@
+#include "geometry/connected.h"
+#include "mesh_import/pieces.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    name(std::vector<Piece> &pieces, const MeshFile &file, const unsigned int dim)
+    {
+      std::map<std::vector<unsigned int>, std::string> names;
+      for (const auto &group : file.groups)
+        {
+          std::vector<unsigned int> cells;
+          for (const unsigned int e : group.elements)
+            if (dimension_of(file.elements[e].shape) == dim)
+              cells.push_back(e);
+          std::sort(cells.begin(), cells.end());
+          cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+          names.insert({cells, group.name});
+        }
+      for (unsigned int i = 0; i < pieces.size(); ++i)
+        {
+          const auto found   = names.find(pieces[i].elements);
+          pieces[i].is_named = found != names.end();
+          pieces[i].name     = pieces[i].is_named ? found->second : "piece" + std::to_string(i + 1);
+        }
+    }
+  } // namespace
+
+
+
+  std::string
+  description(const Piece &piece)
+  {
+    const auto &[low, high] = piece.box.get_boundary_points();
+    std::ostringstream text;
+    text << piece.name << " (" << piece.elements.size()
+         << (piece.elements.size() == 1 ? " cell" : " cells") << " from (" << low << ") to ("
+         << high << "))";
+    return text.str();
+  }
+
+
+
+  std::vector<Piece>
+  pieces_of(const MeshFile &file, const unsigned int dim, const std::vector<bool> &wanted)
+  {
+    const auto is_cell = [&](const unsigned int e) {
+      return (wanted.empty() || wanted[e]) && dimension_of(file.elements[e].shape) == dim;
+    };
+    Connected nodes(file.nodes.size());
+    for (unsigned int e = 0; e < file.elements.size(); ++e)
+      if (is_cell(e))
+        for (const unsigned int node : file.elements[e].nodes)
+          nodes.connect(file.elements[e].nodes[0], node);
+
+    std::vector<Piece>                   pieces;
+    std::map<unsigned int, unsigned int> piece_of; // by the first node
+    for (unsigned int e = 0; e < file.elements.size(); ++e)
+      if (is_cell(e))
+        {
+          const MeshFile::Nodes &members = file.elements[e].nodes;
+          const auto [entry, is_new] = piece_of.insert({nodes.first_of(members[0]), pieces.size()});
+          const Point<3> &first      = file.nodes[members[0]];
+          if (is_new)
+            pieces.push_back({"", false, {}, BoundingBox<3>({first, first})});
+          Piece &piece = pieces[entry->second];
+          piece.elements.push_back(e);
+          for (const unsigned int node : members)
+            piece.box.merge_with(BoundingBox<3>({file.nodes[node], file.nodes[node]}));
+        }
+    name(pieces, file, dim);
+    return pieces;
+  }
+
+
+
+  void
+  add_pieces(MeshFile &file, const unsigned int dim)
+  {
+    const std::vector<Piece> pieces = pieces_of(file, dim);
+    if (pieces.size() > 1)
+      for (const Piece &piece : pieces)
+        if (!piece.is_named)
+          file.group(piece.name).elements = piece.elements;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  pieces_of(const std::vector<CellData<dim>> &cells, const unsigned int n_vertices)
+  {
+    Connected vertices(n_vertices);
+    for (const auto &cell : cells)
+      for (const unsigned int vertex : cell.vertices)
+        vertices.connect(cell.vertices[0], vertex);
+    std::map<unsigned int, unsigned int> number_of;
+    std::vector<unsigned int>            result;
+    for (const auto &cell : cells)
+      result.push_back(
+        number_of.insert({vertices.first_of(cell.vertices[0]), number_of.size()}).first->second);
+    return result;
+  }
+
+
+
+  template std::vector<unsigned int>
+  pieces_of(const std::vector<CellData<2>> &, unsigned int);
+  template std::vector<unsigned int>
+  pieces_of(const std::vector<CellData<3>> &, unsigned int);
+} // namespace Signorini

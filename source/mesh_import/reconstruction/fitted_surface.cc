@@ -1,0 +1,280 @@
+#include "linear_algebra/dense.h"
+#include "mesh_import/cells.h"
+#include "mesh_import/reconstruction/fitted_surface.h"
+#include "geometry/round_manifold.h"
+#include "parameters/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Point<dim>
+  FittedSurface<dim>::closest(const Point<dim> &p) const
+  {
+    const double         height = (p - center) * axis;
+    const Tensor<1, dim> arm    = (p - center) - height * axis;
+    return p + arm * ((radius + slope * height) / arm.norm() - 1);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Manifold<dim>>
+  FittedSurface<dim>::manifold() const
+  {
+    // Means of cylindrical coordinates stay on a cone.
+    return std::make_unique<RoundManifold<dim>>(center, axis);
+  }
+
+
+
+  namespace
+  {
+    /// With zeros instead of rounding.
+    template <int dim>
+    std::string
+    words(Point<dim> p, const double scale)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(p[d]) < 1e-9 * scale)
+          p[d] = 0;
+      return text_of(p);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  FittedSurface<dim>::description() const
+  {
+    const std::string about = words(center, radius);
+    if (axis.norm() == 0)
+      return std::string(dim == 2 ? "a circle" : "a sphere") + " of radius " +
+             short_text(radius, 6) + " about " + about;
+    const std::string on_axis =
+      " about the axis through " + about + " along " + words(Point<dim>(axis), 1);
+    if (slope == 0)
+      return "a cylinder of radius " + short_text(radius, 6) + on_axis;
+    return "a cone" + on_axis;
+  }
+
+
+
+  namespace
+  {
+    /// In units in which the points are about one large.
+    template <int dim>
+    struct Cloud
+    {
+      std::vector<Point<dim>> points;
+      Point<dim>              middle;
+      double                  unit = 0;
+
+      explicit Cloud(const std::vector<Point<dim>> &given)
+        : points(given)
+      {
+        for (const Point<dim> &p : given)
+          middle += p / double(given.size());
+        for (const Point<dim> &p : given)
+          unit = std::max(unit, p.distance(middle));
+        for (Point<dim> &p : points)
+          p = Point<dim>((p - middle) / unit);
+      }
+
+      FittedSurface<dim>
+      in_given_units(FittedSurface<dim> surface) const
+      {
+        surface.center = middle + unit * Tensor<1, dim>(surface.center);
+        surface.radius *= unit;
+        return surface;
+      }
+    };
+
+    /// |x|^2 = 2 c.x + d, which is linear in what is sought.
+    template <int dim>
+    FittedSurface<dim>
+    sphere_through(const std::vector<Point<dim>> &points)
+    {
+      Eigen::MatrixXd A(points.size(), dim + 1);
+      Eigen::VectorXd b(points.size());
+      for (unsigned int i = 0; i < points.size(); ++i)
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            A(i, d) = 2 * points[i][d];
+          A(i, dim) = 1;
+          b(i)      = points[i].square();
+        }
+      const Eigen::VectorXd x = solve_least_squares(A, b);
+      FittedSurface<dim>    result{};
+      for (unsigned int d = 0; d < dim; ++d)
+        result.center[d] = x(d);
+      result.radius = std::sqrt(std::max(0., x(dim) + result.center.square()));
+      return result;
+    }
+
+    /// Normals of a cylinder or a cone have the same component along its axis.
+    Tensor<1, 3>
+    guess_of_axis(const std::vector<Tensor<1, 3>> &normals)
+    {
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (const auto &n : normals)
+        mean += Eigen::Vector3d(n[0], n[1], n[2]) / normals.size();
+      Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+      for (const auto &n : normals)
+        {
+          const Eigen::Vector3d v = Eigen::Vector3d(n[0], n[1], n[2]) - mean;
+          spread += v * v.transpose();
+        }
+      const Eigen::Vector3d a = eigenpairs_of_symmetric(spread).vectors.col(0);
+      return Tensor<1, 3>({a[0], a[1], a[2]});
+    }
+
+    /// Its numbers: two of the axis, two of the center, the radius, the slope; relative to a guess.
+    struct Round
+    {
+      Point<3>     center;
+      Tensor<1, 3> axis, first, second;
+
+      Round(const Point<3> &center, const Tensor<1, 3> &axis)
+        : center(center)
+        , axis(axis)
+      {
+        unsigned int least = 0;
+        for (unsigned int d = 1; d < 3; ++d)
+          if (std::abs(axis[d]) < std::abs(axis[least]))
+            least = d;
+        Tensor<1, 3> e;
+        e[least] = 1;
+        first    = cross_product_3d(axis, e);
+        first /= first.norm();
+        second = cross_product_3d(axis, first);
+      }
+
+      FittedSurface<3>
+      at(const Eigen::VectorXd &x) const
+      {
+        Tensor<1, 3> direction = axis + x(0) * first + x(1) * second;
+        direction /= direction.norm();
+        return {center + x(2) * first + x(3) * second, direction, x(4), x.size() > 5 ? x(5) : 0.};
+      }
+    };
+
+    Eigen::VectorXd
+    deviations(const FittedSurface<3> &surface, const std::vector<Point<3>> &points)
+    {
+      Eigen::VectorXd r(points.size());
+      for (unsigned int i = 0; i < points.size(); ++i)
+        {
+          const Tensor<1, 3> arm    = points[i] - surface.center;
+          const double       height = arm * surface.axis;
+          r(i) = (arm - height * surface.axis).norm() - surface.radius - surface.slope * height;
+        }
+      return r;
+    }
+
+    /// By Gauss and Newton.
+    FittedSurface<3>
+    round_through(const std::vector<Point<3>> &points, const Round &guess, Eigen::VectorXd x)
+    {
+      constexpr double step = 1e-7;
+      for (unsigned int iteration = 0; iteration < 30; ++iteration)
+        {
+          const Eigen::VectorXd r = deviations(guess.at(x), points);
+          Eigen::MatrixXd       J(r.size(), x.size());
+          for (unsigned int j = 0; j < x.size(); ++j)
+            {
+              Eigen::VectorXd moved = x;
+              moved(j) += step;
+              J.col(j) = (deviations(guess.at(moved), points) - r) / step;
+            }
+          const Eigen::VectorXd change = solve_least_squares(J, r);
+          if (!change.allFinite())
+            break;
+          x -= change;
+          if (change.norm() < 1e-13 * (1 + x.norm()))
+            break;
+        }
+      return guess.at(x);
+    }
+
+    template <int dim>
+    double
+    largest_distance(const FittedSurface<dim> &surface, const std::vector<Point<dim>> &points)
+    {
+      double largest = 0;
+      for (const Point<dim> &p : points)
+        {
+          const double distance = surface.distance(p);
+          largest               = std::isfinite(distance) ? std::max(largest, distance) :
+                                                            std::numeric_limits<double>::infinity();
+        }
+      return largest;
+    }
+
+    std::optional<FittedSurface<3>>
+    fit_round(const Cloud<3>                  &cloud,
+              const std::vector<Tensor<1, 3>> &normals,
+              const double                     tolerance)
+    {
+      const Tensor<1, 3> axis = guess_of_axis(normals);
+      const Round        flat({}, axis);
+      // The circle of the projected points.
+      std::vector<Point<2>> projected;
+      for (const Point<3> &p : cloud.points)
+        projected.emplace_back(p * flat.first, p * flat.second);
+      const FittedSurface<2> circle = sphere_through(projected);
+      const Round guess(Point<3>(circle.center[0] * flat.first + circle.center[1] * flat.second),
+                        axis);
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(5);
+      x(4)              = circle.radius;
+      for (const unsigned int n : {5, 6})
+        {
+          x.conservativeResizeLike(Eigen::VectorXd::Zero(n));
+          const FittedSurface<3> surface = round_through(cloud.points, guess, x);
+          if (largest_distance(surface, cloud.points) <= tolerance)
+            return surface;
+        }
+      return {};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::optional<FittedSurface<dim>>
+  fit_surface(const std::vector<Point<dim>>     &points,
+              const std::vector<Tensor<1, dim>> &normals,
+              const double                       tolerance)
+  {
+    constexpr double         most = 1e4; // radii, in sizes: beyond, it is flat
+    const Cloud<dim>         cloud(points);
+    const FittedSurface<dim> sphere = sphere_through(cloud.points);
+    if (sphere.radius < most && largest_distance(sphere, cloud.points) <= tolerance / cloud.unit)
+      return cloud.in_given_units(sphere);
+    if constexpr (dim == 3)
+      if (const auto round = fit_round(cloud, normals, tolerance / cloud.unit);
+          round && round->radius < most)
+        return cloud.in_given_units(*round);
+    return {};
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template struct FittedSurface<dim>;                                                              \
+  template std::optional<FittedSurface<dim>> fit_surface(const std::vector<Point<dim>> &,          \
+                                                         const std::vector<Tensor<1, dim>> &,      \
+                                                         double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

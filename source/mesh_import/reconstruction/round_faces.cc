@@ -1,0 +1,160 @@
+#include "mesh_import/reconstruction/round_faces.h"
+
+#include <algorithm>
+#include <set>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double       largest_share = 0.01; // of the sagitta, that corners may be off
+    constexpr unsigned int max_seeds     = 200;  // in vain, before a mesh is taken for what it is
+
+    template <int dim>
+    class Finder
+    {
+    public:
+      explicit Finder(const FacetGraph<dim> &graph)
+        : graph(graph)
+        , faces(graph.faces)
+        , vertices(graph.vertices)
+        , made(graph.made)
+        , used(faces.size(), false)
+      {}
+
+      Facets<dim>
+      find()
+      {
+        Facets<dim>  result;
+        unsigned int in_vain = 0;
+        for (unsigned int seed = 0; seed < faces.size() && in_vain < max_seeds; ++seed)
+          if (!used[seed] && !graph.neighbours(seed).empty())
+            {
+              if (auto found = grown_from(seed))
+                result.round.push_back(std::move(*found));
+              else if (graph.sagitta({seed}) > 0)
+                ++in_vain;
+            }
+        for (unsigned int f = 0; f < faces.size(); ++f)
+          result.sagitta.push_back(used[f] ? 0. : graph.sagitta({f}));
+        return result;
+      }
+
+    private:
+      std::vector<unsigned int>
+      corners_of(const std::vector<unsigned int> &some) const
+      {
+        std::set<unsigned int> corners;
+        for (const unsigned int f : some)
+          for (const unsigned int v : faces[f].vertices)
+            if (!made[v])
+              corners.insert(v);
+        return {corners.begin(), corners.end()};
+      }
+
+      /// Faces around one, until there are enough corners to tell one kind from another.
+      std::vector<unsigned int>
+      seed_around(const unsigned int first) const
+      {
+        constexpr unsigned int    enough = dim == 2 ? 4 : 12;
+        std::vector<unsigned int> some{first};
+        std::set<unsigned int>    known{first};
+        for (unsigned int i = 0; i < some.size() && corners_of(some).size() < enough; ++i)
+          for (const auto &n : graph.neighbours(some[i]))
+            if (!used[n.face] && known.insert(n.face).second)
+              some.push_back(n.face);
+        return some;
+      }
+
+      /// Only the normals of the first n, which are near each other: those of opposite faces may be
+      /// of any orientation.
+      std::optional<FittedSurface<dim>>
+      fit(const std::vector<unsigned int> &some, const std::size_t n, const double tolerance) const
+      {
+        std::vector<Point<dim>>     points;
+        std::vector<Tensor<1, dim>> normals_there;
+        for (const unsigned int v : corners_of(some))
+          points.push_back(vertices[v]);
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const Tensor<1, dim> &normal = graph.normal(some[i]);
+            normals_there.push_back(normal * graph.normal(some[0]) < 0 ? -normal : normal);
+          }
+        return fit_surface(points, normals_there, tolerance);
+      }
+
+      bool
+      lies_on(const unsigned int f, const FittedSurface<dim> &surface, const double tolerance) const
+      {
+        for (const unsigned int v : faces[f].vertices)
+          if (!made[v] && !(surface.distance(vertices[v]) <= tolerance))
+            return false;
+        return true;
+      }
+
+      std::optional<RoundFaces<dim>>
+      grown_from(const unsigned int seed)
+      {
+        constexpr unsigned int    least     = dim == 2 ? 5 : 9;
+        std::vector<unsigned int> some      = seed_around(seed);
+        const double              tolerance = largest_share * graph.sagitta(some);
+        if (tolerance == 0 || corners_of(some).size() < (dim == 2 ? 4 : 9))
+          return {};
+        const std::size_t n_seed  = some.size();
+        auto              surface = fit(some, n_seed, tolerance);
+        if (!surface)
+          return {};
+        std::set<unsigned int> known(some.begin(), some.end());
+        std::size_t            fitted = n_seed;
+        for (unsigned int i = 0; i < some.size(); ++i)
+          {
+            for (const auto &n : graph.neighbours(some[i]))
+              if (!used[n.face] && known.count(n.face) == 0 && lies_on(n.face, *surface, tolerance))
+                {
+                  known.insert(n.face);
+                  some.push_back(n.face);
+                }
+            // The more corners, the better the surface is known.
+            const bool is_last = i + 1 == some.size();
+            if (some.size() >= 2 * fitted || (is_last && some.size() > fitted))
+              {
+                fitted = some.size();
+                if (auto better = fit(some, n_seed, tolerance))
+                  surface = better;
+                else if (is_last)
+                  return {};
+              }
+          }
+        if (corners_of(some).size() < least)
+          return {};
+        for (const unsigned int f : some)
+          used[f] = true;
+        return RoundFaces<dim>{*surface, some, graph.sagitta(some)};
+      }
+
+      const FacetGraph<dim>                &graph;
+      const std::vector<CellData<dim - 1>> &faces;
+      const std::vector<Point<dim>>        &vertices;
+      const std::vector<bool>              &made;
+      std::vector<bool>                     used;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  Facets<dim>
+  find_round_faces(const FacetGraph<dim> &graph)
+  {
+    return Finder<dim>(graph).find();
+  }
+
+
+
+  template Facets<2>
+  find_round_faces(const FacetGraph<2> &);
+  template Facets<3>
+  find_round_faces(const FacetGraph<3> &);
+} // namespace Signorini

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "solid/stiffness.h"
+#include "multigrid/prolongation.h"
+
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+  /// A level of multigrid below another one.
+  struct Level
+  {
+    /// With an assembled stiffness.
+    Level(std::unique_ptr<const Prolongation> prolongation, LA::SparseMatrix &&assembled)
+      : prolongation(std::move(prolongation))
+      , matrix(std::make_unique<LA::SparseMatrix>(std::move(assembled)))
+      , stiffness(std::make_unique<AssembledOperator>(*matrix))
+    {}
+
+    /// With products only.
+    Level(std::unique_ptr<const Prolongation>             prolongation,
+          std::unique_ptr<const StiffnessOperator<float>> stiffness)
+      : prolongation(std::move(prolongation))
+      , stiffness(std::move(stiffness))
+    {}
+
+    std::unique_ptr<const Prolongation>     prolongation;      ///< from this level to the one above
+    std::unique_ptr<const LA::SparseMatrix> matrix;            ///< null: there is none
+    std::unique_ptr<const StiffnessOperator<float>> stiffness; ///< looks at the matrix
+  };
+
+  /// Levels of multigrid below the stiffness of bodies that are spaces of displacements.
+  struct Spaces
+  {
+    std::vector<Level>               levels; ///< from finer to coarser; the last has a matrix
+    std::vector<std::vector<double>> modes;  ///< of the last one, see rigid_body_modes()
+  };
+} // namespace Signorini

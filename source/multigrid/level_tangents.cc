@@ -1,0 +1,96 @@
+#include "multigrid/level_tangents.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/array.hpp>
+
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What the leaves of a rank add to a cell.
+    struct Message
+    {
+      int           level;
+      unsigned int  tree;
+      std::uint64_t place; ///< in the tree
+      CellTangent   tangent;
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &level &tree &place &tangent;
+      }
+    };
+
+    void
+    add(const CellTangent &term, const float factor, CellTangent &sum)
+    {
+      for (unsigned int k = 0; k < n_tangent_numbers; ++k)
+        sum[k] += factor * term[k];
+    }
+  } // namespace
+
+
+
+  LevelTangents::LevelTangents(const CellTangents &of_leaves,
+                               const CellCurve    &curve,
+                               const MPI_Comm      comm)
+    : of_leaves(of_leaves)
+  {
+    for (const CellCurve::Place &leaf : curve.leaves())
+      {
+        const CellTangent &tangent = of_leaves[leaf.cell->active_cell_index()];
+        float              factor  = 1;
+        CellCurve::Cell    cell    = leaf.cell;
+        while (cell->level() > 0)
+          {
+            cell = cell->parent();
+            factor /= 4;
+            if (of_ancestors.size() <= static_cast<unsigned int>(cell->level()))
+              of_ancestors.resize(cell->level() + 1);
+            add(tangent, factor, of_ancestors[cell->level()][cell->index()]);
+          }
+      }
+    send_to_owners(curve, comm);
+  }
+
+
+
+  void
+  LevelTangents::send_to_owners(const CellCurve &curve, const MPI_Comm comm)
+  {
+    const unsigned int                           rank = Utilities::MPI::this_mpi_process(comm);
+    std::map<unsigned int, std::vector<Message>> messages;
+    std::map<std::pair<int, CellCurve::Position>, int> own;
+    for (const CellCurve::Place &place : curve.ancestors())
+      {
+        const int          level = place.cell->level(), index = place.cell->index();
+        const unsigned int owner = curve.owner(place.position);
+        if (owner == rank)
+          own[{level, place.position}] = index;
+        else
+          messages[owner].push_back(
+            {level, place.position.first, place.position.second, of_ancestors[level][index]});
+      }
+    for (const auto &[sender, parts] : Utilities::MPI::some_to_some(comm, messages))
+      for (const Message &part : parts)
+        add(part.tangent,
+            1,
+            of_ancestors[part.level].at(own.at({part.level, {part.tree, part.place}})));
+  }
+
+
+
+  const CellTangent &
+  LevelTangents::of(const CellCurve::Cell &cell) const
+  {
+    return cell->has_children() ? of_ancestors[cell->level()].at(cell->index()) :
+                                  of_leaves[cell->active_cell_index()];
+  }
+} // namespace Signorini

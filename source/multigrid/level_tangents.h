@@ -1,0 +1,31 @@
+#pragma once
+
+#include "solid/cell_tangents.h"
+#include "multigrid/cell_curve.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace Signorini
+{
+  /// Tangents of the cells of coarser meshes. A derivative in a child's unit coordinates is half of
+  /// that in its parent's: where gradients do not change in the parent, its tangent is a quarter of
+  /// the sum of those of its children.
+  class LevelTangents
+  {
+  public:
+    /// Refers to the tangents of the leaves. Collective.
+    LevelTangents(const CellTangents &of_leaves, const CellCurve &curve, MPI_Comm comm);
+
+    /// Of a leaf of this rank, or of a cell with children that this rank owns.
+    const CellTangent &
+    of(const CellCurve::Cell &cell) const;
+
+  private:
+    void
+    send_to_owners(const CellCurve &curve, MPI_Comm comm);
+
+    const CellTangents                               &of_leaves;
+    std::vector<std::unordered_map<int, CellTangent>> of_ancestors; ///< [level], by index
+  };
+} // namespace Signorini

@@ -1,0 +1,229 @@
+#include "multigrid/level_vertices.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Index = types::global_dof_index;
+
+    constexpr unsigned int space_dim = 3;
+
+    const parallel::distributed::Triangulation<space_dim> &
+    distributed(const DoFHandler<space_dim> &dofs)
+    {
+      return dynamic_cast<const parallel::distributed::Triangulation<space_dim> &>(
+        dofs.get_triangulation());
+    }
+
+    struct Question
+    {
+      CellCurve::Position position; ///< of the leaf
+      unsigned int        corner;
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &position.first &position.second &corner;
+      }
+    };
+
+    struct Answer
+    {
+      Index                                                     name;
+      std::vector<std::pair<unsigned int, LevelVertices::Line>> lines; ///< by component
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &name &lines;
+      }
+    };
+
+    void
+    sort_and_unique(std::vector<Index> &list)
+    {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+  } // namespace
+
+
+
+  LevelVertices::LevelVertices(const DoFHandler<space_dim>     &dofs,
+                               const AffineConstraints<double> &hanging,
+                               const AffineConstraints<double> &constraints)
+    : my_curve(distributed(dofs))
+    , my_names(dofs.locally_owned_dofs())
+    , has_line(my_names.size(), false)
+    , names(dofs.get_triangulation().n_vertices(), numbers::invalid_dof_index)
+  {
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          if (Index &name = names[cell->vertex_index(v)]; name == numbers::invalid_dof_index)
+            {
+              name = cell->vertex_dof_index(v, 0, cell->active_fe_index());
+              AssertThrow(name % space_dim == 0 &&
+                            cell->vertex_dof_index(v, 2, cell->active_fe_index()) == name + 2,
+                          ExcInternalError("Components of a node are not one after the other."));
+              for (unsigned int c = 0; c < space_dim; ++c)
+                if (const auto *entries = constraints.get_constraint_entries(name + c))
+                  {
+                    lines[name + c] = {*entries, hanging.is_constrained(name + c)};
+                    if (my_names.has(name))
+                      has_line[my_names.place(name + c)] = true;
+                  }
+            }
+    ask_others(distributed(dofs).get_communicator());
+  }
+
+
+
+  /// Corners of cells whose leaf there is another rank's.
+  void
+  LevelVertices::ask_others(const MPI_Comm comm)
+  {
+    std::map<unsigned int, std::vector<Question>>     questions;
+    std::map<unsigned int, std::vector<unsigned int>> asked; // numbers of vertices
+    std::vector<bool>                                 is_asked(names.size(), false);
+    for (const CellCurve::Place &place : my_curve.ancestors())
+      for (unsigned int v = 0; v < GeometryInfo<space_dim>::vertices_per_cell; ++v)
+        if (const unsigned int vertex = place.cell->vertex_index(v);
+            names[vertex] == numbers::invalid_dof_index && !is_asked[vertex])
+          {
+            const CellCurve::Position position = CellCurve::at_corner(place, v);
+            const unsigned int        rank     = my_curve.owner(position);
+            questions[rank].push_back({position, v});
+            asked[rank].push_back(vertex);
+            is_asked[vertex] = true;
+          }
+
+    std::map<unsigned int, std::vector<Answer>> answers;
+    for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, questions))
+      for (const Question &question : list)
+        {
+          Answer answer{name(my_curve.leaf(question.position).cell, question.corner), {}};
+          for (unsigned int c = 0; c < space_dim; ++c)
+            if (const Line *of_dof = line(answer.name + c))
+              answer.lines.emplace_back(c, *of_dof);
+          answers[rank].push_back(answer);
+        }
+    for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, answers))
+      for (unsigned int i = 0; i < list.size(); ++i)
+        {
+          names[asked[rank][i]] = list[i].name;
+          for (const auto &[c, of_dof] : list[i].lines)
+            lines[list[i].name + c] = of_dof;
+        }
+  }
+
+
+
+  void
+  LevelVertices::add_masters(std::vector<Index> &list) const
+  {
+    const std::size_t n = list.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (unsigned int c = 0; c < space_dim; ++c)
+        if (const Line *of_dof = line(list[i] + c))
+          for (const auto &entry : of_dof->entries)
+            list.push_back(entry.first - entry.first % space_dim);
+  }
+
+
+
+  namespace
+  {
+    /// Who owns which degrees of freedom of the finest mesh.
+    class Owners
+    {
+    public:
+      Owners(const IndexSet &owned, const MPI_Comm comm)
+      {
+        Index end = 0;
+        for (const auto n : Utilities::MPI::all_gather(comm, owned.n_elements()))
+          ends.push_back(end += n);
+      }
+
+      unsigned int
+      operator()(const Index dof) const
+      {
+        return std::upper_bound(ends.begin(), ends.end(), dof) - ends.begin();
+      }
+
+      /// Those that are not of this rank, each once.
+      std::map<unsigned int, std::vector<Index>>
+      of_others(const std::vector<Index> &list, const LA::OwnRange &own) const
+      {
+        std::vector<Index> others;
+        for (const Index dof : list)
+          if (!own.has(dof))
+            others.push_back(dof);
+        sort_and_unique(others);
+        std::map<unsigned int, std::vector<Index>> result;
+        for (const Index dof : others)
+          result[(*this)(dof)].push_back(dof);
+        return result;
+      }
+
+    private:
+      std::vector<Index> ends;
+    };
+  } // namespace
+
+
+
+  VertexNumbers::VertexNumbers(const std::vector<Index> &corners,
+                               const std::vector<Index> &known,
+                               const IndexSet           &owned,
+                               const unsigned int        n_rigid,
+                               const MPI_Comm            comm)
+    : on_finest(owned)
+    , numbers(on_finest.size() / space_dim, dealii::numbers::invalid_dof_index)
+  {
+    const Owners      owners(owned, comm);
+    std::vector<bool> is_there(numbers.size(), false);
+    for (const Index name : corners)
+      if (on_finest.has(name))
+        is_there[on_finest.place(name) / space_dim] = true;
+    for (const auto &[rank, list] :
+         Utilities::MPI::some_to_some(comm, owners.of_others(corners, on_finest)))
+      for (const Index name : list)
+        is_there[on_finest.place(name) / space_dim] = true;
+    for (std::size_t i = 0; i < is_there.size(); ++i)
+      if (is_there[i])
+        my_names.push_back(on_finest.dof(space_dim * i));
+
+    const auto  counts = Utilities::MPI::all_gather(comm, my_names.size());
+    const auto  rank   = Utilities::MPI::this_mpi_process(comm);
+    const Index before = std::accumulate(counts.begin(), counts.begin() + rank, Index(0)),
+                all    = std::accumulate(counts.begin(), counts.end(), Index(0));
+    my_owned           = IndexSet(3 * all + n_rigid);
+    my_owned.add_range(3 * before, 3 * (before + my_names.size()));
+    if (rank + 1 == counts.size())
+      my_owned.add_range(3 * all, 3 * all + n_rigid);
+    for (unsigned int i = 0; i < my_names.size(); ++i)
+      numbers[on_finest.place(my_names[i]) / space_dim] = before + i;
+
+    const auto                                 questions = owners.of_others(known, on_finest);
+    std::map<unsigned int, std::vector<Index>> answers;
+    for (const auto &[other, list] : Utilities::MPI::some_to_some(comm, questions))
+      for (const Index name : list)
+        answers[other].push_back(number(name));
+    for (const auto &[other, list] : Utilities::MPI::some_to_some(comm, answers))
+      for (unsigned int i = 0; i < list.size(); ++i)
+        if (list[i] != dealii::numbers::invalid_dof_index)
+          numbers_of_others[questions.at(other)[i]] = list[i];
+  }
+} // namespace Signorini

@@ -1,0 +1,152 @@
+#pragma once
+
+#include "multigrid/cell_curve.h"
+#include "linear_algebra/own_range.h"
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /// The vertices of a mesh of hexahedra and of the cells that it came from by refinement: those of
+  /// all leaves of this rank and of all cells with such leaves in them. A vertex has the name of
+  /// its first degree of freedom of degree one on the finest mesh; those of the other components
+  /// follow it.
+  class LevelVertices
+  {
+  public:
+    using Index = dealii::types::global_dof_index;
+
+    /// A constraint without inhomogeneity.
+    struct Line
+    {
+      std::vector<std::pair<Index, double>> entries;
+      bool                                  hangs; ///< of a hanging node; else of a support
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &entries &hangs;
+      }
+    };
+
+    /// Of a mesh that p4est distributes. Collective.
+    /// @param dofs of degree one
+    LevelVertices(const dealii::DoFHandler<3>             &dofs,
+                  const dealii::AffineConstraints<double> &hanging,
+                  const dealii::AffineConstraints<double> &constraints);
+
+    const CellCurve &
+    curve() const
+    {
+      return my_curve;
+    }
+
+    Index
+    name(const CellCurve::Cell &cell, const unsigned int corner) const
+    {
+      return names[cell->vertex_index(corner)];
+    }
+
+    /// What a degree of freedom of a vertex known here hangs on; null if it is free.
+    const Line *
+    line(const Index dof) const
+    {
+      if (my_names.has(dof) && !has_line[my_names.place(dof)])
+        return nullptr;
+      const auto known = lines.find(dof);
+      return known == lines.end() ? nullptr : &known->second;
+    }
+
+    /// Adds the names of vertices that those of a list hang on.
+    void
+    add_masters(std::vector<Index> &list) const;
+
+  private:
+    void
+    ask_others(MPI_Comm comm);
+
+    const CellCurve                 my_curve;
+    const LA::OwnRange              my_names; ///< degrees of freedom of this rank
+    std::vector<bool>               has_line; ///< those of this rank, so that most need no search
+    std::vector<Index>              names;    ///< by the number of the vertex on this rank
+    std::unordered_map<Index, Line> lines;
+  };
+
+  /// The degrees of freedom of the vertices of one level: three a vertex, which the rank owns that
+  /// owns those on the finest mesh; those of rigid bodies last.
+  class VertexNumbers
+  {
+  public:
+    using Index = dealii::types::global_dof_index;
+
+    VertexNumbers() = default;
+
+    /// Of the finest mesh itself: as they are there. @param owned with those of rigid bodies
+    explicit VertexNumbers(const dealii::IndexSet &owned)
+      : is_finest(true)
+      , my_owned(owned)
+    {}
+
+    /// Numbered anew. Collective.
+    /// @param corners names of the vertices of this rank's cells on the level
+    /// @param known names that this rank wants to know the numbers of, some of which may not be
+    /// there
+    /// @param owned degrees of freedom of the finest mesh
+    VertexNumbers(const std::vector<Index> &corners,
+                  const std::vector<Index> &known,
+                  const dealii::IndexSet   &owned,
+                  unsigned int              n_rigid,
+                  MPI_Comm                  comm);
+
+    bool
+    has(const Index name) const
+    {
+      return is_finest || number(name) != dealii::numbers::invalid_dof_index;
+    }
+
+    /// Of a vertex that is there.
+    Index
+    dof(const Index name, const unsigned int component) const
+    {
+      return is_finest ? name + component : 3 * number(name) + component;
+    }
+
+    /// With those of rigid bodies.
+    const dealii::IndexSet &
+    owned_dofs() const
+    {
+      return my_owned;
+    }
+
+    /// Of this rank's vertices, in the order of their numbers; numbered anew only.
+    const std::vector<Index> &
+    owned_names() const
+    {
+      return my_names;
+    }
+
+  private:
+    Index
+    number(const Index name) const
+    {
+      if (on_finest.has(name))
+        return numbers[on_finest.place(name) / 3];
+      const auto known = numbers_of_others.find(name);
+      return known == numbers_of_others.end() ? dealii::numbers::invalid_dof_index : known->second;
+    }
+
+    bool                             is_finest = false;
+    LA::OwnRange                     on_finest; ///< this rank's degrees of freedom there
+    std::vector<Index>               numbers;   ///< of its vertices there
+    std::unordered_map<Index, Index> numbers_of_others;
+    std::vector<Index>               my_names;
+    dealii::IndexSet                 my_owned;
+  };
+} // namespace Signorini

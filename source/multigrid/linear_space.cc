@@ -1,0 +1,361 @@
+#include "base/compatibility.h"
+#include "solid/cell_nodes.h"
+#include "multigrid/linear_space.h"
+#include "multigrid/vertex_means.h"
+#include "linear_algebra/sparsity_pattern.h"
+#include "linear_algebra/values.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Few entries, each degree of freedom once.
+    using Row = std::vector<std::pair<types::global_dof_index, double>>;
+
+    void
+    add_entry(const types::global_dof_index dof, const double value, Row &row)
+    {
+      const auto known =
+        std::find_if(row.begin(), row.end(), [&](const auto &entry) { return entry.first == dof; });
+      if (known != row.end())
+        known->second += value;
+      else
+        row.emplace_back(dof, value);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LinearSpace<dim>::LinearSpace(const Elasticity<dim> &fine)
+    : elements(FESystem<dim>(FE_Q<dim>(1), dim))
+    , dofs(fine.mesh().triangulation())
+  {
+    dofs.distribute_dofs(elements);
+    number(fine);
+    Compatibility::reinit(constraints, owned, relevant);
+    Compatibility::reinit(hanging, owned, relevant);
+    DoFTools::make_hanging_node_constraints(dofs, hanging);
+    hanging.close();
+    constraints.merge(hanging);
+    constrain_vertices(fine);
+    constrain_rigid_bodies(fine);
+    constraints.close();
+  }
+
+  template <int dim>
+  void
+  LinearSpace<dim>::number(const Elasticity<dim> &fine)
+  {
+    const auto n_rigid = fine.owned().size() - fine.dof_handler().n_dofs(), n = dofs.n_dofs();
+    owned = relevant = IndexSet(n + n_rigid);
+    owned.add_indices(dofs.locally_owned_dofs());
+    relevant.add_indices(DoFTools::extract_locally_relevant_dofs(dofs));
+    relevant.add_range(n, n + n_rigid);
+    if (n_rigid > 0 && fine.owned().is_element(fine.dof_handler().n_dofs()))
+      owned.add_range(n, n + n_rigid);
+  }
+
+  /// As the supports do with the nodes there of the fine space.
+  template <int dim>
+  void
+  LinearSpace<dim>::constrain_vertices(const Elasticity<dim> &fine)
+  {
+    const AffineConstraints<double>                           &of_fine = fine.constraints();
+    std::vector<types::global_dof_index>                       indices, fine_indices;
+    std::map<types::global_dof_index, types::global_dof_index> coarse; // of fine ones
+    for (const auto &cell : fine.dof_handler().active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          const typename DoFHandler<dim>::active_cell_iterator own(&dofs.get_triangulation(),
+                                                                   cell->level(),
+                                                                   cell->index(),
+                                                                   &dofs);
+          read_indices<dim>(own, indices);
+          read_indices<dim>(cell, fine_indices);
+          for (const unsigned int v : cell->vertex_indices())
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const auto dof = fine_indices[cell->get_fe().component_to_system_index(c, v)];
+                if (of_fine.is_constrained(dof) && !fine.hanging_nodes().is_constrained(dof))
+                  for (unsigned int d = 0; d < dim; ++d)
+                    coarse[fine_indices[cell->get_fe().component_to_system_index(d, v)]] =
+                      indices[elements[0].component_to_system_index(d, v)];
+              }
+        }
+    for (const auto &[dof, own] : coarse)
+      if (of_fine.is_constrained(dof) && !constraints.is_constrained(own))
+        {
+          constraints.add_line(own);
+          for (const auto &[other, weight] : *of_fine.get_constraint_entries(dof))
+            if (const auto known = coarse.find(other); known != coarse.end())
+              constraints.add_entry(own, known->second, weight);
+        }
+  }
+
+  template <int dim>
+  void
+  LinearSpace<dim>::constrain_rigid_bodies(const Elasticity<dim> &fine)
+  {
+    for (auto i = fine.dof_handler().n_dofs(); i < fine.owned().size(); ++i)
+      if (fine.constraints().is_constrained(i))
+        constraints.add_line(i - fine.dof_handler().n_dofs() + dofs.n_dofs());
+  }
+
+
+
+  namespace
+  {
+    /// The value at each node of a cell of a finite element as combinations of those at vertices.
+    template <int dim>
+    class NodeRows
+    {
+    public:
+      explicit NodeRows(const LinearSpace<dim> &space)
+        : space(space)
+      {}
+
+      /// row += factor times the displacement of degree of freedom i of a cell with element fe.
+      /// @param vertices the cell's degrees of freedom in the space of degree one
+      void
+      add(const FiniteElement<dim>                   &fe,
+          const unsigned int                          i,
+          const double                                factor,
+          const std::vector<types::global_dof_index> &vertices,
+          Row                                        &row) const
+      {
+        const auto [component, node] = fe.system_to_component_index(i);
+        const Point<dim> &place      = fe.base_element(0).unit_support_point(node);
+        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+          if (const double value = GeometryInfo<dim>::d_linear_shape_function(place, v);
+              std::abs(value) > 1e-14)
+            add_resolved(vertices[space.elements[0].component_to_system_index(component, v)],
+                         factor * value,
+                         row);
+      }
+
+    private:
+      void
+      add_resolved(const types::global_dof_index dof, const double value, Row &row) const
+      {
+        if (const auto *line = space.constraints.get_constraint_entries(dof))
+          for (const auto &[other, weight] : *line)
+            add_entry(other, weight * value, row);
+        else
+          add_entry(dof, value, row);
+      }
+
+      const LinearSpace<dim> &space;
+    };
+
+    /// Calls visit(i, cell, number of i in the cell, its degrees of freedom, those of degree one)
+    /// for each locally owned degree of freedom of the mesh once.
+    template <int dim, typename Visitor>
+    void
+    visit_nodes(const Elasticity<dim> &fine, const LinearSpace<dim> &space, const Visitor &visit)
+    {
+      std::vector<bool>                    is_done(fine.owned().n_elements(), false);
+      std::vector<types::global_dof_index> indices, vertices;
+      for (const auto &cell : fine.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const typename DoFHandler<dim>::active_cell_iterator own(
+              &space.dofs.get_triangulation(), cell->level(), cell->index(), &space.dofs);
+            read_indices<dim>(cell, indices);
+            read_indices<dim>(own, vertices);
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              if (fine.owned().is_element(indices[i]))
+                {
+                  const auto place = fine.owned().index_within_set(indices[i]);
+                  if (!is_done[place])
+                    visit(cell, i, indices, vertices);
+                  is_done[place] = true;
+                }
+          }
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /// The vertices of a cell of which a node is the mean.
+    template <int dim>
+    std::vector<unsigned int>
+    vertices_of_mean(const Point<dim> &node)
+    {
+      std::vector<unsigned int> result;
+      for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+        if (GeometryInfo<dim>::d_linear_shape_function(node, v) > 1e-10)
+          result.push_back(v);
+      return result;
+    }
+
+    std::unique_ptr<const Prolongation>
+    means_of_vertices(const Elasticity<3> &fine, const LinearSpace<3> &space)
+    {
+      constexpr unsigned int                              dim = 3;
+      std::vector<std::vector<std::vector<unsigned int>>> vertices_of; // [element][node]
+      for (unsigned int e = 0; e < fine.finite_elements().size(); ++e)
+        {
+          vertices_of.emplace_back();
+          for (const Point<dim> &node :
+               fine.finite_elements()[e].base_element(0).get_unit_support_points())
+            vertices_of.back().push_back(vertices_of_mean(node));
+        }
+      VertexMeans::Nodes nodes;
+      visit_nodes(fine,
+                  space,
+                  [&](const auto &cell, const auto i, const auto &indices, const auto &vertices) {
+                    const auto [component, node] = cell->get_fe().system_to_component_index(i);
+                    if (component != 0)
+                      return;
+                    std::vector<types::global_dof_index> of;
+                    for (const unsigned int v : vertices_of[cell->active_fe_index()][node])
+                      of.push_back(vertices[space.elements[0].component_to_system_index(0, v)]);
+                    nodes.add(indices[i], of.data(), of.size());
+                  });
+      return std::make_unique<VertexMeans>(std::move(nodes),
+                                           VertexMeans::Side{fine.owned(), fine.constraints()},
+                                           VertexMeans::Side{space.owned, space.constraints},
+                                           space.owned.size() - space.dofs.n_dofs(),
+                                           fine.mesh().communicator());
+    }
+
+    template <int dim>
+    std::unique_ptr<const Prolongation>
+    assembled_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space)
+    {
+      const NodeRows<dim>                                  rows(space);
+      std::vector<std::pair<types::global_dof_index, Row>> found;
+      visit_nodes(fine,
+                  space,
+                  [&](const auto &cell, const auto i, const auto &indices, const auto &vertices) {
+                    if (fine.constraints().is_constrained(indices[i]))
+                      return;
+                    found.emplace_back(indices[i], Row());
+                    rows.add(cell->get_fe(), i, 1., vertices, found.back().second);
+                  });
+      for (auto i = fine.dof_handler().n_dofs(); i < fine.owned().size(); ++i)
+        if (fine.owned().is_element(i) && !fine.constraints().is_constrained(i))
+          found.emplace_back(i, Row{{i - fine.dof_handler().n_dofs() + space.dofs.n_dofs(), 1.}});
+
+      LA::SparsityPattern pattern(fine.owned(), space.owned, fine.mesh().communicator());
+      for (const auto &[i, row] : found)
+        for (const auto &entry : row)
+          pattern.add(i, entry.first);
+      pattern.compress();
+      LA::SparseMatrix P;
+      P.reinit(pattern);
+      for (const auto &[i, row] : found)
+        for (const auto &[j, value] : row)
+          P.set(i, j, value);
+      P.compress(VectorOperation::insert);
+      return std::make_unique<AssembledProlongation>(std::move(P));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<const Prolongation>
+  make_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space)
+  {
+    if constexpr (dim == 3)
+      if (fine.degree() <= 2) // more have nodes elsewhere
+        return means_of_vertices(fine, space);
+    return assembled_prolongation(fine, space);
+  }
+
+
+
+  LA::Vector
+  restrict_terms(const LA::Vector   &terms,
+                 const Prolongation &P,
+                 const IndexSet     &owned,
+                 const unsigned int  n_rigid)
+  {
+    LA::Vector               result(owned, terms.get_mpi_communicator());
+    const double *const      above = LA::values_of(terms);
+    const std::vector<float> rounded(above, above + terms.locally_owned_size());
+    std::vector<float>       below(owned.n_elements());
+    P.Tvmult(below.data(), rounded.data());
+    std::copy(below.begin(), below.end(), LA::values_of(result));
+    for (auto i = owned.size() - n_rigid; i < owned.size(); ++i)
+      if (owned.is_element(i))
+        result(i) = terms(terms.size() - owned.size() + i);
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  template <int dim>
+  LostSupports::LostSupports(const Elasticity<dim>  &fine,
+                             const LinearSpace<dim> &space,
+                             const LA::Vector       &diagonal)
+    : comm(fine.mesh().communicator())
+  {
+    const NodeRows<dim>              rows(space);
+    const AffineConstraints<double> &constraints = fine.constraints();
+    visit_nodes(
+      fine, space, [&](const auto &cell, const auto i, const auto &indices, const auto &vertices) {
+        const auto dof = indices[i];
+        if (!constraints.is_constrained(dof) || fine.hanging_nodes().is_constrained(dof))
+          return;
+        Row row;
+        rows.add(cell->get_fe(), i, 1., vertices, row);
+        for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
+          if (const auto at = std::find(indices.begin(), indices.end(), other); at != indices.end())
+            rows.add(cell->get_fe(), at - indices.begin(), -weight, vertices, row);
+        const auto is_nothing = [](const auto &entry) { return std::abs(entry.second) < 1e-10; };
+        row.erase(std::remove_if(row.begin(), row.end(), is_nothing), row.end());
+        if (!row.empty())
+          springs.push_back({diagonal(dof), row});
+      });
+  }
+
+
+
+  bool
+  LostSupports::any() const
+  {
+    return Utilities::MPI::max(springs.empty() ? 0 : 1, comm) == 1;
+  }
+
+
+
+  void
+  LostSupports::add_to(LA::SparseMatrix &K) const
+  {
+    for (const Spring &spring : springs)
+      for (const auto &[i, x] : spring.row)
+        for (const auto &[j, y] : spring.row)
+          K.add(i, j, spring.stiffness * x * y);
+  }
+
+
+
+  template class LinearSpace<2>;
+  template std::unique_ptr<const Prolongation>
+  make_prolongation(const Elasticity<2> &, const LinearSpace<2> &);
+  template LostSupports::LostSupports(const Elasticity<2> &,
+                                      const LinearSpace<2> &,
+                                      const LA::Vector &);
+  template class LinearSpace<3>;
+  template std::unique_ptr<const Prolongation>
+  make_prolongation(const Elasticity<3> &, const LinearSpace<3> &);
+  template LostSupports::LostSupports(const Elasticity<3> &,
+                                      const LinearSpace<3> &,
+                                      const LA::Vector &);
+} // namespace Signorini

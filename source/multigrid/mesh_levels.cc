@@ -1,0 +1,376 @@
+#include "multigrid/level_tangents.h"
+#include "multigrid/level_vertices.h"
+#include "multigrid/linear_space.h"
+#include "multigrid/mesh_levels.h"
+#include "multigrid/vertex_means.h"
+#include "matrix_free/cell_operator.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int dim = 3, n_corners = 8;
+
+    using Index = types::global_dof_index;
+    using Cell  = CellCurve::Cell;
+
+    void
+    add_material(const Cell &cell, const Material &material, KernelCells &cells)
+    {
+      for (unsigned int v = 0; v < n_corners; ++v)
+        cells.points.insert(cells.points.end(),
+                            cell->vertex(v).begin_raw(),
+                            cell->vertex(v).end_raw());
+      cells.lambda.push_back(material.lambda());
+      cells.mu.push_back(material.mu());
+    }
+
+    using Place = CellCurve::Place;
+
+    /// Calls act(place) for what this rank knows of the cells that there are if none is finer than
+    /// a level: its own leaves, and those that have such leaves in them.
+    template <typename Action>
+    void
+    for_each_cell(const int level, const CellCurve &curve, const Action &act)
+    {
+      for (const Place &leaf : curve.leaves())
+        if (leaf.cell->level() <= level)
+          act(leaf);
+      for (const Place &place : curve.ancestors())
+        if (place.cell->level() == level)
+          act(place);
+    }
+
+    class Levels
+    {
+    public:
+      Levels(const LinearDisplacements &linear, const Elasticity<dim> &elasticity);
+
+      /// Collective.
+      bool
+      can_coarsen() const;
+
+      /// Go to the next coarser one. Returns the prolongation from there. Collective.
+      std::unique_ptr<const Prolongation>
+      coarsen();
+
+      /// Of the present one, if that is not the finest.
+      const CellSpace &
+      space() const
+      {
+        return present;
+      }
+
+      std::vector<std::vector<double>>
+      modes() const;
+
+    private:
+      /// The vertices of which one is the mean on the next coarser level, by name.
+      struct Parents
+      {
+        std::array<Index, n_corners> names;
+        unsigned int                 n = 0;
+      };
+
+      VertexNumbers
+      number_vertices(int level, const std::vector<Index> &known) const;
+      CellSpace
+      make_space(int level, const std::vector<Index> &known, const VertexNumbers &numbers) const;
+      void
+      constrain(const std::vector<Index> &known, const VertexNumbers &, CellSpace &) const;
+      std::vector<Index>
+      known_names(int level) const;
+      Parents
+      parents(const Place &cell, unsigned int corner) const;
+      bool
+      loses_supports() const;
+      VertexMeans::Nodes
+      nodes_on(const VertexNumbers &coarse) const;
+
+      const LinearDisplacements   &linear;
+      const Elasticity<dim>       &elasticity;
+      const MPI_Comm               comm;
+      const LevelVertices          vertices;
+      std::optional<LevelTangents> tangents; ///< none: see LinearDisplacements
+      const unsigned int           n_rigid;
+      int                          level;
+
+      // Of the present level.
+      VertexNumbers numbers;
+      CellSpace     present; ///< nothing on the finest
+    };
+
+    Levels::Levels(const LinearDisplacements &linear, const Elasticity<dim> &elasticity)
+      : linear(linear)
+      , elasticity(elasticity)
+      , comm(elasticity.mesh().communicator())
+      , vertices(linear.dofs, linear.hanging, linear.constraints)
+      , n_rigid(linear.owned.size() - linear.dofs.n_dofs())
+      , level(elasticity.mesh().triangulation().n_global_levels() - 1)
+      , numbers(linear.owned)
+    {
+      if (linear.tangents)
+        tangents.emplace(*linear.tangents, vertices.curve(), comm);
+    }
+
+    /// Of cells on this rank, and what they hang on.
+    std::vector<Index>
+    Levels::known_names(const int at) const
+    {
+      std::vector<Index> known;
+      for_each_cell(at, vertices.curve(), [&](const Place &place) {
+        for (unsigned int v = 0; v < n_corners; ++v)
+          known.push_back(vertices.name(place.cell, v));
+      });
+      vertices.add_masters(known);
+      return known;
+    }
+
+    VertexNumbers
+    Levels::number_vertices(const int at, const std::vector<Index> &known) const
+    {
+      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      std::vector<Index> corners;
+      for_each_cell(at, vertices.curve(), [&](const Place &place) {
+        if (vertices.curve().owner(place.position) == rank)
+          for (unsigned int v = 0; v < n_corners; ++v)
+            corners.push_back(vertices.name(place.cell, v));
+      });
+      return VertexNumbers(corners, known, linear.dofs.locally_owned_dofs(), n_rigid, comm);
+    }
+
+    CellSpace
+    Levels::make_space(const int                 at,
+                       const std::vector<Index> &known,
+                       const VertexNumbers      &of_level) const
+    {
+      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      CellSpace          space;
+      space.comm  = comm;
+      space.owned = of_level.owned_dofs();
+      constrain(known, of_level, space);
+      space.cells.emplace_back();
+      for_each_cell(at, vertices.curve(), [&](const Place &place) {
+        if (vertices.curve().owner(place.position) != rank)
+          return;
+        KernelCells &cells = space.cells.front();
+        for (unsigned int v = 0; v < n_corners; ++v)
+          cells.nodes.push_back(of_level.dof(vertices.name(place.cell, v), 0));
+        if (tangents)
+          cells.tangents.push_back(tangents->of(place.cell));
+        else
+          add_material(place.cell, elasticity.material(place.cell->material_id()), cells);
+      });
+      return space;
+    }
+
+    void
+    Levels::constrain(const std::vector<Index> &known,
+                      const VertexNumbers      &of_level,
+                      CellSpace                &space) const
+    {
+      IndexSet           relevant = space.owned;
+      std::vector<Index> others;
+      for (const Index name : known)
+        if (of_level.has(name) && !space.owned.is_element(of_level.dof(name, 0)))
+          for (unsigned int c = 0; c < dim; ++c)
+            others.push_back(of_level.dof(name, c));
+      std::sort(others.begin(), others.end());
+      relevant.add_indices(others.begin(), std::unique(others.begin(), others.end()));
+      relevant.add_range(relevant.size() - n_rigid, relevant.size());
+      AffineConstraints<double> &constraints = space.constraints;
+      constraints.reinit(relevant);
+      for (const Index name : known)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (const auto *line = vertices.line(name + c);
+              line && of_level.has(name) && !constraints.is_constrained(of_level.dof(name, c)))
+            {
+              constraints.add_line(of_level.dof(name, c));
+              for (const auto &[other, weight] : line->entries)
+                constraints.add_entry(of_level.dof(name, c),
+                                      of_level.dof(other - other % dim, other % dim),
+                                      weight);
+            }
+      for (Index i = 0; i < n_rigid; ++i)
+        if (linear.constraints.is_constrained(linear.owned.size() - n_rigid + i))
+          constraints.add_line(relevant.size() - n_rigid + i);
+      constraints.close();
+    }
+
+    /// Of its parent, if the cell is of the present level, or the corner itself.
+    Levels::Parents
+    Levels::parents(const Place &place, const unsigned int corner) const
+    {
+      Parents result;
+      if (place.cell->level() < level)
+        result.names[result.n++] = vertices.name(place.cell, corner);
+      else
+        {
+          // Along a direction in which child and corner are on the same side, it is the parent's
+          // corner; along the others, in the middle.
+          const Cell         parent = place.cell->parent();
+          const unsigned int child = CellCurve::child_number(place), middle = child ^ corner;
+          for (unsigned int v = 0; v < n_corners; ++v)
+            if (((v ^ corner) & ~middle) == 0)
+              result.names[result.n++] = vertices.name(parent, v);
+        }
+      return result;
+    }
+
+    /// Is anything held that hangs on what is not, one level coarser?
+    bool
+    Levels::loses_supports() const
+    {
+      const unsigned int rank    = Utilities::MPI::this_mpi_process(comm);
+      const auto         is_lost = [&](const Place &place, const unsigned int corner) {
+        const Index name = vertices.name(place.cell, corner);
+        for (unsigned int c = 0; c < dim; ++c)
+          if (const auto *line = vertices.line(name + c); line && !line->hangs)
+            {
+              const Parents of = parents(place, corner);
+              for (unsigned int k = 0; k < of.n && of.n > 1; ++k)
+                if (!vertices.line(of.names[k] + c))
+                  return true;
+            }
+        return false;
+      };
+      bool any = false;
+      for_each_cell(level, vertices.curve(), [&](const Place &place) {
+        if (!any && place.cell->level() == level && vertices.curve().owner(place.position) == rank)
+          for (unsigned int v = 0; v < n_corners && !any; ++v)
+            any = is_lost(place, v);
+      });
+      return Utilities::MPI::max(any ? 1 : 0, comm) == 1;
+    }
+
+    /// Of the present level, that this rank owns; by the vertices of the next coarser one.
+    VertexMeans::Nodes
+    Levels::nodes_on(const VertexNumbers &coarse) const
+    {
+      const LA::OwnRange own(linear.dofs.locally_owned_dofs());
+      VertexMeans::Nodes nodes;
+      std::vector<bool>  is_done(own.size() / dim, false);
+      for_each_cell(level, vertices.curve(), [&](const Place &place) {
+        for (unsigned int v = 0; v < n_corners; ++v)
+          if (const Index name = vertices.name(place.cell, v);
+              own.has(name) && !is_done[own.place(name) / dim])
+            {
+              is_done[own.place(name) / dim] = true;
+              Parents of                     = parents(place, v);
+              for (unsigned int k = 0; k < of.n; ++k)
+                of.names[k] = coarse.dof(of.names[k], 0);
+              nodes.add(numbers.dof(name, 0), of.names.data(), of.n);
+            }
+      });
+      return nodes;
+    }
+
+    bool
+    Levels::can_coarsen() const
+    {
+      constexpr unsigned int few = 1000; // unknowns, which are factorised
+      return level > 0 && numbers.owned_dofs().size() > few && !loses_supports();
+    }
+
+    std::unique_ptr<const Prolongation>
+    Levels::coarsen()
+    {
+      const bool               is_finest = present.owned.size() == 0;
+      const std::vector<Index> known     = known_names(level - 1);
+      VertexNumbers            below     = number_vertices(level - 1, known);
+      CellSpace                coarse    = make_space(level - 1, known, below);
+      const LA::Vector        &terms     = is_finest ? linear.terms : present.diagonal_terms;
+      auto                     P         = std::make_unique<VertexMeans>(nodes_on(below),
+                                             VertexMeans::Side{numbers.owned_dofs(),
+                                                               is_finest ? linear.constraints :
+                                                                                                       present.constraints},
+                                             VertexMeans::Side{coarse.owned, coarse.constraints},
+                                             n_rigid,
+                                             comm);
+      coarse.diagonal_terms              = restrict_terms(terms, *P, coarse.owned, n_rigid);
+      present                            = std::move(coarse);
+      numbers                            = std::move(below);
+      --level;
+      return P;
+    }
+
+    std::vector<std::vector<double>>
+    Levels::modes() const
+    {
+      std::vector<std::vector<double>> result(linear.modes.size());
+      for (unsigned int m = 0; m < result.size(); ++m)
+        {
+          for (const Index name : numbers.owned_names())
+            for (unsigned int c = 0; c < dim; ++c)
+              result[m].push_back(linear.modes[m][linear.owned.index_within_set(name + c)]);
+          if (present.owned.n_elements() > result[m].size())
+            result[m].insert(result[m].end(),
+                             linear.modes[m].end() - n_rigid,
+                             linear.modes[m].end());
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  CellSpace
+  finest_space(const LinearDisplacements &linear, const Elasticity<3> &elasticity)
+  {
+    CellSpace space;
+    space.owned          = linear.owned;
+    space.comm           = elasticity.mesh().communicator();
+    space.diagonal_terms = linear.terms;
+    space.constraints.copy_from(linear.constraints);
+    space.cells.emplace_back();
+    for (const auto &cell : linear.dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          KernelCells &cells = space.cells.front();
+          for (unsigned int v = 0; v < n_corners; ++v)
+            cells.nodes.push_back(cell->vertex_dof_index(v, 0, cell->active_fe_index()));
+          if (linear.tangents)
+            cells.tangents.push_back((*linear.tangents)[cell->active_cell_index()]);
+          else
+            add_material(cell, elasticity.material(cell->material_id()), cells);
+        }
+    return space;
+  }
+
+
+
+  Spaces
+  mesh_levels(const LinearDisplacements &linear, const Elasticity<3> &elasticity)
+  {
+    Spaces      result;
+    const auto &triangulation = elasticity.mesh().triangulation();
+    if (triangulation.n_global_levels() == 1 ||
+        !dynamic_cast<const parallel::distributed::Triangulation<dim> *>(&triangulation))
+      return result;
+    Levels levels(linear, elasticity);
+    bool   is_last = !levels.can_coarsen();
+    while (!is_last)
+      {
+        std::unique_ptr<const Prolongation> P = levels.coarsen();
+        is_last                               = !levels.can_coarsen();
+        if (is_last)
+          {
+            LA::SparseMatrix K;
+            assemble(levels.space(), K);
+            result.levels.emplace_back(std::move(P), std::move(K));
+          }
+        else
+          result.levels.emplace_back(std::move(P),
+                                     std::make_unique<CellOperator<float>>(levels.space()));
+      }
+    if (!result.levels.empty())
+      result.modes = levels.modes();
+    return result;
+  }
+} // namespace Signorini

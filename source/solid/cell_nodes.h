@@ -1,0 +1,37 @@
+#pragma once
+
+#include "mesh/mesh.h"
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/hp/fe_values.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// The degrees of freedom of a cell, whatever its element is.
+  template <int dim>
+  void
+  read_indices(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+               std::vector<dealii::types::global_dof_index>                 &indices)
+  {
+    indices.resize(cell->get_fe().n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+  }
+
+  /// The places of a cell's nodes.
+  template <int dim>
+  class CellNodes
+  {
+  public:
+    /// @param elements that cells have, by their index
+    CellNodes(const Mesh<dim> &mesh, const dealii::hp::FECollection<dim> &elements);
+
+    /// One point for each degree of freedom of the cell; valid until the next call.
+    const std::vector<dealii::Point<dim>> &
+    operator()(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell);
+
+  private:
+    dealii::hp::FEValues<dim> values;
+  };
+} // namespace Signorini

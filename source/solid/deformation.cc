@@ -1,0 +1,174 @@
+#include "solid/deformation.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Tensor<2, 3>
+  deformation_gradient(const Model           model,
+                       const Tensor<2, dim> &gradient,
+                       const Tensor<1, dim> &u,
+                       const Point<dim>     &X)
+  {
+    Tensor<2, 3> F = unit_symmetric_tensor<3>();
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        F[i][j] += gradient[i][j];
+    if (model == Model::axisymmetric)
+      F[2][2] += X[0] > 1e-10 * std::abs(X[1]) ? u[0] / X[0] : gradient[0][0];
+    return F;
+  }
+
+
+
+  namespace
+  {
+    /// Of m ln J: S = m C^-1, whose derivative is -m P with P_ijkl = (A_ik A_jl + A_il A_jk)/2 and
+    /// A = C^-1.
+    void
+    add_bulk_stress(const double                 m,
+                    const SymmetricTensor<2, 3> &C,
+                    const UpTo                   wanted,
+                    ConstitutiveResponse        &state)
+    {
+      const SymmetricTensor<2, 3> A = invert(C);
+      const double                J = std::sqrt(determinant(C));
+      state.energy += m * std::log(J);
+      state.stress += m * A;
+      if (wanted == UpTo::stress)
+        return;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          for (unsigned int k = 0; k < 3; ++k)
+            for (unsigned int l = k; l < 3; ++l)
+              state.tangent[i][j][k][l] -= m * (A[i][k] * A[j][l] + A[i][l] * A[j][k]);
+    }
+
+
+
+    /// The response with S_zz = 0, by Newton's method for the logarithm of C_zz.
+    ConstitutiveResponse
+    without_thickness_stress(const MaterialPoint &point, SymmetricTensor<2, 3> &C)
+    {
+      constexpr unsigned int most   = 100;
+      constexpr double       enough = 1e-14, longest = 0.5;
+      for (unsigned int i = 0; i < most; ++i)
+        {
+          const ConstitutiveResponse state = point.at(C, UpTo::tangent);
+          const double               slope = state.tangent[2][2][2][2] / 2 * C[2][2];
+          if (std::abs(state.stress[2][2]) <= enough * std::abs(slope))
+            return state;
+          if (!(slope > 0))
+            break;
+          C[2][2] *= std::exp(std::min(longest, std::max(-longest, -state.stress[2][2] / slope)));
+        }
+      throw std::domain_error("the sheet has no thickness that leaves it free of stress across");
+    }
+  } // namespace
+
+
+
+  MaterialPoint::MaterialPoint(const Material     &material,
+                               const double        bulk_stress,
+                               const double *const internal,
+                               const double        duration,
+                               const double        temperature_rise)
+    : strain_measure(material.constitutive_law ? material.strain_measure : StrainMeasure::small)
+    , bulk_stress(bulk_stress)
+    , law(material.constitutive_law.get())
+    , linear(material.lambda(), material.mu())
+    , internal(internal)
+    , duration(duration)
+    , temperature_rise(temperature_rise)
+  {}
+
+
+
+  MaterialPoint::MaterialPoint(const ConstitutiveLaw &law, const double bulk_stress)
+    : strain_measure(StrainMeasure::finite)
+    , bulk_stress(bulk_stress)
+    , law(&law)
+    , linear(0, 0)
+    , internal(nullptr)
+    , duration(0)
+    , temperature_rise(0)
+  {}
+
+
+
+  ConstitutiveResponse
+  MaterialPoint::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
+  {
+    return law ? law->response({C, internal, duration, temperature_rise}, wanted) :
+                 linear.at(C, wanted);
+  }
+
+
+
+  ConstitutiveResponse
+  response_at(const Model model, const MaterialPoint &point, Tensor<2, 3> &F, const UpTo wanted)
+  {
+    const bool            is_finite = point.strain_measure == StrainMeasure::finite;
+    SymmetricTensor<2, 3> C =
+      is_finite ? symmetrize(transpose(F) * F) : 2. * symmetrize(F) - unit_symmetric_tensor<3>();
+    if (model != Model::plane_stress)
+      {
+        ConstitutiveResponse state = point.at(C, wanted);
+        if (point.bulk_stress != 0 && is_finite)
+          add_bulk_stress(point.bulk_stress, C, wanted, state);
+        else if (point.bulk_stress != 0)
+          state.stress += point.bulk_stress * unit_symmetric_tensor<3>();
+        return state;
+      }
+    ConstitutiveResponse        state  = without_thickness_stress(point, C);
+    const SymmetricTensor<4, 3> T      = state.tangent;
+    const double                across = T[2][2][2][2];
+    F[2][2]                            = is_finite ? std::sqrt(C[2][2]) : 1 + (C[2][2] - 1) / 2;
+    state.stress[2][2]                 = 0;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = i; j < 3; ++j)
+        for (unsigned int k = 0; k < 3; ++k)
+          for (unsigned int l = k; l < 3; ++l)
+            state.tangent[i][j][k][l] = T[i][j][k][l] - T[i][j][2][2] * T[2][2][k][l] / across;
+    return state;
+  }
+
+
+
+  std::optional<ConstitutiveResponse>
+  response_if_any(const Model model, const MaterialPoint &point, Tensor<2, 3> &F, const UpTo wanted)
+  {
+    if (point.strain_measure == StrainMeasure::finite && !(determinant(F) > 0))
+      return {};
+    try
+      {
+        return response_at(model, point, F, wanted);
+      }
+    catch (const std::domain_error &)
+      {
+        return {};
+      }
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  cauchy_stress(const Model model, const MaterialPoint &point, Tensor<2, 3> F)
+  {
+    const ConstitutiveResponse state = response_at(model, point, F, UpTo::stress);
+    if (point.strain_measure == StrainMeasure::small)
+      return state.stress;
+    return symmetrize(F * Tensor<2, 3>(state.stress) * transpose(F)) / determinant(F);
+  }
+
+
+
+  template Tensor<2, 3>
+  deformation_gradient(Model, const Tensor<2, 2> &, const Tensor<1, 2> &, const Point<2> &);
+  template Tensor<2, 3>
+  deformation_gradient(Model, const Tensor<2, 3> &, const Tensor<1, 3> &, const Point<3> &);
+} // namespace Signorini

@@ -1,0 +1,107 @@
+#include "solid/deformation.h"
+#include "solid/deformation_change.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// At a point, or summed up; not numbers where the law has no stress.
+    struct Work
+    {
+      double of_small = 0; ///< |sigma : Grad u|
+      double change   = 0; ///< |(P - sigma) : Grad u|
+    };
+
+    template <int dim>
+    Work
+    work_at(const Elasticity<dim>   &elasticity,
+            const ConstitutiveLaw   &law,
+            const CellAccessor<dim> &cell,
+            const Tensor<2, dim>    &gradient,
+            const Tensor<1, dim>    &u,
+            const Point<dim>        &x)
+    {
+      Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, u, x);
+      const Tensor<2, 3> H = F - Tensor<2, 3>(unit_symmetric_tensor<3>()),
+                         sigma(elasticity.stress(cell, gradient, u, x));
+      const auto state =
+        response_if_any(elasticity.model(), {law, elasticity.bulk_stress().value(cell, x)}, F);
+      return {std::abs(scalar_product(sigma, H)),
+              state ? std::abs(scalar_product(F * Tensor<2, 3>(state->stress) - sigma, H)) :
+                      std::nan("")};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  DeformationChange
+  deformation_change(const Elasticity<dim>                                     &elasticity,
+                     const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
+                     const LA::Vector                                          &u)
+  {
+    const Mesh<dim>     &mesh    = elasticity.mesh();
+    const LA::Vector     ghosted = elasticity.with_ghosts(u);
+    hp::QCollection<dim> rules;
+    for (unsigned int i = 0; i < elasticity.finite_elements().size(); ++i)
+      rules.push_back(QGauss<dim>(elasticity.finite_elements()[i].degree + 1));
+    hp::FEValues<dim>                all_values(mesh.mappings(),
+                                 elasticity.finite_elements(),
+                                 rules,
+                                 update_values | update_gradients | update_quadrature_points |
+                                   update_JxW_values);
+    const FEValuesExtractors::Vector displacement(0);
+    std::vector<Tensor<1, dim>>      values;
+    std::vector<Tensor<2, dim>>      gradients;
+    DeformationChange                change;
+    Work                             sum;
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          all_values.reinit(cell);
+          const FEValues<dim> &fe = all_values.get_present_fe_values();
+          values.resize(fe.n_quadrature_points);
+          gradients.resize(fe.n_quadrature_points);
+          fe[displacement].get_function_values(ghosted, values);
+          fe[displacement].get_function_gradients(ghosted, gradients);
+          for (const unsigned int q : fe.quadrature_point_indices())
+            {
+              const Point<dim> &x      = fe.quadrature_point(q);
+              const double      weight = fe.JxW(q) * measure(elasticity.model(), x);
+              const Work        work =
+                work_at(elasticity, *laws[cell->material_id()], *cell, gradients[q], values[q], x);
+              sum.of_small += weight * work.of_small;
+              sum.change += weight * work.change;
+              const Tensor<2, dim> strain(symmetrize(gradients[q]));
+              change.strain = std::max(change.strain, strain.norm());
+              change.turn   = std::max(change.turn, (gradients[q] - strain).norm() / std::sqrt(2));
+            }
+        }
+    const MPI_Comm comm  = mesh.communicator();
+    const double   whole = Utilities::MPI::sum(sum.of_small, comm),
+                 part    = Utilities::MPI::sum(sum.change, comm);
+    change.strain        = Utilities::MPI::max(change.strain, comm);
+    change.turn          = Utilities::MPI::max(change.turn, comm);
+    change.work = part < whole ? part / whole : part == 0 ? 0. : 1.; // folded: not a number
+    return change;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template DeformationChange deformation_change(                                                   \
+    const Elasticity<dim> &,                                                                       \
+    const std::vector<std::shared_ptr<const ConstitutiveLaw>> &,                                   \
+    const LA::Vector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

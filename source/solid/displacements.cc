@@ -1,0 +1,231 @@
+#include "base/compatibility.h"
+#include "solid/displacements.h"
+#include <signorini/parameters/raw.h>
+#include "parameters/text.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Displacements<dim>::Displacements(const Mesh<dim>                   &mesh,
+                                    const std::vector<Support<dim>>   &supports,
+                                    const std::vector<unsigned int>   &degrees,
+                                    const Model                        model,
+                                    const std::vector<RigidBody<dim>> &rigid_bodies)
+    : my_mesh(mesh)
+    , my_supports(supports)
+    , my_model(model)
+    , my_rigid_bodies(rigid_bodies)
+    , dofs(mesh.triangulation())
+  {
+    Assert(degrees.size() == 1 || degrees.size() == mesh.n_bodies(),
+           ExcDimensionMismatch(degrees.size(), mesh.n_bodies()));
+    const std::set<unsigned int> different(degrees.begin(), degrees.end());
+    for (const unsigned int degree : different)
+      elements.push_back(FESystem<dim>(FE_Q<dim>(degree), dim));
+    for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+      {
+        const unsigned int degree = degrees[degrees.size() == 1 ? 0 : body];
+        element_of_body.push_back(std::distance(different.begin(), different.find(degree)));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Displacements<dim>::distribute_dofs(const double t)
+  {
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        cell->set_active_fe_index(element_of_body[my_mesh.body(cell)]);
+    dofs.distribute_dofs(elements);
+    my_lever = my_mesh.size() / 2;
+    number_dofs();
+
+    Compatibility::reinit(hanging, locally_owned, locally_relevant);
+    DoFTools::make_hanging_node_constraints(dofs, hanging);
+    hanging.close();
+
+    my_time_of_supports = t;
+    held                = find_held_nodes(my_mesh, dofs, hanging, my_supports, t, my_model);
+    make_constraints(t);
+    inclined = find_inclined_supports();
+  }
+
+
+
+  template <int dim>
+  bool
+  Displacements<dim>::has_supports_of(const double t) const
+  {
+    return std::all_of(my_supports.begin(), my_supports.end(), [&](const Support<dim> &support) {
+      return support.acts(t) == support.acts(my_time_of_supports);
+    });
+  }
+
+
+
+  // The indices of the mesh, and those of the rigid bodies behind them.
+  template <int dim>
+  void
+  Displacements<dim>::number_dofs()
+  {
+    const auto         n_mesh = dofs.n_dofs(), n = n_mesh + n_rigid_dofs();
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(my_mesh.communicator()),
+                       n_ranks = Utilities::MPI::n_mpi_processes(my_mesh.communicator());
+    locally_owned = locally_relevant = IndexSet(n);
+    locally_owned.add_indices(dofs.locally_owned_dofs());
+    locally_relevant.add_indices(DoFTools::extract_locally_relevant_dofs(dofs));
+    locally_relevant.add_range(n_mesh, n);
+    if (rank == n_ranks - 1)
+      locally_owned.add_range(n_mesh, n);
+    zero_with_ghosts.clear();
+  }
+
+
+
+  template <int dim>
+  bool
+  Displacements<dim>::find_inclined_supports() const
+  {
+    bool any = false;
+    for (const auto &[index, node] : held)
+      for (const auto dof : node.dofs)
+        any |= all_constraints.is_constrained(dof) &&
+               !all_constraints.get_constraint_entries(dof)->empty();
+    return Utilities::MPI::max(any ? 1 : 0, my_mesh.communicator()) == 1;
+  }
+
+
+
+  namespace
+  {
+    /// Throws SceneError where a formula has no finite value at time t.
+    template <int dim>
+    void
+    check_motion(const RigidBody<dim> &body, const double t)
+    {
+      const auto check = [&](const char *key, const auto &formulas) {
+        if (!std::isfinite(formulas.value(Point<dim>(), t).norm()))
+          throw SceneError(
+            "Obstacles/" + body.name + "/" + key + " = " + shortened(formulas.text()) +
+            ": is not a finite number at t = " + Utilities::to_string(t) + "; correct the formula");
+      };
+      check("Displacement", body.displacement);
+      check("Rotation", body.rotation);
+      check("Force", body.force);
+      check("Moment", body.moment);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Displacements<dim>::prescribe(const double t)
+  {
+    if (t != my_time)
+      make_constraints(t);
+    for (const RigidBody<dim> &body : my_rigid_bodies)
+      check_motion(body, t);
+  }
+
+
+
+  template <int dim>
+  void
+  Displacements<dim>::make_constraints(const double t)
+  {
+    my_time = t;
+    Compatibility::reinit(all_constraints, locally_owned, locally_relevant);
+    all_constraints.merge(hanging);
+    constrain(held, my_mesh, t, all_constraints);
+    for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        if (!my_rigid_bodies[body].is_free(i))
+          {
+            all_constraints.add_line(first_dof(body) + i);
+            all_constraints.set_inhomogeneity(first_dof(body) + i,
+                                              my_rigid_bodies[body].prescribed(i, t, my_lever));
+          }
+    all_constraints.close();
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  Displacements<dim>::with_ghosts(const LA::Vector &u) const
+  {
+    // Copies share the partition, which takes longer to make than all else here.
+    if (zero_with_ghosts.size() == 0)
+      zero_with_ghosts.reinit(dofs.locally_owned_dofs(),
+                              locally_relevant.get_view(0, dofs.n_dofs()),
+                              my_mesh.communicator());
+    LA::Vector ghosted = zero_with_ghosts;
+    if (u.size() == dofs.n_dofs())
+      ghosted = u;
+    else
+      {
+        LA::Vector part = zero_mesh_vector();
+        for (const auto i : dofs.locally_owned_dofs())
+          part(i) = u(i);
+        part.compress(VectorOperation::insert);
+        ghosted = part;
+      }
+    return ghosted;
+  }
+
+
+
+  template <int dim>
+  void
+  Displacements<dim>::set_mesh_part(const LA::Vector &part, LA::Vector &u) const
+  {
+    for (const auto i : dofs.locally_owned_dofs())
+      u(i) = part(i);
+    u.compress(VectorOperation::insert);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Displacements<dim>::rigid_motion(const LA::Vector &u) const
+  {
+    std::vector<double> values(n_rigid_dofs(), 0.);
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (locally_owned.is_element(dofs.n_dofs() + i))
+        values[i] = u(dofs.n_dofs() + i);
+    Utilities::MPI::sum(values, my_mesh.communicator(), values);
+    return values;
+  }
+
+
+
+  template <int dim>
+  void
+  Displacements<dim>::set_rigid_motion(const std::vector<double> &values, LA::Vector &u) const
+  {
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (locally_owned.is_element(dofs.n_dofs() + i))
+        u(dofs.n_dofs() + i) = values[i];
+    u.compress(VectorOperation::insert);
+  }
+
+
+
+  template class Displacements<2>;
+  template class Displacements<3>;
+} // namespace Signorini

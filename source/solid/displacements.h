@@ -1,0 +1,250 @@
+#pragma once
+
+#include "solid/held_nodes.h"
+#include <signorini/solid/model.h>
+#include <signorini/solid/rigid_body.h>
+#include "linear_algebra/types.h"
+#include "mesh/mesh.h"
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /// The displacements that bodies can take on the present mesh: continuous finite elements of a
+  /// degree per body, hanging nodes, what supports and the motions of rigid bodies prescribe at a
+  /// time; and the vectors of such displacements. No law of the material and no forces.
+  ///
+  /// Behind the degrees of freedom of the mesh, those of moving rigid bodies follow, which the last
+  /// rank owns.
+  template <int dim>
+  class Displacements
+  {
+  public:
+    const Mesh<dim> &
+    mesh() const
+    {
+      return my_mesh;
+    }
+
+    Model
+    model() const
+    {
+      return my_model;
+    }
+
+    /// Of the mesh alone.
+    const dealii::DoFHandler<dim> &
+    dof_handler() const
+    {
+      return dofs;
+    }
+
+    dealii::DoFHandler<dim> &
+    dof_handler()
+    {
+      return dofs;
+    }
+
+    /// One a degree; cells have the index of theirs.
+    const dealii::hp::FECollection<dim> &
+    finite_elements() const
+    {
+      return elements;
+    }
+
+    /// The largest of all bodies.
+    unsigned int
+    degree() const
+    {
+      return elements.max_degree();
+    }
+
+    unsigned int
+    degree(const unsigned int body) const
+    {
+      return elements[element_of_body[body]].degree;
+    }
+
+    const dealii::IndexSet &
+    owned() const
+    {
+      return locally_owned;
+    }
+
+    /// Those of locally owned and ghost cells, and all of rigid bodies.
+    const dealii::IndexSet &
+    relevant() const
+    {
+      return locally_relevant;
+    }
+
+    // Constraints
+
+    const dealii::AffineConstraints<double> &
+    hanging_nodes() const
+    {
+      return hanging;
+    }
+
+    /// Hanging nodes, and what is prescribed at the present time.
+    const dealii::AffineConstraints<double> &
+    constraints() const
+    {
+      return all_constraints;
+    }
+
+    /// The present one, of what is prescribed.
+    double
+    time() const
+    {
+      return my_time;
+    }
+
+    /// Give constrained degrees of freedom the values that belong to the free ones.
+    void
+    distribute(LA::Vector &u) const
+    {
+      all_constraints.distribute(u);
+    }
+
+    /// All, also those that do not act at present.
+    const std::vector<Support<dim>> &
+    supports() const
+    {
+      return my_supports;
+    }
+
+    /// The time whose supports the constraints are of: supports begin and end, see Support::acts().
+    double
+    time_of_supports() const
+    {
+      return my_time_of_supports;
+    }
+
+    /// Do the same supports act at time t?
+    bool
+    has_supports_of(double t) const;
+
+    const HeldNodes<dim> &
+    held_nodes() const
+    {
+      return held;
+    }
+
+    /// True if degrees of freedom are tied to others by supports that are not along the axes.
+    bool
+    has_inclined_supports() const
+    {
+      return inclined;
+    }
+
+    // Rigid bodies that move
+
+    const std::vector<RigidBody<dim>> &
+    rigid_bodies() const
+    {
+      return my_rigid_bodies;
+    }
+
+    /// The first degree of freedom of rigid body i.
+    dealii::types::global_dof_index
+    first_dof(const unsigned int i) const
+    {
+      return dofs.n_dofs() + i * RigidBody<dim>::n_dofs;
+    }
+
+    /// Arm by which rotations of rigid bodies are measured.
+    double
+    lever() const
+    {
+      return my_lever;
+    }
+
+    /// The values of all degrees of freedom of rigid bodies, on all ranks. Collective.
+    std::vector<double>
+    rigid_motion(const LA::Vector &u) const;
+    void
+    set_rigid_motion(const std::vector<double> &values, LA::Vector &u) const;
+
+    // Vectors
+
+    /// A zero vector of the degrees of freedom, without ghosts.
+    LA::Vector
+    zero_vector() const
+    {
+      return LA::Vector(locally_owned, my_mesh.communicator());
+    }
+
+    /// The part of a vector that belongs to the mesh, with ghosts, to be read on locally owned and
+    /// ghost cells.
+    LA::Vector
+    with_ghosts(const LA::Vector &u) const;
+
+    /// Of the mesh alone, without ghosts.
+    LA::Vector
+    zero_mesh_vector() const
+    {
+      return LA::Vector(dofs.locally_owned_dofs(), my_mesh.communicator());
+    }
+
+    /// Puts a vector of the mesh alone into one of all degrees of freedom.
+    void
+    set_mesh_part(const LA::Vector &part, LA::Vector &u) const;
+
+  protected:
+    // What follows changes them; a class that keeps more for the same degrees of freedom and the
+    // same time calls it.
+
+    /// @param degrees polynomial degree of the displacement, one a body or one for all
+    Displacements(const Mesh<dim>                   &mesh,
+                  const std::vector<Support<dim>>   &supports,
+                  const std::vector<unsigned int>   &degrees,
+                  Model                              model,
+                  const std::vector<RigidBody<dim>> &rigid_bodies);
+
+    ~Displacements() = default;
+
+    /// Distribute degrees of freedom on the mesh as it is now, and prescribe what the supports that
+    /// act at time t do then.
+    void
+    distribute_dofs(double t);
+
+    /// Evaluate what is prescribed at time t by the supports of time_of_supports(). Throws
+    /// SceneError where a formula of a rigid body has no finite value. Collective.
+    void
+    prescribe(double t);
+
+  private:
+    void
+    number_dofs();
+    void
+    make_constraints(double t);
+    bool
+    find_inclined_supports() const;
+    unsigned int
+    n_rigid_dofs() const
+    {
+      return my_rigid_bodies.size() * RigidBody<dim>::n_dofs;
+    }
+
+    const Mesh<dim>                  &my_mesh;
+    const std::vector<Support<dim>>   my_supports;
+    const Model                       my_model;
+    const std::vector<RigidBody<dim>> my_rigid_bodies; ///< those that can move
+
+    dealii::hp::FECollection<dim>     elements;
+    std::vector<unsigned int>         element_of_body;
+    dealii::DoFHandler<dim>           dofs;
+    dealii::IndexSet                  locally_owned, locally_relevant;
+    dealii::AffineConstraints<double> hanging, all_constraints;
+    HeldNodes<dim>                    held;
+    double                            my_time = 0, my_time_of_supports = 0, my_lever = 1;
+    bool                              inclined = false;
+    mutable LA::Vector                zero_with_ghosts; ///< of the mesh; empty: nobody asked yet
+  };
+} // namespace Signorini

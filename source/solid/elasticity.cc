@@ -1,0 +1,313 @@
+#include "solid/cell_nodes.h"
+#include "solid/deformation.h"
+#include "solid/deformation_kernel.h"
+#include "solid/elasticity.h"
+#include "solid/kernel.h"
+#include "solid/pressure_kernel.h"
+#include <signorini/solid/rigid_pose.h>
+#include "solid/stress.h"
+#include "linear_algebra/diagonal.h"
+#include <signorini/parameters/raw.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::vector<unsigned int>
+    one_a_body(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
+    {
+      return degrees.size() == 1 ? std::vector<unsigned int>(mesh.n_bodies(), degrees[0]) : degrees;
+    }
+
+    template <int dim>
+    std::vector<unsigned int>
+    one_a_material(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
+    {
+      const std::vector<unsigned int> of_bodies = one_a_body(degrees, mesh);
+      std::vector<unsigned int>       result;
+      for (unsigned int id = 0; id < mesh.n_materials(); ++id)
+        result.push_back(of_bodies[mesh.body_of_material(id)]);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Elasticity<dim>::Elasticity(const Mesh<dim>                          &mesh,
+                              const std::vector<Material>              &materials,
+                              const std::vector<Support<dim>>          &supports,
+                              const std::vector<Load<dim>>             &loads,
+                              const std::vector<unsigned int>          &degrees,
+                              const Model                               model,
+                              const std::vector<RigidBody<dim>>        &rigid_bodies,
+                              const double                              stabilisation,
+                              const std::vector<ThermalExpansion<dim>> &expansions)
+    : Displacements<dim>(mesh, supports, one_a_body(degrees, mesh), model, rigid_bodies)
+    , materials(materials)
+    , my_loads(loads)
+    , strength(stabilisation)
+    , thermal_strain(mesh, expansions, one_a_material(degrees, mesh), model)
+    , my_bulk_stress(mesh, materials, model)
+    , my_history(mesh, this->dof_handler(), materials)
+    , unheld(*this)
+  {}
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::setup(const double t)
+  {
+    this->distribute_dofs(t);
+    unheld.find();
+    stabilisation = unheld.springs(materials, rigid_stiffness(), strength);
+    thermal_strain.reinit();
+    my_bulk_stress.reinit();
+    my_history.reinit();
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::set_time(const double t)
+  {
+    this->prescribe(t);
+    thermal_strain.set_time(t);
+  }
+
+
+
+  // Of a rigid body, whose own is infinite: about that of the bodies that it touches.
+  template <int dim>
+  double
+  Elasticity<dim>::rigid_stiffness() const
+  {
+    double largest = 0;
+    for (const Material &material : materials)
+      largest = std::max(largest, material.youngs_modulus);
+    const bool depends_on_size = dim == 3 || this->model() == Model::axisymmetric;
+    return largest * (depends_on_size ? this->lever() : 1.);
+  }
+
+
+
+  template <int dim>
+  StiffnessAssembly<dim>
+  Elasticity<dim>::assembly() const
+  {
+    return {this->mesh(),
+            materials,
+            this->model(),
+            this->dof_handler(),
+            this->finite_elements(),
+            this->constraints(),
+            this->owned(),
+            this->relevant()};
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::assemble()
+  {
+    assembly().assemble(matrix);
+    LA::add_to_diagonal(matrix, diagonal_terms());
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  Elasticity<dim>::diagonal_terms() const
+  {
+    LA::Vector result = this->zero_vector();
+    if (has_free_motions())
+      result = stabilisation;
+    for (auto i = this->dof_handler().n_dofs(); i < this->owned().size(); ++i)
+      if (this->owned().is_element(i) && this->constraints().is_constrained(i))
+        result(i) = rigid_stiffness();
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  Elasticity<dim>::load() const
+  {
+    LA::Vector f = this->zero_vector();
+    add_cells(f);
+    add_rigid_bodies(f);
+    f.compress(VectorOperation::add);
+    this->constraints().set_zero(f);
+    return f;
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::add_cells(LA::Vector &f) const
+  {
+    const AffineConstraints<double> &constraints = this->constraints();
+    const hp::FECollection<dim>     &elements    = this->finite_elements();
+    StiffnessKernel<dim>             kernel(this->mesh(), elements, this->model());
+    const std::vector<Load<dim>>     dead = dead_loads(*this);
+    LoadKernel<dim>    load_kernel(this->mesh(), elements, this->model(), dead, this->time());
+    ThermalLoad<dim>   thermal_load(this->mesh(), elements, thermal_strain, this->model());
+    FullMatrix<double> cell_matrix;
+    Vector<double>     cell_load;
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : this->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          read_indices<dim>(cell, indices);
+          const Material &material = materials[cell->material_id()];
+          const bool      acts     = load_kernel.assemble(cell, cell_load);
+          const bool      loaded   = thermal_load.add(cell, material, cell_load) || acts;
+          const bool      moved =
+            !is_nonlinear() && std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+              return constraints.is_inhomogeneously_constrained(i);
+            });
+          // Only these few cells need their matrix again: K of the others stays untouched.
+          if (moved)
+            kernel.assemble(cell, material, cell_matrix);
+          if (moved)
+            constraints.distribute_local_to_global(cell_load, indices, f, cell_matrix);
+          else if (loaded)
+            constraints.distribute_local_to_global(cell_load, indices, f);
+        }
+    for (const std::string &fault :
+         Utilities::MPI::all_gather(this->mesh().communicator(), load_kernel.fault()))
+      if (!fault.empty())
+        throw SceneError(fault);
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::add_rigid_bodies(LA::Vector &f) const
+  {
+    const std::vector<RigidBody<dim>> &bodies = this->rigid_bodies();
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+        if (const auto dof = this->first_dof(b) + i; this->owned().is_element(dof))
+          f(dof) += bodies[b].load(i, this->time(), this->lever());
+  }
+
+
+
+  template <int dim>
+  void
+  Elasticity<dim>::turn_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const
+  {
+    using Body                      = RigidBody<dim>;
+    const std::vector<Body> &bodies = this->rigid_bodies();
+    const double             lever  = this->lever();
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        std::array<double, Body::n_dofs> motion;
+        std::copy_n(rigid_motion.begin() + b * Body::n_dofs, motion.size(), motion.begin());
+        typename RigidPose<dim>::Moment moment;
+        for (unsigned int i = 0; i < Body::n_rotations; ++i)
+          moment[i] = bodies[b].load(dim + i, this->time(), lever) * lever;
+        const auto turned = RigidPose<dim>(bodies[b].reference, motion, lever).on_rotations(moment);
+        for (unsigned int i = 0; i < Body::n_rotations; ++i)
+          if (const auto dof = this->first_dof(b) + dim + i; this->owned().is_element(dof))
+            load(dof) = turned[i];
+      }
+    load.compress(VectorOperation::insert);
+    this->constraints().set_zero(load);
+  }
+
+
+
+  template <int dim>
+  SymmetricTensor<2, 3>
+  Elasticity<dim>::stress(const CellAccessor<dim> &cell,
+                          const Tensor<2, dim>    &gradient,
+                          const Tensor<1, dim>    &u,
+                          const Point<dim>        &x) const
+  {
+    const Material &material = materials[cell.material_id()];
+    if (material.constitutive_law)
+      {
+        std::vector<double> internal;
+        return cauchy_stress(this->model(),
+                             material_point(cell, x, internal),
+                             deformation_gradient(this->model(), gradient, u, x));
+      }
+    const double                bulk = my_bulk_stress.value(cell, x);
+    const SymmetricTensor<2, 3> of_displacement =
+      thermal_strain.expands(cell.material_id()) ?
+        elastic_strain(this->model(), material, gradient, u, x, thermal_strain.strain(cell, x)) :
+        strain(this->model(), material, gradient, u, x);
+    return Signorini::stress(material, of_displacement) + bulk * unit_symmetric_tensor<3>();
+  }
+
+
+
+  template <int dim>
+  MaterialPoint
+  Elasticity<dim>::material_point(const CellAccessor<dim> &cell,
+                                  const Point<dim>        &x,
+                                  std::vector<double>     &internal) const
+  {
+    internal.clear();
+    if (my_history.n_internal(cell.material_id()) > 0)
+      {
+        const typename Triangulation<dim>::cell_iterator iterator(&cell.get_triangulation(),
+                                                                  cell.level(),
+                                                                  cell.index());
+        internal =
+          my_history.at(cell, this->mesh().mapping().transform_real_to_unit_cell(iterator, x));
+      }
+    return MaterialPoint(materials[cell.material_id()],
+                         my_bulk_stress.value(cell, x),
+                         internal.empty() ? nullptr : internal.data(),
+                         my_history.duration(),
+                         thermal_strain.any() ? thermal_strain.rise(cell, x) : 0.);
+  }
+
+
+
+  template <int dim>
+  CellVariables
+  Elasticity<dim>::internal_variables(const LA::Vector &u) const
+  {
+    CellVariables result;
+    if (my_history.empty())
+      return result;
+    DeformationKernel<dim> kernel(this->mesh(),
+                                  this->finite_elements(),
+                                  this->model(),
+                                  &my_bulk_stress,
+                                  &my_history,
+                                  &thermal_strain);
+    const LA::Vector       ghosted = this->with_ghosts(u);
+    Vector<double>         values;
+    for (const auto &cell : this->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && my_history.n_internal(cell->material_id()) > 0)
+        {
+          values.reinit(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_values(ghosted, values);
+          result[cell->id()] = kernel.internal(cell, materials[cell->material_id()], values);
+        }
+    return result;
+  }
+
+
+
+  template class Elasticity<2>;
+  template class Elasticity<3>;
+} // namespace Signorini

@@ -1,0 +1,141 @@
+#include "solid/held_nodes.h"
+#include "solid/not_finite.h"
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// n.u = value, by Gauss elimination the value of component `pivot`.
+    template <int dim>
+    struct Equation
+    {
+      Tensor<1, dim> n;
+      double         value;
+      unsigned int   pivot;
+    };
+
+    /// Takes one more equation in. Returns false if it contradicts those before.
+    template <int dim>
+    bool
+    eliminate(std::vector<Equation<dim>> &equations, Equation<dim> next, const double negligible)
+    {
+      double largest = std::abs(next.value);
+      for (const Equation<dim> &one : equations)
+        {
+          const double factor = next.n[one.pivot];
+          next.n -= factor * one.n;
+          next.value -= factor * one.value;
+          largest = std::max(largest, std::abs(factor * one.value));
+        }
+      for (unsigned int d = 0; d < dim; ++d)
+        // The same on all ranks, whatever their roundings are.
+        if (std::abs(next.n[d]) > (1 + 1e-6) * std::abs(next.n[next.pivot]))
+          next.pivot = d;
+      const double factor = next.n[next.pivot];
+      if (std::abs(factor) < 1e-6)
+        return std::abs(next.value) <= 1e-8 * largest + negligible;
+      next.n /= factor;
+      next.value /= factor;
+      for (Equation<dim> &one : equations)
+        {
+          const double share = one.n[next.pivot];
+          one.n -= share * next.n;
+          one.value -= share * next.value;
+        }
+      equations.push_back(next);
+      return true;
+    }
+
+    template <int dim>
+    double
+    prescribed(const HeldNode<dim> &node, const Hold<dim> &hold, const double t)
+    {
+      if (!hold.support)
+        return 0;
+      return hold.support->type == SupportType::displacement ?
+               hold.support->displacement.value(node.position, t) * hold.direction :
+               hold.support->normal_displacement.value(node.position, t);
+    }
+
+    template <int dim>
+    std::string
+    not_finite(const Support<dim> &support, const Point<dim> &x, const double t)
+    {
+      const bool is_vector = support.type == SupportType::displacement;
+      return Signorini::not_finite("Supports/" + support.name +
+                                     (is_vector ? "/Displacement" : "/Normal displacement"),
+                                   is_vector ? support.displacement.text() :
+                                               support.normal_displacement.formula(),
+                                   x,
+                                   t);
+    }
+
+    template <int dim>
+    std::string
+    contradiction(const HeldNode<dim> &node, const Support<dim> &support, const double t)
+    {
+      const std::string what =
+        support.place + ": what the support '" + support.name + "' prescribes contradicts ";
+      if (!node.holds.front().support)
+        return what + "the axis of symmetry, on which nothing moves sideways";
+      return what + "that of a support before it, at nodes that they share at t = " +
+             Utilities::to_string(t) + "; leave a component free in one of them";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  constrain(const HeldNodes<dim>      &nodes,
+            const Mesh<dim>           &mesh,
+            const double               t,
+            AffineConstraints<double> &constraints)
+  {
+    const double negligible = 1e-12 * mesh.size(); // collective
+    std::string  wrong;
+    for (const auto &[index, node] : nodes)
+      {
+        std::vector<Equation<dim>> equations;
+        for (const Hold<dim> &hold : node.holds)
+          {
+            double value = prescribed(node, hold, t);
+            if (!std::isfinite(value))
+              {
+                if (t > 0) // the start is not solved for, and formulas may begin after it
+                  wrong = not_finite(*hold.support, node.position, t);
+                value = 0;
+              }
+            if (!eliminate(equations, Equation<dim>{hold.direction, value, 0}, negligible))
+              wrong = contradiction(node, *hold.support, t);
+          }
+        for (const Equation<dim> &one : equations)
+          {
+            const auto line = node.dofs[one.pivot];
+            constraints.add_line(line);
+            for (unsigned int d = 0; d < dim; ++d)
+              if (d != one.pivot && std::abs(one.n[d]) > 1e-13)
+                constraints.add_entry(line, node.dofs[d], -one.n[d]);
+            constraints.set_inhomogeneity(line, one.value);
+          }
+      }
+    for (const std::string &message : Utilities::MPI::all_gather(mesh.communicator(), wrong))
+      if (!message.empty())
+        throw SceneError(message);
+  }
+
+
+
+  template void
+  constrain(const HeldNodes<2> &, const Mesh<2> &, double, AffineConstraints<double> &);
+  template void
+  constrain(const HeldNodes<3> &, const Mesh<3> &, double, AffineConstraints<double> &);
+} // namespace Signorini

@@ -1,0 +1,177 @@
+#include "solid/gradient_at_point.h"
+#include "solid/not_finite.h"
+#include "solid/pressure_kernel.h"
+#include "solid/scalar_elements.h"
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    bool
+    follows(const Load<dim> &load)
+    {
+      return !load.boundaries.empty() && !load.pressure.is_zero();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Load<dim>>
+  dead_loads(const Elasticity<dim> &elasticity)
+  {
+    std::vector<Load<dim>> result = elasticity.loads();
+    if (elasticity.is_finite())
+      for (Load<dim> &load : result)
+        load.pressure = Expression<dim>();
+    return result;
+  }
+
+
+
+  template <int dim>
+  PressureKernel<dim>::PressureKernel(const Elasticity<dim> &elasticity)
+    : elasticity(elasticity)
+    , elements(scalar_elements(elasticity.finite_elements()))
+    , all_values(elasticity.mesh().surface_mappings(),
+                 elements,
+                 gauss_rules<dim, dim - 1>(elasticity.finite_elements(), 2),
+                 update_values | update_quadrature_points | update_normal_vectors |
+                   update_JxW_values)
+    , all_gradients(elasticity.mesh().mappings(),
+                    elements,
+                    gauss_rules<dim, dim - 1>(elasticity.finite_elements(), 2),
+                    update_values | update_gradients | update_quadrature_points)
+    , all_dofs(dofs_of_nodes(elasticity.finite_elements()))
+  {
+    if (!elasticity.is_finite())
+      return;
+    for (const Load<dim> &load : elasticity.loads())
+      if (follows(load))
+        {
+          BoundaryIds ids; // names may have faces in common, which are loaded once
+          for (const std::string &boundary : load.boundaries)
+            {
+              const auto &more = elasticity.mesh().boundary_ids(boundary);
+              ids.insert(more.begin(), more.end());
+            }
+          for (const types::boundary_id id : ids)
+            by_boundary[id].push_back(&load);
+        }
+  }
+
+
+
+  template <int dim>
+  double
+  PressureKernel<dim>::pressure(const Loads &loads, const Point<dim> &x)
+  {
+    const double t   = elasticity.time();
+    double       sum = 0;
+    for (const Load<dim> *load : loads)
+      {
+        const double p = load->pressure.value(x, t);
+        if (!std::isfinite(p) && what_is_wrong.empty())
+          what_is_wrong =
+            not_finite("Loads/" + load->name + "/Pressure", load->pressure.formula(), x, t);
+        sum += p;
+      }
+    return sum;
+  }
+
+
+
+  template <int dim>
+  bool
+  PressureKernel<dim>::assemble(const Cell           &cell,
+                                const Vector<double> &u,
+                                Vector<double>       &forces,
+                                FullMatrix<double>   *tangent)
+  {
+    if (empty() || !cell->at_boundary())
+      return false;
+    bool acts = false;
+    for (const unsigned int f : cell->face_indices())
+      {
+        const auto found = by_boundary.find(cell->face(f)->boundary_id());
+        if (!cell->face(f)->at_boundary() || found == by_boundary.end())
+          continue;
+        const auto i = cell->active_fe_index();
+        dofs         = &all_dofs[i];
+        if (!acts)
+          {
+            forces.reinit(dofs->size());
+            if (tangent)
+              tangent->reinit(dofs->size(), dofs->size());
+          }
+        acts                                                      = true;
+        const typename Triangulation<dim>::cell_iterator &of_mesh = cell;
+        all_values.reinit(of_mesh, f, i, 0, i);
+        all_gradients.reinit(of_mesh, f, i, 0, i);
+        values    = &all_values.get_present_fe_values();
+        gradients = &all_gradients.get_present_fe_values();
+        add_face(found->second, u, forces, tangent);
+      }
+    return acts;
+  }
+
+
+
+  template <int dim>
+  void
+  PressureKernel<dim>::add_face(const Loads          &loads,
+                                const Vector<double> &u,
+                                Vector<double>       &forces,
+                                FullMatrix<double>   *tangent)
+  {
+    const Model        model   = elasticity.model();
+    const unsigned int n_nodes = dofs->size() / dim;
+    for (const unsigned int q : values->quadrature_point_indices())
+      {
+        const Point<dim>  &x = values->quadrature_point(q);
+        const Tensor<2, 3> F = gradient_at_point(model, *gradients, *dofs, q, u), G = invert(F);
+        const double       weight =
+          -pressure(loads, x) * determinant(F) * values->JxW(q) * measure(model, x);
+        // Among the components of the mesh: the hoop has no part in normals.
+        const auto pulled_back = [&](const Tensor<1, dim> &at_rest) {
+          Tensor<1, dim> result; // F^-T v
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int K = 0; K < dim; ++K)
+              result[a] += G[K][a] * at_rest[K];
+          return result;
+        };
+        const Tensor<1, dim> n = pulled_back(values->normal_vector(q));
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int a = 0; a < dim; ++a)
+            forces((*dofs)[i * dim + a]) += weight * values->shape_value(i, q) * n[a];
+        if (!tangent)
+          continue;
+        for (unsigned int j = 0; j < n_nodes; ++j)
+          {
+            const Tensor<1, dim> slope  = pulled_back(gradients->shape_grad(j, q));
+            Tensor<1, dim>       volume = slope; // tr(Grad w G) of w = N_j e_b
+            if (model == Model::axisymmetric)
+              volume[0] += values->shape_value(j, q) / gradients->quadrature_point(q)[0] * G[2][2];
+            for (unsigned int i = 0; i < n_nodes; ++i)
+              for (unsigned int a = 0; a < dim; ++a)
+                for (unsigned int b = 0; b < dim; ++b)
+                  (*tangent)((*dofs)[i * dim + a], (*dofs)[j * dim + b]) +=
+                    weight * values->shape_value(i, q) * (volume[b] * n[a] - slope[a] * n[b]);
+          }
+      }
+  }
+
+
+
+  template std::vector<Load<2>>
+  dead_loads(const Elasticity<2> &);
+  template std::vector<Load<3>>
+  dead_loads(const Elasticity<3> &);
+  template class PressureKernel<2>;
+  template class PressureKernel<3>;
+} // namespace Signorini

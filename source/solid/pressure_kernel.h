@@ -1,0 +1,84 @@
+#pragma once
+
+#include "solid/elasticity.h"
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// The loads that do not follow the bodies: all at small deformation, all but pressures at large.
+  template <int dim>
+  std::vector<Load<dim>>
+  dead_loads(const Elasticity<dim> &elasticity);
+
+  /// Forces of pressures on the faces of one cell as they are now, of large deformation:
+  /// -int p cof(F) N . v dA over the face at rest, since n da = cof(F) N dA with
+  /// cof(F) = J F^-T (Nanson); p is that of the place at rest. And how they change, with
+  /// G = F^-1, n = F^-T N and a displacement w:
+  /// -int p J (tr(Grad w G) n - G^T (Grad w)^T n) . v dA.
+  /// Where the edge of the loaded surface is not held, that is not symmetric.
+  template <int dim>
+  class PressureKernel
+  {
+  public:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    /// At the present time of elasticity, to which it refers. Collective.
+    explicit PressureKernel(const Elasticity<dim> &elasticity);
+
+    /// No pressure anywhere, or none that follows.
+    bool
+    empty() const
+    {
+      return by_boundary.empty();
+    }
+
+    /// Returns false, and leaves nothing that means anything, where no pressure acts on the cell.
+    /// @param u the displacement at the degrees of freedom of the cell, which is not folded
+    /// @param forces takes the size of the cell
+    /// @param tangent likewise, dforces/du; null: not wanted
+    bool
+    assemble(const Cell                   &cell,
+             const dealii::Vector<double> &u,
+             dealii::Vector<double>       &forces,
+             dealii::FullMatrix<double>   *tangent = nullptr);
+
+    /// Of the first pressure that had no finite value on this rank, in words; empty: none.
+    const std::string &
+    fault() const
+    {
+      return what_is_wrong;
+    }
+
+  private:
+    using Loads = std::vector<const Load<dim> *>;
+
+    void
+    add_face(const Loads                  &loads,
+             const dealii::Vector<double> &u,
+             dealii::Vector<double>       &forces,
+             dealii::FullMatrix<double>   *tangent);
+    double
+    pressure(const Loads &loads, const dealii::Point<dim> &x);
+
+    const Elasticity<dim>              &elasticity;
+    const dealii::hp::FECollection<dim> elements; ///< scalar: the values refer to them
+    /// Of the true surface: areas and normals at rest.
+    dealii::hp::FEFaceValues<dim> all_values;
+    /// Of the cells: the deformation gradient, which is a rotation where the nodes have turned.
+    dealii::hp::FEFaceValues<dim>                all_gradients;
+    const std::vector<std::vector<unsigned int>> all_dofs; ///< see dofs_of_nodes()
+    std::map<dealii::types::boundary_id, Loads>  by_boundary;
+    std::string                                  what_is_wrong;
+
+    // Of the present face:
+    const dealii::FEFaceValues<dim> *values    = nullptr;
+    const dealii::FEFaceValues<dim> *gradients = nullptr;
+    const std::vector<unsigned int> *dofs      = nullptr;
+  };
+} // namespace Signorini

@@ -1,0 +1,302 @@
+#include "solid/cell_nodes.h"
+#include "solid/deformation_kernel.h"
+#include "solid/kernel.h"
+#include "solid/pressure_kernel.h"
+#include "solid/reactions.h"
+#include "solid/volume_kernel.h"
+
+#include <algorithm>
+#include <array>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Internal forces and those of thermal strain on the nodes of a cell.
+    template <int dim>
+    class ForcesOfCell
+    {
+    public:
+      ForcesOfCell(const Elasticity<dim> &e)
+        : elasticity(e)
+        , kernel(e.mesh(), e.finite_elements(), e.model())
+        , of_deformation(e.mesh(),
+                         e.finite_elements(),
+                         e.model(),
+                         &e.bulk_stress(),
+                         &e.material_history(),
+                         &e.thermal())
+        , thermal_load(e.mesh(), e.finite_elements(), e.thermal(), e.model())
+        , of_volume(e)
+      {}
+
+      /// Internal forces minus the load. Adds forces of thermal strain to the load: they are in
+      /// balance within the body, so that they are no part of what acts on it.
+      const Vector<double> &
+      residual(const typename DoFHandler<dim>::active_cell_iterator &cell,
+               const LA::Vector                                     &ghosted,
+               Vector<double>                                       &cell_load)
+      {
+        const Material &material = elasticity.material(cell->material_id());
+        values.reinit(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_values(ghosted, values);
+        if (elasticity.is_nonlinear())
+          of_deformation.assemble(cell, material, values, force);
+        else
+          {
+            kernel.assemble(cell, material, matrix);
+            force.reinit(matrix.m());
+            matrix.vmult(force, values);
+            add_bulk_stress(cell);
+          }
+        thermal_load.add(cell, material, cell_load);
+        force -= cell_load;
+        return force;
+      }
+
+    private:
+      /// Small deformation: B^T m.
+      void
+      add_bulk_stress(const typename DoFHandler<dim>::active_cell_iterator &cell)
+      {
+        if (!elasticity.bulk_stress().is_on(*cell))
+          return;
+        of_volume.assemble(cell, values, changes, &slopes);
+        const auto &m = elasticity.bulk_stress().coefficients(*cell);
+        for (unsigned int k = 0; k < m.size(); ++k)
+          for (unsigned int i = 0; i < force.size(); ++i)
+            force(i) += m[k] * slopes(k, i);
+      }
+
+      const Elasticity<dim> &elasticity;
+      StiffnessKernel<dim>   kernel;
+      DeformationKernel<dim> of_deformation;
+      ThermalLoad<dim>       thermal_load;
+      VolumeKernel<dim>      of_volume;
+      FullMatrix<double>     matrix, slopes;
+      Vector<double>         values, force, changes;
+    };
+
+
+
+    /// Adds up what loads and supports exert.
+    template <int dim>
+    class Sums
+    {
+    public:
+      Sums(const Elasticity<dim> &elasticity, const LA::Vector &u)
+        : elasticity(elasticity)
+        , displacement(elasticity.with_ghosts(u))
+        , axisymmetric(elasticity.model() == Model::axisymmetric)
+        , nodes_of(elasticity.mesh(), elasticity.finite_elements())
+      {
+        result.supports.resize(elasticity.supports().size());
+        result.bodies.resize(elasticity.mesh().n_bodies());
+      }
+
+      /// The loads, and what is left of internal forces minus loads on the cells where they or
+      /// supports are, hanging nodes resolved.
+      LA::Vector
+      add_loads();
+
+      void
+      add_supports(const LA::Vector &residual);
+
+      Reactions<dim>
+      over_ranks();
+
+    private:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+      /// Of a node at x, for moments: of large deformation where it is now.
+      /// @param indices of its degrees of freedom
+      template <typename Indices>
+      Point<dim>
+      place(const Point<dim> &x, const Indices &indices) const;
+      void
+      add_load(const Cell                                 &cell,
+               const std::vector<types::global_dof_index> &indices,
+               const Vector<double>                       &cell_load);
+      void
+      add_support(const HeldNode<dim> &node, const Tensor<1, dim> &force);
+      void
+      sum_over_ranks(Resultant<dim> &resultant) const;
+
+      const Elasticity<dim> &elasticity;
+      const LA::Vector       displacement; ///< with ghosts
+      const bool             axisymmetric;
+      CellNodes<dim>         nodes_of;
+      Reactions<dim>         result;
+    };
+
+
+
+    template <int dim>
+    template <typename Indices>
+    Point<dim>
+    Sums<dim>::place(const Point<dim> &x, const Indices &indices) const
+    {
+      Point<dim> result = x;
+      if (elasticity.is_finite())
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] += displacement(indices[d]);
+      return result;
+    }
+
+
+
+    template <int dim>
+    void
+    Sums<dim>::add_load(const Cell                                 &cell,
+                        const std::vector<types::global_dof_index> &indices,
+                        const Vector<double>                       &cell_load)
+    {
+      const FiniteElement<dim>      &fe    = cell->get_fe();
+      const std::vector<Point<dim>> &nodes = nodes_of(cell);
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        {
+          const auto [component, node] = fe.system_to_component_index(i);
+          if (axisymmetric && component == 0)
+            continue; // the circumference is in balance
+          Tensor<1, dim> force;
+          force[component] = cell_load[i];
+          std::array<types::global_dof_index, dim> of_node;
+          for (unsigned int d = 0; d < dim; ++d)
+            of_node[d] = indices[fe.component_to_system_index(d, node)];
+          const auto at_node = resultant_of(place(nodes[i], of_node), force);
+          result.load += at_node;
+          result.bodies[elasticity.mesh().body(cell)] += at_node;
+        }
+    }
+
+
+
+    template <int dim>
+    LA::Vector
+    Sums<dim>::add_loads()
+    {
+      LA::Vector                   residual = elasticity.zero_vector();
+      ForcesOfCell                 forces(elasticity);
+      const std::vector<Load<dim>> dead = dead_loads(elasticity);
+      LoadKernel<dim>              load_kernel(elasticity.mesh(),
+                                  elasticity.finite_elements(),
+                                  elasticity.model(),
+                                  dead,
+                                  elasticity.time());
+      PressureKernel<dim>          pressures(elasticity);
+
+      Vector<double>                       cell_load, values, of_pressure;
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            read_indices<dim>(cell, indices);
+            bool loaded = load_kernel.assemble(cell, cell_load);
+            if (!pressures.empty())
+              {
+                values.reinit(indices.size());
+                cell->get_dof_values(displacement, values);
+                if (pressures.assemble(cell, values, of_pressure))
+                  {
+                    cell_load += of_pressure;
+                    loaded = true;
+                  }
+              }
+            const bool supported = std::any_of(indices.begin(), indices.end(), [&](const auto i) {
+              return elasticity.constraints().is_constrained(i);
+            });
+            if (loaded)
+              add_load(cell, indices, cell_load);
+            if (loaded || supported)
+              elasticity.hanging_nodes().distribute_local_to_global(
+                forces.residual(cell, displacement, cell_load), indices, residual);
+          }
+      residual.compress(VectorOperation::add);
+      return residual;
+    }
+
+
+
+    // Where supports meet, the first one takes what it can.
+    template <int dim>
+    void
+    Sums<dim>::add_support(const HeldNode<dim> &node, const Tensor<1, dim> &force)
+    {
+      const auto directions = node.orthonormal();
+      for (unsigned int k = 0; k < directions.size(); ++k)
+        if (const Support<dim> *support = node.holds[k].support)
+          {
+            Tensor<1, dim> share = (force * directions[k]) * directions[k];
+            if (axisymmetric)
+              share[0] = 0;
+            const auto at_node = resultant_of(place(node.position, node.dofs), share);
+            result.supports[support - elasticity.supports().data()] += at_node;
+            result.bodies[elasticity.mesh().pieces()[node.piece].body] += at_node;
+          }
+    }
+
+
+
+    template <int dim>
+    void
+    Sums<dim>::add_supports(const LA::Vector &residual)
+    {
+      for (const auto &[index, node] : elasticity.held_nodes())
+        if (elasticity.owned().is_element(index))
+          {
+            Tensor<1, dim> force;
+            for (unsigned int d = 0; d < dim; ++d)
+              force[d] = residual(node.dofs[d]);
+            add_support(node, force);
+          }
+    }
+
+
+
+    template <int dim>
+    void
+    Sums<dim>::sum_over_ranks(Resultant<dim> &resultant) const
+    {
+      const MPI_Comm communicator = elasticity.mesh().communicator();
+      resultant.force             = Utilities::MPI::sum(resultant.force, communicator);
+      resultant.moment            = Utilities::MPI::sum(resultant.moment, communicator);
+      if (axisymmetric)
+        resultant.moment = 0;
+    }
+
+
+
+    template <int dim>
+    Reactions<dim>
+    Sums<dim>::over_ranks()
+    {
+      sum_over_ranks(result.load);
+      for (auto *list : {&result.supports, &result.bodies})
+        for (Resultant<dim> &resultant : *list)
+          sum_over_ranks(resultant);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Reactions<dim>
+  reactions(const Elasticity<dim> &elasticity, const LA::Vector &u, const LA::Vector &contact_force)
+  {
+    Sums<dim>  sums(elasticity, u);
+    LA::Vector residual = sums.add_loads();
+    residual -= contact_force;
+    sums.add_supports(residual);
+    return sums.over_ranks();
+  }
+
+
+
+  template Reactions<2>
+  reactions(const Elasticity<2> &, const LA::Vector &, const LA::Vector &);
+  template Reactions<3>
+  reactions(const Elasticity<3> &, const LA::Vector &, const LA::Vector &);
+} // namespace Signorini

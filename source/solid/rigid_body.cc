@@ -1,0 +1,133 @@
+#include <signorini/solid/rigid_body.h>
+#include <signorini/parameters/section.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::array<std::string, 3> axes = {{"x", "y", "z"}};
+
+    /// A force where the motion is prescribed would have no effect.
+    template <int dim, int n>
+    void
+    check_driven(const Section                  &section,
+                 const std::string              &force_key,
+                 const VectorExpression<dim, n> &force,
+                 const std::string              &motion_key,
+                 const VectorExpression<dim, n> &motion)
+    {
+      for (unsigned int d = 0; d < n; ++d)
+        if (!force.is_zero(d) && (!motion.given() || motion.prescribed(d)))
+          section.fail(force_key,
+                       "acts in component " + std::to_string(d + 1) + ", in which " + motion_key +
+                         (motion.given() ? " prescribes the motion" : " is not given") +
+                         "; write 'free' for that component of " + motion_key);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  RigidBody<dim>::declare(Section &section)
+  {
+    section.add(
+      "Displacement",
+      displacement,
+      "motion, one formula in t a component, separated by ';'; 'free' where a Force drives it; empty: at rest [length]");
+    section.add(
+      "Force",
+      force,
+      "on the obstacle, and by it on the bodies, in free components; formulas in t [force]");
+    section.add(
+      "Rotation",
+      rotation,
+      dim == 2 ?
+        "rotation, counterclockwise: formula in t, or free; empty: none. Gaps follow large ones where Contact geometry is updated [radian]" :
+        "rotation vector x; y; z: formulas in t, or free; empty: none. Gaps follow large ones where Contact geometry is updated [radian]");
+    section.add(
+      "Moment",
+      moment,
+      "on the obstacle about the Reference point, in free components of the Rotation; formulas in t [force*length]");
+    section.add("Reference point", reference, "what the Rotation is about [length]");
+    if (!section.reading())
+      return;
+    if (displacement.depends_on_place())
+      section.fail("Displacement",
+                   "depends on the place, but an obstacle is rigid; write it in t alone");
+    if (rotation.depends_on_place())
+      section.fail("Rotation",
+                   "depends on the place, but an obstacle is rigid; write it in t alone");
+    if (force.depends_on_place())
+      section.fail("Force", "depends on the place, but an obstacle is rigid; write it in t alone");
+    if (moment.depends_on_place())
+      section.fail("Moment", "depends on the place, but an obstacle is rigid; write it in t alone");
+    check_driven(section, "Force", force, "Displacement", displacement);
+    check_driven(section, "Moment", moment, "Rotation", rotation);
+  }
+
+
+
+  template <int dim>
+  bool
+  RigidBody<dim>::is_free(const unsigned int i) const
+  {
+    if (i < dim)
+      return displacement.given() && !displacement.prescribed(i);
+    return i - dim < n_rotations && rotation.given() && !rotation.prescribed(i - dim);
+  }
+
+
+
+  template <int dim>
+  double
+  RigidBody<dim>::prescribed(const unsigned int i, const double t, const double lever) const
+  {
+    if (i < dim)
+      return displacement.value(Point<dim>(), t)[i];
+    return i - dim < n_rotations ? rotation.value(Point<dim>(), t)[i - dim] * lever : 0.;
+  }
+
+
+
+  template <int dim>
+  double
+  RigidBody<dim>::load(const unsigned int i, const double t, const double lever) const
+  {
+    if (i < dim)
+      return force.value(Point<dim>(), t)[i];
+    return i - dim < n_rotations ? moment.value(Point<dim>(), t)[i - dim] / lever : 0.;
+  }
+
+
+
+  template <int dim>
+  double
+  RigidBody<dim>::arm(const BoundingBox<dim> &box) const
+  {
+    const auto &[low, high] = box.get_boundary_points();
+    Tensor<1, dim> farthest;
+    for (unsigned int d = 0; d < dim; ++d)
+      farthest[d] = std::max(std::abs(low[d] - reference[d]), std::abs(high[d] - reference[d]));
+    return farthest.norm();
+  }
+
+
+
+  template <int dim>
+  std::string
+  RigidBody<dim>::name_of(const unsigned int i)
+  {
+    return i < dim ? "translation " + axes[i] : "rotation about " + axes[dim == 2 ? 2 : i - dim];
+  }
+
+
+
+  template struct RigidBody<2>;
+  template struct RigidBody<3>;
+} // namespace Signorini

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solid/displacements.h"
+
+#include <array>
+#include <vector>
+
+namespace Signorini
+{
+  /// A body's motions without deformation, as modes of size one: dim translations, then rotations
+  /// about the center of a box in units of half its diagonal.
+  template <int dim>
+  class RigidBodyModes
+  {
+  public:
+    static constexpr unsigned int n = dim * (dim + 1) / 2;
+
+    RigidBodyModes(const dealii::BoundingBox<dim> &box);
+
+    /// Each mode's value in component c at x.
+    std::array<double, n>
+    at(const dealii::Point<dim> &x, unsigned int c) const;
+
+    /// Half the diagonal of the box.
+    double
+    size() const
+    {
+      return my_size;
+    }
+
+  private:
+    dealii::Point<dim> center;
+    double             my_size;
+  };
+
+  /// The modes on the locally owned degrees of freedom, mode by mode. One set serves all bodies:
+  /// aggregates of the multigrid method never contain nodes of two bodies, and on one body a
+  /// rotation about another center differs by a translation only.
+  /// @param owned degrees of freedom of the mesh, and of rigid bodies behind them
+  template <int dim>
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Mesh<dim>                     &mesh,
+                   const dealii::DoFHandler<dim>       &dofs,
+                   const dealii::hp::FECollection<dim> &elements,
+                   const dealii::IndexSet              &owned);
+
+  /// Of the displacements of bodies.
+  template <int dim>
+  std::vector<std::vector<double>>
+  rigid_body_modes(const Displacements<dim> &displacements);
+
+  /// The body of each locally owned degree of freedom; Mesh::n_bodies() for those of rigid ones.
+  template <int dim>
+  std::vector<unsigned int>
+  bodies_of_dofs(const Displacements<dim> &displacements);
+} // namespace Signorini

@@ -1,0 +1,152 @@
+#include <signorini/solid/rigid_pose.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    Tensor<2, 3>
+    cross_matrix(const Tensor<1, 3> &w)
+    {
+      Tensor<2, 3> result;
+      result[0][1] = -w[2];
+      result[0][2] = w[1];
+      result[1][2] = -w[0];
+      result -= transpose(result);
+      return result;
+    }
+
+    /// (1 - cos a)/a^2 and (a - sin a)/a^3, by series where they are differences of what is equal.
+    std::array<double, 2>
+    coefficients(const double a)
+    {
+      const double square = a * a;
+      if (a < 0.01)
+        return {{0.5 - square / 24 * (1 - square / 30), 1. / 6 - square / 120 * (1 - square / 42)}};
+      return {{(1 - std::cos(a)) / square, (a - std::sin(a)) / (square * a)}};
+    }
+
+    template <int n>
+    Tensor<2, n>
+    identity()
+    {
+      Tensor<2, n> result;
+      for (unsigned int d = 0; d < n; ++d)
+        result[d][d] = 1;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  RigidPose<dim>::RigidPose(const Point<dim>                 &reference,
+                            const std::array<double, n_dofs> &motion,
+                            const double                      lever)
+    : reference(reference)
+    , center(reference)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      center[d] += motion[d];
+    if constexpr (dim == 2)
+      {
+        const double angle = motion[2] / lever;
+        turn[0][0] = turn[1][1] = std::cos(angle);
+        turn[1][0]              = std::sin(angle);
+        turn[0][1]              = -turn[1][0];
+        jacobian[0][0]          = 1;
+      }
+    else
+      {
+        Tensor<1, 3> w;
+        for (unsigned int d = 0; d < 3; ++d)
+          w[d] = motion[3 + d] / lever;
+        const Tensor<2, 3> W = cross_matrix(w), I = identity<3>();
+        const auto [b, c] = coefficients(w.norm());
+        // sin(a)/a = 1 - c a^2
+        turn     = I + (1 - c * w.norm_square()) * W + b * W * W;
+        jacobian = I + b * W + c * W * W;
+      }
+    jacobian /= lever;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  RigidPose<dim>::to_body(const Point<dim> &x) const
+  {
+    return reference + transpose(turn) * arm(x);
+  }
+
+
+
+  template <int dim>
+  std::array<double, RigidPose<dim>::n_dofs>
+  RigidPose<dim>::row(const Point<dim> &x, const Vector &n) const
+  {
+    // n . (spin cross r) = spin . (r cross n)
+    const Vector               r = arm(x);
+    std::array<double, n_dofs> result{};
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = n[d];
+    Tensor<1, n_rotations> of_spin;
+    if constexpr (dim == 2)
+      of_spin[0] = r[0] * n[1] - r[1] * n[0];
+    else
+      of_spin = cross_product_3d(r, n);
+    for (unsigned int i = 0; i < n_rotations; ++i)
+      result[dim + i] = (of_spin * jacobian)[i];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::array<double, RigidPose<dim>::n_dofs>
+  RigidPose<dim>::spin(const unsigned int i) const
+  {
+    std::array<double, n_dofs> result{};
+    for (unsigned int j = 0; j < n_rotations; ++j)
+      result[dim + j] = jacobian[i][j];
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename RigidPose<dim>::Moment
+  RigidPose<dim>::on_rotations(const Moment &moment) const
+  {
+    return moment * jacobian;
+  }
+
+
+
+  template <int dim>
+  typename RigidPose<dim>::Moment
+  RigidPose<dim>::moment_of(const Moment &on_rotations) const
+  {
+    constexpr double singular = 1e-8;
+    const double     scale    = std::pow(jacobian.norm(), n_rotations);
+    if (std::abs(determinant(jacobian)) > singular * scale)
+      return on_rotations * invert(jacobian);
+    // J leaves the axis as it is, and takes what is across to nothing.
+    Moment       result;
+    const double lever = std::sqrt(1 / (jacobian * transpose(jacobian)).norm());
+    for (unsigned int i = 0; i < n_rotations; ++i)
+      result[i] = std::abs(lever * jacobian[i][i] - 1) < singular ?
+                    lever * on_rotations[i] :
+                    std::numeric_limits<double>::quiet_NaN();
+    return result;
+  }
+
+
+
+  template class RigidPose<2>;
+  template class RigidPose<3>;
+} // namespace Signorini

@@ -1,0 +1,70 @@
+#include "solid/stiffness.h"
+#include "linear_algebra/diagonal.h"
+#include "linear_algebra/row_view.h"
+#include "linear_algebra/values.h"
+
+#include <cmath>
+
+namespace Signorini
+{
+  const Choices<StiffnessForm> &
+  stiffness_forms()
+  {
+    static const Choices<StiffnessForm> list = {{"assembled", StiffnessForm::assembled},
+                                                {"matrix-free", StiffnessForm::matrix_free}};
+    return list;
+  }
+
+
+
+  AssembledOperator::AssembledOperator(const LA::SparseMatrix &K)
+    : K(K)
+    , K_rounded(K)
+    , result(K.locally_owned_range_indices().n_elements())
+  {}
+
+
+
+  std::vector<float>
+  AssembledOperator::diagonal() const
+  {
+    const LA::Vector    exact = LA::diagonal(K);
+    const double *const first = LA::values_of(exact);
+    return std::vector<float>(first, first + exact.locally_owned_size());
+  }
+
+
+
+  std::vector<float>
+  AssembledOperator::row_sizes() const
+  {
+    std::vector<float> sums;
+    for (unsigned int i = 0; i < result.size(); ++i)
+      {
+        const LA::RowView row(K, i);
+        double            sum = 0;
+        for (int k = 0; k < row.size; ++k)
+          sum += std::abs(row.values[k]);
+        sums.push_back(sum);
+      }
+    return sums;
+  }
+
+
+
+  LA::Vector
+  AssembledStiffness::diagonal() const
+  {
+    return LA::diagonal(K);
+  }
+
+
+
+  const StiffnessOperator<float> &
+  AssembledStiffness::rounded() const
+  {
+    if (!my_rounded)
+      my_rounded = std::make_unique<const AssembledOperator>(K);
+    return *my_rounded;
+  }
+} // namespace Signorini

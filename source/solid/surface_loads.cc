@@ -1,0 +1,157 @@
+#include "solid/not_finite.h"
+#include "solid/scalar_elements.h"
+#include "solid/surface_loads.h"
+
+#include <deal.II/hp/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Names may have faces in common, which are loaded once.
+    template <int dim>
+    BoundaryIds
+    boundaries_of(const Mesh<dim> &mesh, const Load<dim> &load)
+    {
+      BoundaryIds ids;
+      for (const std::string &boundary : load.boundaries)
+        ids.insert(mesh.boundary_ids(boundary).begin(), mesh.boundary_ids(boundary).end());
+      return ids;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SurfaceLoads<dim>::SurfaceLoads(const Mesh<dim>              &mesh,
+                                  const hp::FECollection<dim>  &elements,
+                                  const Model                   model,
+                                  const std::vector<Load<dim>> &loads,
+                                  const double                  t)
+    : t(t)
+  {
+    for (const Load<dim> &load : loads)
+      {
+        for (const types::boundary_id id : boundaries_of(mesh, load))
+          by_boundary[id].push_back(&load);
+        if (load.total_force.given() && !load.boundaries.empty())
+          areas[&load] = 0;
+      }
+    if (!areas.empty())
+      measure_boundaries(mesh, elements, model);
+  }
+
+
+
+  /// By the rule that integrates total forces.
+  template <int dim>
+  void
+  SurfaceLoads<dim>::measure_boundaries(const Mesh<dim>             &mesh,
+                                        const hp::FECollection<dim> &elements,
+                                        const Model                  model)
+  {
+    const hp::FECollection<dim> scalars = scalar_elements(elements); // the values refer to it
+    hp::FEFaceValues<dim>       all_values(mesh.surface_mappings(),
+                                     scalars,
+                                     gauss_rules<dim, dim - 1>(elements, 2),
+                                     update_quadrature_points | update_JxW_values);
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        for (const unsigned int f : cell->face_indices())
+          if (const auto found = by_boundary.find(cell->face(f)->boundary_id());
+              cell->face(f)->at_boundary() && found != by_boundary.end())
+            {
+              all_values.reinit(cell, f, 0, 0, 0);
+              const FEFaceValues<dim> &values = all_values.get_present_fe_values();
+              double                   area   = 0;
+              for (const unsigned int q : values.quadrature_point_indices())
+                area += values.JxW(q) * measure(model, values.quadrature_point(q));
+              for (const Load<dim> *load : found->second)
+                if (const auto of_load = areas.find(load); of_load != areas.end())
+                  of_load->second += area;
+            }
+    for (auto &[load, area] : areas)
+      area = Utilities::MPI::sum(area, mesh.communicator());
+  }
+
+
+
+  template <int dim>
+  bool
+  SurfaceLoads<dim>::is_finite(const double       size,
+                               const Load<dim>   &load,
+                               const std::string &key,
+                               const std::string &formula,
+                               const Point<dim>  &x)
+  {
+    if (std::isfinite(size))
+      return true;
+    if (what_is_wrong.empty())
+      what_is_wrong = not_finite("Loads/" + load.name + "/" + key, formula, x, t);
+    return false;
+  }
+
+
+
+  template <int dim>
+  SurfaceLoad<dim>
+  SurfaceLoads<dim>::at(const types::boundary_id id, const Point<dim> &x)
+  {
+    SurfaceLoad<dim> result;
+    const auto       found = by_boundary.find(id);
+    if (found == by_boundary.end())
+      return result;
+    for (const Load<dim> *load : found->second)
+      {
+        const Tensor<1, dim> traction = load->traction.value(x, t);
+        const double         pressure = load->pressure.value(x, t);
+        if (is_finite(traction.norm(), *load, "Traction", load->traction.text(), x))
+          result.traction += traction;
+        if (is_finite(pressure, *load, "Pressure", load->pressure.formula(), x))
+          result.pressure += pressure;
+        const auto area = areas.find(load);
+        if (area == areas.end())
+          continue;
+        const Tensor<1, dim> total = load->total_force.value(x, t);
+        if (is_finite(total.norm(), *load, "Total force", load->total_force.text(), x))
+          result.traction += total / area->second;
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  surface_loads_vary(const Mesh<dim>              &mesh,
+                     const std::vector<Load<dim>> &loads,
+                     const std::string            &boundary)
+  {
+    const BoundaryIds &wanted = mesh.boundary_ids(boundary);
+    return std::any_of(loads.begin(), loads.end(), [&](const Load<dim> &load) {
+      if (!load.traction.depends_on_time() && !load.pressure.depends_on_time() &&
+          !load.total_force.depends_on_time())
+        return false;
+      const BoundaryIds loaded = boundaries_of(mesh, load);
+      return std::any_of(wanted.begin(), wanted.end(), [&](const auto id) {
+        return loaded.count(id) > 0;
+      });
+    });
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template class SurfaceLoads<dim>;                                                                \
+  template bool surface_loads_vary(const Mesh<dim> &,                                              \
+                                   const std::vector<Load<dim>> &,                                 \
+                                   const std::string &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

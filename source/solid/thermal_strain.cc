@@ -1,0 +1,374 @@
+#include "solid/thermal_strain.h"
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double never = std::numeric_limits<double>::quiet_NaN();
+
+    /// As exact as loads are integrated.
+    template <int dim>
+    FEValues<dim>
+    points_in_cells(const Mesh<dim> &mesh, const unsigned int degree)
+    {
+      static const FE_Nothing<dim> nothing;
+      return FEValues<dim>(mesh.mapping(),
+                           nothing,
+                           QGauss<dim>(degree + 2),
+                           update_quadrature_points | update_JxW_values);
+    }
+
+    /// Of this rank, and those around that it knows of.
+    template <int dim, typename Visit>
+    void
+    for_known_cells(const Mesh<dim> &mesh, const unsigned int id, const Visit &visit)
+    {
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (!cell->is_artificial() && cell->material_id() == id)
+          visit(cell);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ThermalStrain<dim>::ThermalStrain(const Mesh<dim>                          &mesh,
+                                    const std::vector<ThermalExpansion<dim>> &expansions,
+                                    const std::vector<unsigned int>          &degrees,
+                                    const Model                               model)
+    : mesh(mesh)
+    , expansions(expansions)
+    , degrees(degrees)
+    , model(model)
+    , n_coefficients(*std::max_element(degrees.begin(), degrees.end()) > 1 ? dim + 1 : 1)
+    , times(expansions.size(), never)
+  {}
+
+
+
+  template <int dim>
+  bool
+  ThermalStrain<dim>::any() const
+  {
+    return std::any_of(expansions.begin(), expansions.end(), [](const auto &one) {
+      return one.given();
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  ThermalStrain<dim>::reinit()
+  {
+    if (any())
+      of_cells.assign(mesh.triangulation().n_active_cells() * n_coefficients, 0.);
+    std::fill(times.begin(), times.end(), never);
+  }
+
+
+
+  template <int dim>
+  typename ThermalStrain<dim>::Monomials
+  ThermalStrain<dim>::monomials(const Cell &cell, const Point<dim> &x) const
+  {
+    Monomials result{{1.}};
+    if (n_coefficients == 1)
+      return result;
+    const Tensor<1, dim> place = (x - cell.center()) / cell.diameter();
+    for (unsigned int d = 0; d < dim; ++d)
+      result[1 + d] = place[d];
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  ThermalStrain<dim>::temperature(const FEValues<dim> &values,
+                                  const unsigned int   q,
+                                  const double         t) const
+  {
+    const auto                   cell  = values.get_cell();
+    const ThermalExpansion<dim> &one   = expansions[cell->material_id()];
+    const double                 field = one.depends_on_field() ?
+                                           mesh.temperature().value(cell->id(), values.get_quadrature().point(q)) :
+                                           0.;
+    return one.value(values.quadrature_point(q), t, field);
+  }
+
+
+
+  template <int dim>
+  void
+  ThermalStrain<dim>::refuse_if_bad(const unsigned int             id,
+                                    const double                   t,
+                                    const std::vector<Point<dim>> &bad) const
+  {
+    for (const auto &of_rank : Utilities::MPI::all_gather(mesh.communicator(), bad))
+      if (!of_rank.empty())
+        {
+          std::ostringstream where;
+          where << "at (" << of_rank[0] << "), t = " << t;
+          throw SceneError(expansions[id].place + ": the temperature is not a number " +
+                           where.str() + "; correct the formula");
+        }
+  }
+
+
+
+  // The best fit with the weights of the quadrature.
+  template <int dim>
+  void
+  ThermalStrain<dim>::fit(const FEValues<dim> &values,
+                          const double         t,
+                          const unsigned int   degree,
+                          double              *result)
+  {
+    const auto         cell = values.get_cell();
+    const unsigned int n    = degree > 1 ? n_coefficients : 1;
+    FullMatrix<double> mass(n, n);
+    Vector<double>     rhs(n), coefficients(n);
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const Point<dim> &x      = values.quadrature_point(q);
+        const Monomials   phi    = monomials(*cell, x);
+        const double      weight = values.JxW(q) * measure(model, x);
+        const double rise = temperature(values, q, t) - expansions[cell->material_id()].reference;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            rhs[i] += weight * phi[i] * rise;
+            for (unsigned int j = 0; j < n; ++j)
+              mass(i, j) += weight * phi[i] * phi[j];
+          }
+      }
+    mass.gauss_jordan();
+    mass.vmult(coefficients, rhs);
+    std::copy(coefficients.begin(), coefficients.end(), result);
+  }
+
+
+
+  template <int dim>
+  void
+  ThermalStrain<dim>::set_time(const double t)
+  {
+    for (unsigned int id = 0; id < expansions.size(); ++id)
+      {
+        const ThermalExpansion<dim> &one = expansions[id];
+        if (!one.given() || times[id] == t || (!std::isnan(times[id]) && !one.depends_on_time()))
+          continue;
+        times[id] = t;
+        std::vector<Point<dim>> bad;
+        FEValues<dim>           values  = points_in_cells(mesh, degrees[id]);
+        const double            uniform = one.depends_on_place() ? 0. : one.value({}, t, 0);
+        for_known_cells(mesh, id, [&](const auto &cell) {
+          double *own = &of_cells[cell->active_cell_index() * n_coefficients];
+          if (one.depends_on_place())
+            {
+              values.reinit(cell);
+              fit(values, t, degrees[id], own);
+            }
+          else
+            own[0] = uniform - one.reference;
+          if (!std::all_of(own, own + n_coefficients, [](const double c) {
+                return std::isfinite(c);
+              }))
+            bad.assign(1, cell->center());
+        });
+        refuse_if_bad(id, t, bad);
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  ThermalStrain<dim>::rise(const Cell &cell, const Point<dim> &x) const
+  {
+    if (!expands(cell.material_id()))
+      return 0;
+    const Monomials phi = monomials(cell, x);
+    const double   *own = &of_cells[cell.active_cell_index() * n_coefficients];
+    double          sum = 0;
+    for (unsigned int i = 0; i < n_coefficients; ++i)
+      sum += own[i] * phi[i];
+    return sum;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, 3>
+  ThermalStrain<dim>::strain(const Cell &cell, const Point<dim> &x) const
+  {
+    if (!expands(cell.material_id()))
+      return {};
+    return rise(cell, x) * expansions[cell.material_id()].alpha();
+  }
+
+
+
+  template <int dim>
+  Tensor<1, 3>
+  ThermalStrain<dim>::stress_of_unit_rise(const Material &material, const unsigned int id) const
+  {
+    const bool         is_sheet = model == Model::plane_stress;
+    const Tensor<1, 3> alpha    = expansions[id].alpha();
+    const double       sum      = alpha[0] + alpha[1] + (is_sheet ? 0 : alpha[2]);
+    Tensor<1, 3>       result;
+    for (unsigned int i = 0; i < (is_sheet ? 2 : 3); ++i)
+      result[i] = in_plane_lambda(model, material) * sum + 2 * material.mu() * alpha[i];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<types::global_dof_index, double>>
+  ThermalStrain<dim>::row(const Cell &cell, const Point<dim> &x) const
+  {
+    const Monomials                                         phi = monomials(cell, x);
+    std::vector<std::pair<types::global_dof_index, double>> result;
+    for (unsigned int i = 0; i < n_coefficients; ++i)
+      result.emplace_back(cell.global_active_cell_index() * n_coefficients + i, phi[i]);
+    return result;
+  }
+
+
+
+  template <int dim>
+  IndexSet
+  ThermalStrain<dim>::owned() const
+  {
+    // Active cells are numbered rank by rank.
+    unsigned int n = 0;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      n += cell->is_locally_owned();
+    return LA::contiguous_partition(n * n_coefficients, mesh.communicator());
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  ThermalStrain<dim>::coefficients() const
+  {
+    LA::Vector result(owned(), mesh.communicator());
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (unsigned int i = 0; i < n_coefficients; ++i)
+          result(cell->global_active_cell_index() * n_coefficients + i) =
+            of_cells[cell->active_cell_index() * n_coefficients + i];
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  ThermalStrain<dim>::range(const unsigned int id, const double t) const
+  {
+    if (!expansions[id].depends_on_place())
+      {
+        const double T = expansions[id].value({}, t, 0);
+        refuse_if_bad(id, t, std::vector<Point<dim>>(std::isfinite(T) ? 0 : 1));
+        return {T, T};
+      }
+    std::array<double, 2>   extremes{{std::numeric_limits<double>::max(),
+                                      std::numeric_limits<double>::max()}}; // lowest, minus highest
+    std::vector<Point<dim>> bad;
+    FEValues<dim>           values = points_in_cells(mesh, degrees[id]);
+    for_known_cells(mesh, id, [&](const auto &cell) {
+      values.reinit(cell);
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const double T = temperature(values, q, t);
+          if (!std::isfinite(T))
+            bad.assign(1, values.quadrature_point(q));
+          extremes[0] = std::min(extremes[0], T);
+          extremes[1] = std::min(extremes[1], -T);
+        }
+    });
+    refuse_if_bad(id, t, bad);
+    return {Utilities::MPI::min(extremes[0], mesh.communicator()),
+            -Utilities::MPI::min(extremes[1], mesh.communicator())};
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    hp::QCollection<dim>
+    rules_of_stiffness(const hp::FECollection<dim> &elements)
+    {
+      hp::QCollection<dim> rules;
+      for (const auto &fe : elements)
+        rules.push_back(QGauss<dim>(fe.degree + 1));
+      return rules;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ThermalLoad<dim>::ThermalLoad(const Mesh<dim>             &mesh,
+                                const hp::FECollection<dim> &elements,
+                                const ThermalStrain<dim>    &thermal,
+                                const Model                  model)
+    : thermal(thermal)
+    , model(model)
+    , all_values(mesh.mappings(),
+                 elements,
+                 rules_of_stiffness(elements),
+                 update_values | update_gradients | update_quadrature_points | update_JxW_values)
+  {}
+
+
+
+  template <int dim>
+  bool
+  ThermalLoad<dim>::add(const DofCell &cell, const Material &material, Vector<double> &cell_load)
+  {
+    if (!thermal.expands(cell->material_id()))
+      return false;
+    const Tensor<1, 3> stress = thermal.stress_of_unit_rise(material, cell->material_id());
+    all_values.reinit(cell);
+    const FEValues<dim> &values = all_values.get_present_fe_values();
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const Point<dim> &x      = values.quadrature_point(q);
+        const double      weight = thermal.rise(*cell, x) * values.JxW(q) * measure(model, x);
+        for (const unsigned int i : values.dof_indices())
+          {
+            const unsigned int d = cell->get_fe().system_to_component_index(i).first;
+            cell_load[i] += weight * stress[d] * values.shape_grad(i, q)[d];
+            if (model == Model::axisymmetric && d == 0)
+              cell_load[i] += weight * stress[2] * values.shape_value(i, q) / x[0];
+          }
+      }
+    return true;
+  }
+
+
+
+  template class ThermalStrain<2>;
+  template class ThermalStrain<3>;
+  template class ThermalLoad<2>;
+  template class ThermalLoad<3>;
+} // namespace Signorini

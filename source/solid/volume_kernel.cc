@@ -1,0 +1,90 @@
+#include "solid/gradient_at_point.h"
+#include "solid/scalar_elements.h"
+#include "solid/volume_kernel.h"
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  VolumeKernel<dim>::VolumeKernel(const Elasticity<dim> &elasticity)
+    : elasticity(elasticity)
+    , elements(scalar_elements(elasticity.finite_elements()))
+    , all_values(elasticity.mesh().mappings(),
+                 elements,
+                 gauss_rules(elasticity.finite_elements(), 1),
+                 update_values | update_gradients | update_JxW_values | update_quadrature_points)
+    , all_dofs(dofs_of_nodes(elasticity.finite_elements()))
+  {}
+
+
+
+  template <int dim>
+  bool
+  VolumeKernel<dim>::assemble(const Cell           &cell,
+                              const Vector<double> &u,
+                              Vector<double>       &changes,
+                              FullMatrix<double>   *slopes)
+  {
+    constexpr unsigned int n_functions = BulkStress<dim>::functions_a_cell;
+    const auto             index       = cell->active_fe_index();
+    all_values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell),
+                      index,
+                      0,
+                      index);
+    const FEValues<dim>             &values  = all_values.get_present_fe_values();
+    const std::vector<unsigned int> &dofs    = all_dofs[index];
+    const unsigned int               n_nodes = dofs.size() / dim;
+    const Model                      model   = elasticity.model();
+    const bool is_finite = elasticity.is_finite(), has_hoop = model == Model::axisymmetric,
+               expands = elasticity.thermal().expands(cell->material_id());
+    changes.reinit(n_functions);
+    if (slopes)
+      slopes->reinit(n_functions, dofs.size());
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const Point<dim>  &x           = values.quadrature_point(q);
+        const Tensor<2, 3> F           = gradient_at_point(model, values, dofs, q, u);
+        double             theta       = trace(F) - 3;
+        Tensor<2, 3>       by_gradient = unit_symmetric_tensor<3>(); // [derivative][component]
+        if (is_finite)
+          {
+            const double J = determinant(F);
+            if (!(J > 0))
+              return false;
+            theta       = std::log(J);
+            by_gradient = invert(F);
+          }
+        else if (expands)
+          {
+            const Tensor<1, 3> strain = elasticity.thermal().strain(*cell, x);
+            theta -= strain[0] + strain[1] + strain[2];
+          }
+        const auto   phi    = elasticity.bulk_stress().functions(*cell, x);
+        const double weight = values.JxW(q) * measure(model, x);
+        for (unsigned int k = 0; k < n_functions; ++k)
+          changes(k) += weight * phi[k] * theta;
+        if (!slopes)
+          continue;
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              double slope = 0;
+              for (unsigned int d = 0; d < dim; ++d)
+                slope += values.shape_grad(i, q)[d] * by_gradient[d][a];
+              if (has_hoop && a == 0)
+                slope += values.shape_value(i, q) / x[0] * by_gradient[2][2];
+              for (unsigned int k = 0; k < n_functions; ++k)
+                (*slopes)(k, dofs[i * dim + a]) += weight * phi[k] * slope;
+            }
+      }
+    return true;
+  }
+
+
+
+  template class VolumeKernel<2>;
+  template class VolumeKernel<3>;
+} // namespace Signorini

@@ -1,0 +1,349 @@
+#include "solver/active_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Points that are not open. Collective.
+    unsigned int
+    count(const LA::Vector &status)
+    {
+      unsigned int n = 0;
+      for (const double value : status)
+        n += is_closed(value);
+      return Utilities::MPI::sum(n, status.get_mpi_communicator());
+    }
+  } // namespace
+
+
+
+  ActiveSet::ActiveSet(const GapOperator &contact)
+    : contact(contact)
+    , now(contact.coefficients.permanent)
+    , last(contact.coefficients.permanent)
+    , changes(contact.zero())
+    , n_permanent(count(contact.coefficients.permanent))
+  {}
+
+
+
+  void
+  ActiveSet::restart()
+  {
+    history.clear();
+    changes = 0.;
+  }
+
+
+
+  bool
+  ActiveSet::set(const LA::Vector &status)
+  {
+    unsigned int n_changes = 0;
+    for (const auto i : now.locally_owned_elements())
+      {
+        const double value = std::max(contact.coefficients.permanent(i), status(i));
+        n_changes += value != now(i);
+        now(i) = value;
+      }
+    now.compress(VectorOperation::insert);
+    return Utilities::MPI::max(n_changes, now.get_mpi_communicator()) > 0;
+  }
+
+
+
+  void
+  ActiveSet::update(const LA::Vector &status)
+  {
+    last = now;
+    now  = status;
+  }
+
+
+
+  unsigned int
+  ActiveSet::size() const
+  {
+    return count(now);
+  }
+
+
+
+  unsigned int
+  ActiveSet::size_of_separating() const
+  {
+    return count(now) - n_permanent;
+  }
+
+
+
+  bool
+  ActiveSet::keep_last_if_any()
+  {
+    const unsigned int n = count(last);
+    if (n <= n_permanent || n == size())
+      return false;
+    now = last;
+    return true;
+  }
+
+
+
+  bool
+  ActiveSet::take_if_empty(const LA::Vector &status)
+  {
+    if (size_of_separating() > 0)
+      return false;
+    now = status;
+    return size_of_separating() > 0;
+  }
+
+
+
+  unsigned int
+  ActiveSet::count_changes()
+  {
+    unsigned int n = 0;
+    for (const auto i : now.locally_owned_elements())
+      if (now(i) != last(i))
+        {
+          changes(i) += 1;
+          ++n;
+        }
+    changes.compress(VectorOperation::add);
+    return Utilities::MPI::sum(n, now.get_mpi_communicator());
+  }
+
+
+
+  unsigned int
+  ActiveSet::keep_deepest(const LA::Vector &gap, const bool step_by_step)
+  {
+    // Refined once, an area has four times as many points: that is how a zone grows without losing
+    // its shape.
+    constexpr unsigned int growth   = 4;
+    const unsigned int     n        = contact.n_pairs();
+    const MPI_Comm         comm     = gap.get_mpi_communicator();
+    const double           rounding = coordinate_rounding();
+    std::vector<double>    deepest(n, 0.);
+    std::vector<double>    share(n, 0.5); // of the deepest, from which on points count
+    const auto             visit = [&](const auto &action) {
+      auto pair = contact.origin.pair.begin();
+      for (const auto i : gap.locally_owned_elements())
+        action(i, *pair++);
+    };
+    visit([&](const auto i, const unsigned int pair) {
+      deepest[pair] = std::min(deepest[pair], gap(i));
+    });
+    Utilities::MPI::min(deepest, comm, deepest);
+
+    const auto stays = [&](const auto i, const unsigned int pair) {
+      return is_closed(last(i)) || contact.coefficients.permanent(i) > 0 ||
+             deepest[pair] >= -rounding || gap(i) <= share[pair] * deepest[pair];
+    };
+    constexpr unsigned int most_trials = 10;
+    for (unsigned int trial = 0; step_by_step && trial < most_trials; ++trial)
+      {
+        std::vector<unsigned int> counts(2 * n, 0); // before and now
+        visit([&](const auto i, const unsigned int pair) {
+          counts[pair] += is_closed(last(i));
+          counts[n + pair] += is_closed(now(i)) && stays(i, pair);
+        });
+        Utilities::MPI::sum(counts, comm, counts);
+        bool is_too_large = false;
+        for (unsigned int pair = 0; pair < n; ++pair)
+          if (counts[pair] > 0 && counts[n + pair] > growth * counts[pair])
+            {
+              share[pair]  = (1 + share[pair]) / 2;
+              is_too_large = true;
+            }
+        if (!is_too_large)
+          break;
+      }
+    visit([&](const auto i, const unsigned int pair) {
+      if (!stays(i, pair))
+        now(i) = 0;
+    });
+    now.compress(VectorOperation::insert);
+    return count(now);
+  }
+
+
+
+  void
+  ActiveSet::open_pulling_regions(const LA::Vector &trial)
+  {
+    if (contact.origin.regions.empty())
+      return;
+    LA::Vector either = now, force = contact.zero();
+    for (const auto i : now.locally_owned_elements())
+      {
+        either(i) = std::max(now(i), last(i));
+        force(i)  = is_closed(last(i)) ? contact.weight(i) * trial(i) : 0.;
+      }
+    either.compress(VectorOperation::insert);
+    force.compress(VectorOperation::insert);
+    const LA::Vector sums    = contact.origin.regions.sums(either, force);
+    const auto       is_left = [&](const auto i) {
+      return is_closed(now(i)) && (sums(i) >= 0 || contact.coefficients.permanent(i) > 0);
+    };
+    std::vector<unsigned int> left(contact.n_pairs(), 0);
+    auto                      pair = contact.origin.pair.begin();
+    for (const auto i : now.locally_owned_elements())
+      left[*pair++] += is_left(i);
+    Utilities::MPI::sum(left, now.get_mpi_communicator(), left);
+    pair = contact.origin.pair.begin();
+    for (const auto i : now.locally_owned_elements())
+      if (left[*pair++] > 0 && !is_left(i))
+        now(i) = 0;
+    now.compress(VectorOperation::insert);
+  }
+
+
+
+  // Surfaces that touch overlap by that, of which nothing follows: of positions relative to each
+  // other, and of the numbers that these are differences of.
+  double
+  ActiveSet::coordinate_rounding() const
+  {
+    const MPI_Comm comm   = contact.weight.get_mpi_communicator();
+    double         widest = 0, farthest = 0;
+    for (const LA::Vector &x : contact.geometry.position)
+      {
+        double lower = std::numeric_limits<double>::max(), upper = -lower;
+        for (const auto i : x.locally_owned_elements())
+          {
+            lower = std::min<double>(lower, x(i));
+            upper = std::max<double>(upper, x(i));
+          }
+        lower    = Utilities::MPI::min(lower, comm);
+        upper    = Utilities::MPI::max(upper, comm);
+        widest   = std::max(widest, upper - lower);
+        farthest = std::max({farthest, -lower, upper});
+      }
+    return 1e-10 * widest + 16 * std::numeric_limits<double>::epsilon() * farthest;
+  }
+
+
+
+  unsigned int
+  ActiveSet::drop_touching(const LA::Vector &gap)
+  {
+    double deepest = 0;
+    for (const auto i : gap.locally_owned_elements())
+      if (contact.coefficients.permanent(i) == 0)
+        deepest = std::max(deepest, -gap(i));
+    deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
+    // So is a single one that overlaps, as the tip of a cone does by the mean over its faces.
+    if (deepest > coordinate_rounding() && size_of_separating() > 1)
+      return keep_deepest(gap);
+    now = contact.coefficients.permanent;
+    return count(now);
+  }
+
+
+
+  unsigned int
+  ActiveSet::add_touching(const LA::Vector &gap)
+  {
+    const double rounding = coordinate_rounding();
+    for (const auto i : gap.locally_owned_elements())
+      if (gap(i) <= rounding && !is_closed(now(i)))
+        now(i) = static_cast<double>(ContactStatus::slip);
+    now.compress(VectorOperation::insert);
+    return count(now);
+  }
+
+
+
+  void
+  ActiveSet::keep_all_but_the_worst(const LA::Vector &trial)
+  {
+    const auto violation = [&](const auto i) {
+      return now(i) == last(i) ? 0. : std::abs(trial(i));
+    };
+    double worst = 0;
+    for (const auto i : trial.locally_owned_elements())
+      worst = std::max(worst, violation(i));
+    worst = Utilities::MPI::max(worst, trial.get_mpi_communicator());
+    for (const auto i : trial.locally_owned_elements())
+      if (const double v = violation(i); v > 0 && v < worst)
+        now(i) = last(i);
+    now.compress(VectorOperation::insert);
+  }
+
+
+
+  bool
+  ActiveSet::seen_before()
+  {
+    // A sum of well-mixed numbers, one a closed point: independent of order and ranks.
+    uint64_t   hash  = 0;
+    const auto n_all = now.size();
+    for (const auto i : now.locally_owned_elements())
+      if (is_closed(now(i)))
+        {
+          const auto kind = static_cast<uint64_t>(now(i)) - 1;
+          uint64_t   z    = (i + 1 + kind * n_all) * 0x9e3779b97f4a7c15ULL;
+          z               = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+          hash += z ^ (z >> 27);
+        }
+    hash                  = Utilities::MPI::sum(hash, now.get_mpi_communicator());
+    LA::Vector difference = now;
+    difference -= last;
+    // To stay where we are is no cycle.
+    return !history.insert(hash).second && difference.l1_norm() > 0;
+  }
+
+
+
+  LA::Vector
+  ActiveSet::chattering() const
+  {
+    LA::Vector result = contact.zero();
+    for (const auto i : result.locally_owned_elements())
+      result(i) = changes(i) >= 3 ? 1 : 0;
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  std::string
+  ActiveSet::chattering_points() const
+  {
+    if (contact.empty())
+      return "";
+    const LA::Vector   often = chattering();
+    std::ostringstream text;
+    unsigned int       n = 0;
+    for (const auto i : changes.locally_owned_elements())
+      if (often(i) > 0)
+        {
+          if (n++ < 3)
+            {
+              text << " (";
+              for (unsigned int d = 0; d < contact.geometry.position.size(); ++d)
+                text << (d > 0 ? ", " : "") << contact.geometry.position[d](i);
+              text << ")";
+            }
+        }
+    const MPI_Comm comm = changes.get_mpi_communicator();
+    std::string    places;
+    for (const std::string &part : Utilities::MPI::all_gather(comm, text.str()))
+      places += part;
+    n = Utilities::MPI::sum(n, comm);
+    if (n == 0)
+      return "";
+    return "; the active set keeps changing at " + std::to_string(n) +
+           " contact points, among them" + places +
+           ". Refine there, lower the penalty, or take another method";
+  }
+} // namespace Signorini

@@ -1,0 +1,231 @@
+#include "solid/cell_nodes.h"
+#include "solid/obeying.h"
+#include "linear_algebra/sparsity_pattern.h"
+#include <signorini/parameters/raw.h>
+#include "solver/bulk_balance.h"
+#include "solver/folded_cells.h"
+
+#include <set>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    AffineConstraints<double>
+    none()
+    {
+      AffineConstraints<double> result;
+      result.close();
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<BulkBalance<dim>>
+  BulkBalance<dim>::create(Elasticity<dim> &elasticity)
+  {
+    return elasticity.bulk_stress().empty() ? nullptr :
+                                              std::make_unique<BulkBalance<dim>>(elasticity);
+  }
+
+
+
+  template <int dim>
+  BulkBalance<dim>::BulkBalance(Elasticity<dim> &elasticity)
+    : elasticity(elasticity)
+    , free(none())
+    , kernel(elasticity)
+  {
+    make_pattern();
+  }
+
+
+
+  template <int dim>
+  void
+  BulkBalance<dim>::make_pattern()
+  {
+    const BulkStress<dim> &bulk = elasticity.bulk_stress();
+    LA::SparsityPattern pattern(bulk.owned(), elasticity.owned(), elasticity.mesh().communicator());
+    my_coupling.compliance = my_coupling.schur = bulk.zero_vector();
+    std::vector<types::global_dof_index> indices;
+    for_cells([&](const Cell &cell) {
+      read_indices<dim>(cell, indices);
+      free.add_entries_local_to_global(
+        bulk.indices(*cell), elasticity.constraints(), indices, pattern, false);
+      const Material &material = elasticity.material(cell->material_id());
+      const double    size = bulk.size(*cell), compliance = size * material.bulk_compliance();
+      for (const auto i : bulk.indices(*cell))
+        {
+          my_coupling.compliance(i) = compliance;
+          my_coupling.schur(i)      = compliance + size / (2 * material.mu());
+        }
+      return false;
+    });
+    pattern.compress();
+    my_coupling.B.reinit(pattern);
+    my_coupling.compliance.compress(VectorOperation::insert);
+    my_coupling.schur.compress(VectorOperation::insert);
+  }
+
+
+
+  template <int dim>
+  void
+  BulkBalance<dim>::for_cells(const std::function<bool(const Cell &)> &visit) const
+  {
+    std::string folded;
+    for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && elasticity.bulk_stress().is_on(*cell) && visit(cell))
+        folded = elasticity.mesh().body_name(elasticity.mesh().body(cell));
+    check_folds(folded, elasticity.mesh().communicator());
+  }
+
+
+
+  template <int dim>
+  void
+  BulkBalance<dim>::start_from(const LA::Vector &u)
+  {
+    origin = u;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  BulkBalance<dim>::residual(const LA::Vector &u) const
+  {
+    const bool       extends = origin.size() > 0;
+    const LA::Vector next    = obeying(elasticity, u),
+                     at      = extends ? elasticity.with_ghosts(origin) : next;
+    LA::Vector result        = elasticity.bulk_stress().coefficients();
+    result.scale(my_coupling.compliance);
+    Vector<double>     values, others, changes;
+    FullMatrix<double> slopes;
+    for_cells([&](const Cell &cell) {
+      values.reinit(cell->get_fe().n_dofs_per_cell());
+      cell->get_dof_values(at, values);
+      if (!kernel.assemble(cell, values, changes, extends ? &slopes : nullptr))
+        return true;
+      if (extends)
+        {
+          others.reinit(values.size());
+          cell->get_dof_values(next, others);
+          others -= values;
+          slopes.vmult_add(changes, others);
+        }
+      const auto &indices = elasticity.bulk_stress().indices(*cell);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        result(indices[i]) -= changes(i);
+      return false;
+    });
+    result.compress(VectorOperation::add);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  BulkBalance<dim>::linearise(const LA::Vector &u)
+  {
+    const bool       extends = origin.size() > 0;
+    const LA::Vector there   = extends ? std::exchange(origin, LA::Vector()) : u;
+    if (is_linearised && !elasticity.is_finite())
+      return;
+    const LA::Vector   at = extends ? elasticity.with_ghosts(there) : obeying(elasticity, there);
+    Vector<double>     values, changes;
+    FullMatrix<double> slopes;
+    std::vector<types::global_dof_index> indices;
+    my_coupling.B = 0;
+    for_cells([&](const Cell &cell) {
+      read_indices<dim>(cell, indices);
+      values.reinit(indices.size());
+      cell->get_dof_values(at, values);
+      if (!kernel.assemble(cell, values, changes, &slopes))
+        return true;
+      free.distribute_local_to_global(slopes,
+                                      elasticity.bulk_stress().indices(*cell),
+                                      elasticity.constraints(),
+                                      indices,
+                                      my_coupling.B);
+      return false;
+    });
+    my_coupling.B.compress(VectorOperation::add);
+    if (!is_linearised)
+      check_determined();
+    is_linearised = true;
+  }
+
+
+
+  template <int dim>
+  void
+  BulkBalance<dim>::check_determined() const
+  {
+    constexpr double       rounding = 1e-10;
+    const BulkStress<dim> &bulk     = elasticity.bulk_stress();
+    const Mesh<dim>       &mesh     = elasticity.mesh();
+    std::set<unsigned int> incompressible;
+    for (unsigned int id = 0; id < mesh.n_materials(); ++id)
+      if (elasticity.material(id).is_mixed && elasticity.material(id).bulk_compliance() == 0)
+        incompressible.insert(mesh.body_of_material(id));
+    for (const unsigned int body : incompressible)
+      {
+        LA::Vector constant = bulk.zero_vector(), rough = constant;
+        for_cells([&](const Cell &cell) {
+          const auto &indices = bulk.indices(*cell);
+          if (mesh.body(cell) == body)
+            {
+              // The first function of a cell is constant.
+              constant(indices[0]) = 1 / bulk.functions(*cell, cell->center())[0];
+              rough(indices[0])    = indices[0] / (dim + 1) % 2 == 0 ? constant(indices[0]) : 0.;
+            }
+          return false;
+        });
+        for (LA::Vector *v : {&constant, &rough})
+          v->compress(VectorOperation::insert);
+        LA::Vector of_constant = elasticity.zero_vector(), of_rough = of_constant;
+        my_coupling.B.Tvmult(of_constant, constant);
+        my_coupling.B.Tvmult(of_rough, rough);
+        if (of_constant.linfty_norm() <= rounding * of_rough.linfty_norm())
+          throw SceneError(
+            "Bodies/" + mesh.body_name(body) +
+            "/Poisson's ratio = 0.5: supports hold the whole surface, so that nothing "
+            "determines the pressure inside; leave a part free, or take 0.4999");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  BulkBalance<dim>::add(const double factor, const LA::Vector &dm)
+  {
+    LA::Vector m = elasticity.bulk_stress().coefficients();
+    m.add(factor, dm);
+    elasticity.bulk_stress().set_coefficients(m);
+    ++my_version;
+  }
+
+
+
+  template <int dim>
+  void
+  BulkBalance<dim>::subtract_forces(LA::Vector &r) const
+  {
+    LA::Vector m = elasticity.bulk_stress().coefficients();
+    m *= -1;
+    my_coupling.B.Tvmult_add(r, m);
+  }
+
+
+
+  template class BulkBalance<2>;
+  template class BulkBalance<3>;
+} // namespace Signorini

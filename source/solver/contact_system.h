@@ -1,0 +1,255 @@
+#pragma once
+
+#include "contact/laws/contact_law.h"
+#include "solid/stiffness.h"
+#include "linear_algebra/columns.h"
+#include "solver/bulk_equations.h"
+#include "solver/free_motions.h"
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+  /// The linear system of one Newton step, for given statuses of the contact points, in two forms.
+  /// Indices a, b are the components of a point, normal and tangential ones, see PointVectors; p is
+  /// the traction, g the gap with the slip, all blocks are diagonal matrices of the points.
+  ///
+  /// Condensed (the traction follows from the gap): (K + sum_ab B_a^T D_ab B_b) du = r with
+  /// D_ab = -dp_a/dg_b W, which is eps W on closed points without friction. With Nitsche's method
+  /// also the stress S u of the points takes part:
+  ///
+  ///     K + [B; S]^T [ D          -X       ] [B; S],   X = dp/ds W,
+  ///                  [ -theta Z   -theta Y ]           Y = (1 - dp/ds) W/eps,   Z = D/eps.
+  ///
+  /// Saddle point (the traction is unknown), thesis (49):
+  ///     [  K      -B^T A ] [du]   [  r   ]
+  ///     [ -C B     -I    ] [q ] = [ k W d ],   dp = k q,
+  /// with the residual d of the constraint, zero at open points, A = k W on closed points,
+  /// C = k W dd/dg, I = k^2 W dd/dp there, and I = k W on open ones. Without friction C = A, and I
+  /// on closed points is (k^2/eps) W where the law is g + p/eps = 0, else zero. The scaling with
+  /// k = E/h makes q a length and both residuals forces: nothing depends on the units of the scene.
+  ///
+  /// Where surfaces move, K - G takes the place of K, see MovedContact.
+  ///
+  /// Bodies that are mixed have one more row and column in either form, those of the bulk stress,
+  /// see BulkCoupling; contact touches them with Nitsche's method alone, where S is [S T].
+  ///
+  /// Vectors are blocks (u, q), q with a block a component, and with mixed bodies (u, q, m); q is
+  /// one empty block in the condensed form. K belongs to the bodies and is never touched; what
+  /// changes with the statuses are vectors on the contact surface.
+  class ContactSystem
+  {
+  public:
+    /// A diagonal matrix of the points for each two components, [a][b].
+    using Blocks = std::vector<PointVectors>;
+
+    /// Refers to all but the free motions, which must live as long.
+    /// @param bulk null: no body is mixed
+    /// @param symmetric_bodies see Bodies::is_symmetric()
+    ContactSystem(const Stiffness    &stiffness,
+                  const ContactLaw   &law,
+                  FreeMotions         free_motions     = FreeMotions(),
+                  const BulkCoupling *bulk             = nullptr,
+                  bool                symmetric_bodies = true);
+
+    /// Linearise the law at these inputs, with these statuses.
+    void
+    linearise(const LawInputs &in, const LA::Vector &status);
+
+    /// The same of laws whose derivatives do not depend on the inputs.
+    void
+    set_status(const LA::Vector &status);
+
+    /// vmult() is that of the transposed matrix from then on, until this is taken back: another one
+    /// if is_symmetric() says no.
+    void
+    transpose(const bool wanted)
+    {
+      transposed = wanted && !is_symmetric();
+    }
+
+    bool
+    is_transposed() const
+    {
+      return transposed;
+    }
+
+    void
+    vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
+
+    /// False: K takes the place of K - G, until this is taken back.
+    void
+    turn_forces(const bool wanted)
+    {
+      turns = wanted;
+    }
+
+    bool
+    turns_forces() const
+    {
+      return turns;
+    }
+
+    /// How the forces that are not the law's change: (K - G) du without the springs that K has
+    /// against free motions.
+    void
+    internal_force(LA::Vector &dst, const LA::Vector &du) const;
+
+    const FreeMotions &
+    free_motions() const
+    {
+      return motions;
+    }
+
+    /// Find the loose ones of these statuses, without the system for it.
+    void
+    find_loose_motions(const LA::Vector &status)
+    {
+      motions.set_status(status);
+    }
+
+    /// The same without K and the bulk stress, which get zero.
+    void
+    contact_terms(LA::BlockVector &dst, const LA::BlockVector &src) const;
+
+    /// A zero vector (u, q), or (u, q, m).
+    LA::BlockVector
+    zero() const;
+
+    /// The number of blocks of q; the first of them is block 1.
+    unsigned int
+    n_multiplier_blocks() const
+    {
+      return saddle ? law.n_components() : 1;
+    }
+
+    /// The block of the bulk stress, if there is one.
+    unsigned int
+    bulk_block() const
+    {
+      return 1 + n_multiplier_blocks();
+    }
+
+    bool
+    is_saddle_point() const
+    {
+      return saddle;
+    }
+
+    bool
+    is_symmetric() const
+    {
+      return symmetric_bodies && law.is_symmetric() &&
+             (!contact.has_stress() || contact.theta == 1);
+    }
+
+    /// K, with springs against free motions: that is what preconditioners are built of.
+    const Stiffness &
+    stiffness() const
+    {
+      return K;
+    }
+
+    /// Null: no body is mixed.
+    const BulkCoupling *
+    bulk() const
+    {
+      return my_bulk;
+    }
+
+    const GapOperator &
+    gap_operator() const
+    {
+      return contact;
+    }
+
+    /// D_aa of each component a.
+    PointVectors
+    springs() const;
+
+    /// Is the point closed, in the condensed form with any stiffness?
+    bool
+    presses(dealii::types::global_dof_index point) const;
+
+    /// What the points of this rank add to K in the condensed form: a matrix on the local columns
+    /// of GapOperator::B_free. Empty in the saddle point form, and without points.
+    const dealii::SparseMatrix<double> &
+    surface_stiffness() const
+    {
+      return surface;
+    }
+
+    const LA::Vector &
+    coupling() const ///< A, of each component
+    {
+      return A;
+    }
+
+    const Blocks &
+    constraint() const ///< C
+    {
+      return C;
+    }
+
+    const Blocks &
+    identity() const ///< I
+    {
+      return I;
+    }
+
+  private:
+    /// The blocks at the points of this rank, [a * n_components + b].
+    struct Sums
+    {
+      std::vector<std::vector<double>> D, X, Y, Z;
+    };
+
+    void
+    linearise(dealii::types::global_dof_index point,
+              const LawResponse              &response,
+              ContactStatus                   status);
+    void
+    make_surface_pattern();
+    /// B and S have a row a point, and often dozens of points between two faces: summing them up
+    /// once an active set costs less than to apply them one by one in each iteration.
+    void
+    sum_up_surface_stiffness();
+    /// Returns false if there was nothing to add.
+    bool
+    add_point(dealii::FullMatrix<double> &block, int point, const Sums &of) const;
+    void
+    add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
+    void
+    add_multipliers(LA::BlockVector &dst, const LA::BlockVector &src) const;
+    /// What the rows and columns of the bulk stress are.
+    void
+    add_bulk(LA::BlockVector &dst, const LA::BlockVector &src) const;
+    /// With Nitsche's method normal stresses have T dm beside S du.
+    void
+    add_bulk_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const;
+
+    const Stiffness          &K;
+    const ContactLaw         &law;
+    const GapOperator        &contact;
+    const BulkCoupling *const my_bulk;
+    const bool                saddle, symmetric_bodies;
+    bool                      transposed = false;
+    bool                      turns      = true; ///< see turn_forces()
+    FreeMotions               motions;
+    Blocks                    D, X, Y, Z, C, I;
+    LA::Vector                A;
+    mutable LA::Vector        workspace;
+    mutable unsigned int      n_products = 0;
+
+    Sums                              sums; ///< those in `surface`
+    dealii::SparsityPattern           pattern;
+    dealii::SparseMatrix<double>      surface;
+    std::optional<LA::ColumnExchange> columns;             ///< of B_free, with points
+    mutable dealii::Vector<double>    displacement, force; ///< there
+  };
+} // namespace Signorini

@@ -1,0 +1,148 @@
+#include "solver/newton.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// What tractions do that follow: of_traction times their derivatives, which `derivative` takes
+    /// from the response of the law.
+    template <typename Derivative>
+    PointVectors
+    through_law(const ContactLaw   &law,
+                const LawInputs    &in,
+                const LA::Vector   &status,
+                const PointVectors &of_traction,
+                const Derivative   &derivative)
+    {
+      PointVectors result = law.gap_operator().zeros();
+      for (const auto i : status.locally_owned_elements())
+        {
+          const LawMatrix by = derivative(law.response(i, in.at(i), status_of(status(i))));
+          for (unsigned int b = 0; b < result.size(); ++b)
+            {
+              double sum = 0;
+              for (unsigned int a = 0; a < result.size(); ++a)
+                sum += of_traction[a](i) * by[a][b];
+              result[b](i) = sum;
+            }
+        }
+      for (LA::Vector &component : result)
+        component.compress(VectorOperation::insert);
+      return result;
+    }
+
+    LawMatrix
+    by_gap(const LawResponse &response)
+    {
+      return response.by_gap;
+    }
+
+    LawMatrix
+    by_stress(const LawResponse &response)
+    {
+      return response.by_stress;
+    }
+    /// Of a quantity of the tractions, by the unknowns of the system.
+    LA::BlockVector
+    gradient(const ContactSystem &system,
+             const ContactLaw    &law,
+             const LawInputs     &in,
+             const LA::Vector    &status,
+             const PointVectors  &of_traction)
+    {
+      const GapOperator &contact = law.gap_operator();
+      LA::BlockVector    result  = system.zero();
+      if (contact.empty())
+        return result;
+      if (system.is_saddle_point())
+        {
+          for (unsigned int a = 0; a < of_traction.size(); ++a)
+            {
+              result.block(1 + a) = of_traction[a];
+              to_traction(contact, status, result.block(1 + a));
+            }
+          return result;
+        }
+      const PointVectors by = through_law(law, in, status, of_traction, by_gap);
+      for (unsigned int a = 0; a < by.size(); ++a)
+        contact.free_rows(a).Tvmult_add(result.block(0), by[a]);
+      if (contact.has_stress())
+        contact.S_free.Tvmult_add(result.block(0),
+                                  through_law(law, in, status, of_traction, by_stress)[0]);
+      return result;
+    }
+  } // namespace
+
+
+
+  DualSolution
+  Newton::dual(const LA::Vector   &u,
+               const ContactState &state,
+               const LA::Vector   &of_displacement,
+               const LA::Vector   &of_pressure,
+               const double        reduction)
+  {
+    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.bulk_stress())};
+    const LawInputs    in{gaps, s, state.traction, state.internal};
+    const unsigned int n_q = system.is_saddle_point() ? law.n_components() : 0;
+    linearise(u, in);
+    LA::BlockVector left = system.zero();
+    left.block(0)        = balance.residual(u, in, state.status);
+    if (bodies.bulk())
+      left.block(system.bulk_block()) = bodies.bulk()->residual(u);
+    if (system.is_saddle_point())
+      {
+        const PointVectors residual = law.residual(in, state.status);
+        for (unsigned int a = 0; a < n_q; ++a)
+          left.block(1 + a) = residual[a];
+      }
+    PointVectors of_traction = contact.zeros();
+    of_traction[0]           = of_pressure;
+    LA::BlockVector rhs      = gradient(system, law, in, state.status, of_traction);
+    rhs.block(0) += of_displacement;
+    bodies.constraints().set_zero(rhs.block(0));
+
+    system.transpose(true);
+    LA::BlockVector dual = system.zero();
+    DualSolution    result;
+    result.iterations = linear_solver.solve(dual, rhs, reduction, 0.);
+    system.transpose(false);
+    bodies.constraints().set_zero(dual.block(0));
+    result.remainder = dual * left;
+
+    // As a displacement: what is constrained follows, with nothing prescribed.
+    LA::Vector prescribed = u;
+    prescribed            = 0;
+    bodies.constraints().distribute(prescribed);
+    result.z = dual.block(0);
+    bodies.constraints().distribute(result.z);
+    result.z -= prescribed;
+
+    result.zeta = contact.zeros();
+    for (unsigned int a = 0; a < n_q; ++a)
+      {
+        result.zeta[a] = dual.block(1 + a);
+        to_traction(contact, state.status, result.zeta[a]);
+      }
+    if (system.is_saddle_point() || contact.empty())
+      return result;
+    // By gaps that are not closed the traction changes, and the forces with it.
+    for (unsigned int a = 0; a < result.zeta.size(); ++a)
+      {
+        contact.free_rows(a).vmult(result.zeta[a], result.z);
+        result.zeta[a].scale(contact.weight);
+        result.zeta[a] += of_traction[a];
+      }
+    result.zeta = through_law(law, in, state.status, result.zeta, by_gap);
+    for (LA::Vector &component : result.zeta)
+      {
+        for (const auto i : component.locally_owned_elements())
+          if (contact.weight(i) > 0)
+            component(i) /= contact.weight(i);
+        component.compress(VectorOperation::insert);
+      }
+    return result;
+  }
+} // namespace Signorini

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "contact/constraints/gap_operator.h"
+
+namespace Signorini
+{
+  /// How a quantity J(u, p) feels changes of the equations that u and p solve: with the
+  /// linearisation M of bodies and contact at the solution, and M (du, dp) = (r, W d) for forces r
+  /// out of balance and gaps d that are not closed,
+  ///
+  ///   J(u + du, p + dp) - J(u, p) = z.r + zeta.(W d),   M^T (z, zeta) = (dJ/du, dJ/dp).
+  struct DualSolution
+  {
+    LA::Vector   z;              ///< [J per force], a displacement with homogeneous supports
+    PointVectors zeta;           ///< [J per force], of each component; zero at open points
+    double       remainder  = 0; ///< z.r + zeta.(W d) of what Newton's method has left
+    unsigned int iterations = 0; ///< of the linear solver
+  };
+} // namespace Signorini

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "base/solver_failure.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+
+namespace Signorini
+{
+  /// Throws SolverFailure, on all ranks, if cells are folded on one of them. Collective.
+  /// @param body_here the name of their body; empty: none
+  inline void
+  check_folds(const std::string &body_here, const MPI_Comm comm)
+  {
+    for (const std::string &body : dealii::Utilities::MPI::all_gather(comm, body_here))
+      if (!body.empty())
+        throw SolverFailure("cells of " + body + " would fold; load in smaller steps");
+  }
+} // namespace Signorini

@@ -1,0 +1,177 @@
+#include "solver/line_search.h"
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The derivative of the energy along u + a du, which grows with a: the energy is convex. It is
+    /// minus the residual there,
+    ///   phi'(a) = -r.du + a du.K du - [B du].W (p(a) - p(0)) - [S du].W/eps (a S du - p(a) +
+    ///   p(0)),
+    /// the last term with Nitsche's method (theta = 1) only, and p(a) from the law. K is that of
+    /// the linearisation at u.
+    class Slope
+    {
+    public:
+      /// Refers to the law and to the inputs.
+      Slope(const ContactSystem &system,
+            const ContactLaw    &law,
+            const LA::Vector    &r,
+            const LawInputs     &in,
+            const LA::Vector    &du);
+
+      /// phi'(a). Collective.
+      double
+      operator()(double a) const;
+
+      /// phi'(0).
+      double
+      at_start() const
+      {
+        return start;
+      }
+
+    private:
+      /// Of the point, at a.
+      LawVector
+      traction(ContactLaw::Index i, double a) const;
+
+      /// What contact takes off at a, by the points of this rank.
+      double
+      of_contact(double a) const;
+
+      const ContactLaw  &law;
+      const GapOperator &contact;
+      const LawInputs   &in;
+      PointVectors       B_du;
+      LA::Vector         S_du;
+      double             start, curvature; ///< phi'(0), and du.K du
+    };
+
+
+
+    Slope::Slope(const ContactSystem &system,
+                 const ContactLaw    &law,
+                 const LA::Vector    &r,
+                 const LawInputs     &in,
+                 const LA::Vector    &du)
+      : law(law)
+      , contact(law.gap_operator())
+      , in(in)
+      , B_du(contact.zeros())
+      , S_du(contact.zero())
+      , start(-(r * du))
+    {
+      LA::Vector K_du;
+      K_du.reinit(du);
+      system.internal_force(K_du, du);
+      curvature = K_du * du;
+      for (unsigned int k = 0; k < B_du.size(); ++k)
+        contact.free_rows(k).vmult(B_du[k], du);
+      if (contact.has_stress())
+        contact.S_free.vmult(S_du, du);
+    }
+
+
+
+    double
+    Slope::operator()(const double a) const
+    {
+      return start + a * curvature -
+             Utilities::MPI::sum(of_contact(a), contact.weight.get_mpi_communicator());
+    }
+
+
+
+    LawVector
+    Slope::traction(const ContactLaw::Index i, const double a) const
+    {
+      LawInput there = in.at(i);
+      for (unsigned int k = 0; k < B_du.size(); ++k)
+        there.gap[k] += a * B_du[k](i);
+      there.stress[0] += a * S_du(i);
+      return law.response(i, there, law.status(i, law.trial(i, there))).traction;
+    }
+
+
+
+    double
+    Slope::of_contact(const double a) const
+    {
+      double sum = 0;
+      for (const auto i : S_du.locally_owned_elements())
+        {
+          const LawVector p = traction(i, a);
+          for (unsigned int k = 0; k < B_du.size(); ++k)
+            {
+              const double dp = p[k] - in.traction[k](i), ds = k == 0 ? double(S_du(i)) : 0.;
+              sum += contact.weight(i) *
+                     (dp * B_du[k](i) +
+                      contact.theta / contact.coefficients.epsilon(i) * ds * (a * ds - dp));
+            }
+        }
+      return sum;
+    }
+
+
+
+    struct Bracket
+    {
+      double low, high;
+    };
+
+    /// Around the step at which the slope is zero, beyond 1 if need be.
+    Bracket
+    bracket(const Slope &slope)
+    {
+      constexpr double longest = 1e3;
+      Bracket          result{0, 1};
+      while (slope(result.high) < 0 && result.high < longest)
+        {
+          result.low = result.high;
+          result.high *= 2;
+        }
+      return result;
+    }
+
+    /// Where the slope is zero: Newton steps would go astray at the kinks that the law gives it.
+    double
+    bisect(const Slope &slope, Bracket in)
+    {
+      for (unsigned int i = 0; i < 60 && in.high - in.low > 1e-10 * in.high; ++i)
+        {
+          const double middle                    = (in.low + in.high) / 2;
+          (slope(middle) < 0 ? in.low : in.high) = middle;
+        }
+      return (in.low + in.high) / 2;
+    }
+  } // namespace
+
+
+
+  bool
+  has_energy(const ContactSystem &system)
+  {
+    return !system.gap_operator().empty() && !system.is_saddle_point() && !system.bulk() &&
+           system.is_symmetric();
+  }
+
+
+
+  double
+  best_step(const ContactSystem &system,
+            const ContactLaw    &law,
+            const LA::Vector    &r,
+            const LawInputs     &in,
+            const LA::Vector    &du)
+  {
+    const Slope slope(system, law, r, in, du);
+    if (std::abs(slope(1)) <= 0.1 * std::abs(slope.at_start()))
+      return 1;
+    return bisect(slope, bracket(slope));
+  }
+} // namespace Signorini

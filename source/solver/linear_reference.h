@@ -1,0 +1,33 @@
+#pragma once
+
+#include "solid/elasticity.h"
+#include "solver/linear_solver.h"
+
+namespace Signorini
+{
+  /// The yardstick of a contact solve: what the bodies alone cost, without contact, on the same
+  /// mesh.
+  struct LinearReference
+  {
+    double       seconds_assembly = 0, seconds_preconditioner = 0, seconds_krylov = 0;
+    unsigned int iterations = 0; ///< of the near null space that takes fewer
+    /// The faster one: the seconds are its.
+    NearNullSpace near_null_space = NearNullSpace::rigid_body_modes;
+
+    double
+    seconds() const
+    {
+      return seconds_assembly + seconds_preconditioner + seconds_krylov;
+    }
+  };
+
+  /// Assemble, set up the multigrid method and solve by CG, all from nothing, with each near null
+  /// space, and take the least of each figure. Replaces the stiffness matrix by one of the same
+  /// values: what looks at the old one must be gone. Collective.
+  /// @param tolerance of the residual, relative to the load
+  template <int dim>
+  LinearReference
+  solve_without_contact(Elasticity<dim>            &elasticity,
+                        const LinearSolverSettings &settings,
+                        double                      tolerance);
+} // namespace Signorini

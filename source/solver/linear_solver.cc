@@ -1,0 +1,407 @@
+#include "linear_algebra/direct_solver.h"
+#include "parameters/text.h"
+#include "solver/linear_solver.h"
+#include "solver/preconditioners/bulk_schur.h"
+#include "solver/preconditioners/schur_complement.h"
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/solver_minres.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// On one rank, KLU is quicker for what is small or as thin as a contact zone; for the whole
+    /// system MUMPS is, five times and more in 3D, and for zones of forces that turn.
+    LA::DirectLibrary
+    choose_direct(const LinearSolverSettings &settings,
+                  const Stiffness            &stiffness,
+                  const bool                  zone_turns)
+    {
+      const bool has_mumps = LA::DirectSolver::is_available(LA::DirectLibrary::MUMPS);
+      if (settings.direct_solver == LA::DirectLibrary::MUMPS && !has_mumps)
+        throw SceneError("Solver/Direct solver = MUMPS: this Trilinos has none; take auto or KLU");
+      if (settings.direct_solver)
+        return *settings.direct_solver;
+      constexpr unsigned int small = 2000;
+      const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1,
+                 is_large =
+                   zone_turns || (settings.preconditioner == "direct" && stiffness.size() > small);
+      return has_mumps && (!is_serial || is_large) ? LA::DirectLibrary::MUMPS :
+                                                     LA::DirectLibrary::KLU;
+    }
+
+    Krylov
+    choose_krylov(const LinearSolverSettings &settings,
+                  const ContactSystem        &system,
+                  const Preconditioner       &preconditioner)
+    {
+      if (system.bulk())
+        {
+          if (settings.krylov && *settings.krylov != Krylov::FGMRES)
+            throw SceneError(
+              "Solver/Krylov method = " + word_of(krylov_methods(), *settings.krylov) +
+              ": the systems of bodies with Formulation = mixed are for FGMRES, or auto");
+          return Krylov::FGMRES;
+        }
+      // What factors lack of forces that move may make the system indefinite.
+      const bool lacks_motion =
+        settings.preconditioner == "direct" && !system.gap_operator().at_rest();
+      if (lacks_motion && !settings.krylov)
+        return Krylov::FGMRES;
+      if (!system.is_symmetric())
+        {
+          if (settings.krylov == Krylov::CG || settings.krylov == Krylov::MINRES)
+            throw SceneError(
+              "Solver/Krylov method = " + word_of(krylov_methods(), *settings.krylov) +
+              " needs a symmetric system, which Nitsche's method with Theta = 0 or -1 and pressures "
+              "that follow large deformation do not have; take Krylov method = auto (FGMRES)");
+          return Krylov::FGMRES;
+        }
+      if (!system.is_saddle_point())
+        {
+          if (settings.krylov == Krylov::MINRES)
+            throw SceneError(
+              "Solver/Krylov method = MINRES is for saddle point systems; take CG or auto");
+          return settings.krylov.value_or(Krylov::CG);
+        }
+      if (!settings.krylov)
+        return preconditioner.keeps_constraints()    ? Krylov::CG :
+               preconditioner.is_positive_definite() ? Krylov::MINRES :
+                                                       Krylov::FGMRES;
+      if (settings.krylov == Krylov::CG && !preconditioner.keeps_constraints())
+        throw SceneError(
+          "Solver/Krylov method = CG with multipliers needs a preconditioner that keeps the "
+          "constraints, but Solver/Preconditioner = " +
+          settings.preconditioner + " does not; take 'contact filter', or FGMRES");
+      if (settings.krylov == Krylov::MINRES && !preconditioner.is_positive_definite())
+        throw SceneError(
+          "Solver/Krylov method = MINRES needs a positive definite preconditioner, but Solver/Preconditioner = " +
+          settings.preconditioner + " with Schur complement = " + settings.schur_complement +
+          " is none on a saddle point; take 'block diagonal' with another Schur complement than "
+          "'multigrid', or FGMRES");
+      return *settings.krylov;
+    }
+  } // namespace
+
+
+
+  LinearSolver::LinearSolver(const LinearSolverSettings &settings,
+                             const ContactSystem        &system,
+                             BodiesHierarchy            &hierarchies,
+                             TimerOutput                &timer)
+    : settings(settings)
+    , system(system)
+    , hierarchies(hierarchies)
+    , timer(timer)
+  {
+    if (settings.preconditioner == "SIMPLE" && settings.augmentation > 0)
+      throw SceneError(
+        "Solver/Augmentation = " + short_text(settings.augmentation) +
+        " does not go with Preconditioner = SIMPLE, which corrects by the diagonal of "
+        "the plain stiffness; take 'block triangular'");
+  }
+
+
+
+  void
+  LinearSolver::make_preconditioner()
+  {
+    if (preconditioner)
+      cycles_before += preconditioner->multigrid_cycles();
+    preconditioner.reset();
+    hierarchy.reset();
+    if (settings.preconditioner != "direct")
+      hierarchy = hierarchies.get();
+    LinearSolverSettings chosen = settings;
+    chosen.direct_solver = choose_direct(settings, system.stiffness(), hierarchies.zones_turn());
+    preconditioner =
+      Preconditioner::create(chosen, system, hierarchy.get(), hierarchies.zones_turn());
+    if (system.bulk())
+      preconditioner =
+        std::make_unique<BulkSchur>(system, *system.bulk(), std::move(preconditioner));
+    version = system.stiffness().version();
+  }
+
+
+
+  bool
+  LinearSolver::can_factorise() const
+  {
+    // Of a minute or so.
+    const unsigned int most = hierarchies.dim() == 2 ? 400000 : 60000;
+    return settings.preconditioner == "contact filter" && system.stiffness().size() <= most;
+  }
+
+
+
+  void
+  LinearSolver::update()
+  {
+    TimerOutput::Scope scope(timer, "preconditioner");
+    if (version != system.stiffness().version())
+      make_preconditioner();
+    preconditioner->update();
+  }
+
+
+
+  bool
+  LinearSolver::lacks_turning_zone() const
+  {
+    return settings.preconditioner == "contact filter" && system.turns_forces() &&
+           !system.gap_operator().at_rest() && !hierarchies.zones_turn();
+  }
+
+
+
+  bool
+  LinearSolver::let_zones_turn(const bool wanted)
+  {
+    const bool did     = hierarchies.zones_turn();
+    const bool is_news = wanted && lacks_turning_zone();
+    hierarchies.let_zones_turn(wanted);
+    if (is_news)
+      {
+        make_preconditioner();
+        preconditioner->update();
+      }
+    return did;
+  }
+
+
+
+  bool
+  LinearSolver::renew()
+  {
+    if (settings.preconditioner == "direct")
+      return false; // factors are always of the stiffness as it is now
+    if (!hierarchies.renew())
+      return lacks_turning_zone() && !let_zones_turn(true);
+    hierarchies.let_zones_turn(hierarchies.zones_turn() || lacks_turning_zone());
+    make_preconditioner();
+    preconditioner->update();
+    return true;
+  }
+
+
+
+  bool
+  LinearSolver::factorise(const NegativeCurvature curvature)
+  {
+    if (curvature == NegativeCurvature::is_told || !can_factorise())
+      return false; // factors would tell nothing
+    has_given_up_iterating  = true;
+    settings.preconditioner = "direct";
+    make_preconditioner();
+    preconditioner->update();
+    return true;
+  }
+
+
+
+  unsigned int
+  LinearSolver::solve(LA::BlockVector        &x,
+                      const LA::BlockVector  &rhs,
+                      const double            reduction,
+                      const double            absolute_tolerance,
+                      const NegativeCurvature curvature)
+  {
+    // Ends: there is one hierarchy of this stiffness, one zone that knows of forces that turn, and
+    // there are no other factors than those.
+    for (;;)
+      try
+        {
+          return solve_once(x, rhs, reduction, absolute_tolerance, curvature);
+        }
+      catch (const IndefiniteSystem &)
+        {
+          throw;
+        }
+      catch (const SolverFailure &)
+        {
+          if (!renew() && !factorise(curvature))
+            throw;
+        }
+  }
+
+
+
+  unsigned int
+  LinearSolver::solve_once(LA::BlockVector        &x,
+                           const LA::BlockVector  &rhs,
+                           const double            reduction,
+                           const double            absolute_tolerance,
+                           const NegativeCurvature curvature)
+  {
+    TimerOutput::Scope scope(timer, "krylov");
+    const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
+
+    x = 0;
+    // What CG has seen before it gave up, factors do not.
+    is_indefinite = is_indefinite && has_given_up_iterating;
+    if (preconditioner->is_exact() && !system.is_transposed())
+      {
+        preconditioner->vmult(x, rhs);
+        return 1;
+      }
+    const double norm = rhs.l2_norm();
+    if (norm == 0)
+      return 0;
+    preconditioner->start(x, rhs);
+    double tolerance = absolute_tolerance;
+    if (reduction > 0)
+      {
+        LA::BlockVector rest = system.zero();
+        system.vmult(rest, x);
+        rest.sadd(-1, 1, rhs);
+        tolerance = std::max(tolerance, reduction * std::min(norm, rest.l2_norm()));
+      }
+    if (krylov == Krylov::MINRES)
+      {
+        // MINRES measures residuals in the norm of the preconditioner.
+        LA::BlockVector preconditioned = rhs;
+        preconditioner->vmult(preconditioned, rhs);
+        tolerance *= std::sqrt(rhs * preconditioned) / norm;
+        // From zero, with forces or gaps alone on the right, its first rotation would be by ninety
+        // degrees, and SolverMinRes divides by the cosine.
+        x = preconditioned;
+      }
+    return iterate(krylov, tolerance, x, rhs, curvature);
+  }
+
+
+
+  unsigned int
+  LinearSolver::conjugate_gradients(SolverControl          &control,
+                                    LA::BlockVector        &x,
+                                    const LA::BlockVector  &rhs,
+                                    const NegativeCurvature curvature)
+  {
+    constexpr unsigned int patience = 50;
+    const bool             is_limited =
+      curvature == NegativeCurvature::refuses || curvature == NegativeCurvature::stops;
+    const LA::BlockVector     start = x;
+    unsigned int              n     = 0;
+    IterationNumberControl    limited(patience, control.tolerance());
+    SolverControl            &chosen = is_limited ? limited : control;
+    SolverCG<LA::BlockVector> solver(chosen);
+    // alpha = r.z/p.Ap, beta = r.z/(r.z before): the preconditioner has the sign of its coarsest
+    // level, which may be that of the system.
+    solver.connect_coefficients_slot([&](const double alpha, const double beta) {
+      ++n;
+      is_indefinite = is_indefinite || alpha < 0 || beta < 0;
+      if (is_indefinite && curvature != NegativeCurvature::goes_on)
+        throw IndefiniteSystem("the system is not positive definite");
+      was_indefinite = was_indefinite || is_indefinite;
+    });
+    try
+      {
+        solver.solve(system, x, rhs, *preconditioner);
+        if (curvature == NegativeCurvature::refuses && chosen.last_value() > chosen.tolerance())
+          throw IndefiniteSystem("the system is as good as indefinite");
+        judge(chosen.last_step(), chosen.initial_value(), chosen.last_value());
+        return chosen.last_step();
+      }
+    catch (const IndefiniteSystem &)
+      {
+        if (curvature != NegativeCurvature::stops)
+          throw;
+      }
+    x = start;
+    if (renew()) // it may have been that of the preconditioner
+      {
+        is_indefinite = false;
+        return n + conjugate_gradients(control, x, rhs, curvature);
+      }
+    was_indefinite = true;
+    if (n == 1)
+      {
+        LA::BlockVector rest = rhs, down = rhs;
+        system.vmult(rest, x);
+        rest.sadd(-1, 1, rhs);
+        preconditioner->vmult(down, rest);
+        x += down;
+        return n;
+      }
+    IterationNumberControl few(n - 1, control.tolerance());
+    SolverCG<LA::BlockVector>(few).solve(system, x, rhs, *preconditioner);
+    return 2 * n - 1;
+  }
+
+
+
+  unsigned int
+  LinearSolver::most_iterations(const NegativeCurvature curvature) const
+  {
+    // From there on a factorisation is quicker, or a zone that knows of forces that turn; and what
+    // curves down has been seen.
+    constexpr unsigned int patience = 200, little_patience = 50;
+    const bool             is_limited = curvature == NegativeCurvature::is_told || can_factorise();
+    return std::min(settings.maximum_iterations,
+                    lacks_turning_zone() ? little_patience :
+                    is_limited           ? patience :
+                                           settings.maximum_iterations);
+  }
+
+
+
+  unsigned int
+  LinearSolver::iterate(const Krylov            krylov,
+                        const double            tolerance,
+                        LA::BlockVector        &x,
+                        const LA::BlockVector  &rhs,
+                        const NegativeCurvature curvature)
+  {
+    SolverControl control(most_iterations(curvature), tolerance);
+    try
+      {
+        switch (krylov)
+          {
+            case Krylov::CG:
+              return conjugate_gradients(control, x, rhs, curvature);
+            case Krylov::MINRES:
+              SolverMinRes<LA::BlockVector>(control).solve(system, x, rhs, *preconditioner);
+              break;
+            case Krylov::FGMRES:
+              SolverFGMRES<LA::BlockVector>(control,
+                                            SolverFGMRES<LA::BlockVector>::AdditionalData(50))
+                .solve(system, x, rhs, *preconditioner);
+              break;
+          }
+        judge(control.last_step(), control.initial_value(), control.last_value());
+        return control.last_step();
+      }
+    catch (const SolverControl::NoConvergence &stop)
+      {
+        throw SolverFailure(
+          word_of(krylov_methods(), krylov) + " with the preconditioner '" +
+          settings.preconditioner + "' stopped after " + std::to_string(stop.last_step) +
+          " iterations with residual " + short_text(stop.last_residual / rhs.l2_norm()) +
+          " of the start; " +
+          (settings.preconditioner == "direct" ?
+             "the system is as good as singular: look at supports, and for nodes in two pairs" :
+             "choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller "
+             "Factor if the method has one"));
+      }
+  }
+
+
+
+  void
+  LinearSolver::judge(const unsigned int iterations, const double first, const double last)
+  {
+    constexpr unsigned int many = 20;
+    if (iterations > many && lacks_turning_zone())
+      hierarchies.let_zones_turn(true); // of the next system
+    const double digits = last > 0 ? std::log10(first / last) : 0;
+    if (hierarchy && digits >= 1)
+      hierarchies.judge(iterations / digits);
+  }
+} // namespace Signorini

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "solver/contact_system.h"
+#include "solver/preconditioners/hierarchy.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  struct LinearSolverSettings;
+
+  /// A preconditioner of the contact system: one file pair under solve/preconditioners and one line
+  /// in the registry. Each serves both forms of the system.
+  class Preconditioner
+  {
+  public:
+    virtual ~Preconditioner() = default;
+
+    /// The active set has changed.
+    virtual void
+    update() = 0;
+
+    /// Where Krylov methods have to start (from a zero vector), if the preconditioner relies on it.
+    virtual void
+    start(LA::BlockVector & /*x*/, const LA::BlockVector & /*rhs*/) const
+    {}
+
+    virtual void
+    vmult(LA::BlockVector &dst, const LA::BlockVector &src) const = 0;
+
+    /// Symmetric and positive definite on saddle point systems too, as MINRES needs it. (On
+    /// condensed systems all are.)
+    virtual bool
+    is_positive_definite() const = 0;
+
+    /// True: applied to residuals that satisfy the constraints of a saddle point system it yields
+    /// vectors that do too, and is symmetric and positive definite among them: CG is for it.
+    virtual bool
+    keeps_constraints() const
+    {
+      return false;
+    }
+
+    /// Multigrid cycles so far.
+    virtual unsigned int
+    multigrid_cycles() const
+    {
+      return 0;
+    }
+
+    /// True: one application solves the system.
+    virtual bool
+    is_exact() const
+    {
+      return false;
+    }
+
+    /// @param settings with a direct solver chosen
+    /// @param zone_turns of a contact filter, see ZoneSolver
+    static std::unique_ptr<Preconditioner>
+    create(const LinearSolverSettings &settings,
+           const ContactSystem        &system,
+           const Hierarchy            *hierarchy,
+           bool                        zone_turns);
+  };
+
+  std::vector<std::string>
+  preconditioner_names();
+} // namespace Signorini

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "linear_algebra/direct_solver.h"
+#include "solver/preconditioners/amg_springs.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+  /// A W-cycle for K + B^T D B with springs D that change: the levels are those of K, whose
+  /// aggregates do not join bodies, so that their nodes slide freely on all levels; but the springs
+  /// act on all of them. Levels are in single precision, the coarsest one is factorised in double.
+  class AMG
+  {
+  public:
+    /// @param contact null: no springs; else set_springs() comes before the first vmult()
+    AMG(const Hierarchy &hierarchy, const GapOperator *contact);
+
+    /// The springs D have changed, see AMGSprings::set. No level is made anew.
+    void
+    set_springs(const PointVectors &values);
+
+    /// One multigrid cycle.
+    void
+    vmult(LA::Vector &dst, const LA::Vector &src) const;
+
+    unsigned int
+    multigrid_cycles() const
+    {
+      return n_cycles;
+    }
+
+  private:
+    /// Vectors are arrays of this rank's degrees of freedom.
+    struct Level
+    {
+      unsigned int                    number; ///< 0: the finest
+      const StiffnessOperator<float> *K;
+      const Prolongation             *P = nullptr;      ///< from the next level to this
+      unsigned int                    smoothing_degree; ///< of Chebyshev's polynomial
+      unsigned int                    n_visits;         ///< in a cycle of the level above
+      std::vector<float>              diagonal_K;
+      std::vector<float>              inverse_diagonal;  ///< of K + B^T D B
+      double                     largest_eigenvalue = 0; ///< of inverse_diagonal * (K + B^T D B)
+      mutable std::vector<float> x, right, step, first;
+    };
+
+    void
+    update();
+    void
+    update_diagonal(Level &level);
+    void
+    estimate_eigenvalue(Level &level);
+    void
+    factorise();
+
+    float *
+    multiply(const Level &level, const float *x) const;
+    float *
+    residual(const Level &level) const;
+    void
+    smooth(const Level &level, bool from_zero) const;
+    void
+    solve_coarsest(const Level &level) const;
+    void
+    cycle(unsigned int l) const;
+
+    std::vector<std::unique_ptr<Level>> levels;
+    std::optional<AMGSprings>           springs;
+    const LA::SparseMatrix             &coarsest_K;
+    std::unique_ptr<LA::SparseMatrix>   coarsest; ///< with springs; null: there are none
+    LA::DirectSolver                    direct;   ///< of the coarsest level
+    mutable LA::Vector                  coarsest_x, coarsest_right;
+    mutable unsigned int                n_cycles = 0;
+  };
+} // namespace Signorini

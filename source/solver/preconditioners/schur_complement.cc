@@ -1,0 +1,305 @@
+#include "linear_algebra/columns.h"
+#include "linear_algebra/row_view.h"
+#include "solver/linear_solver.h"
+#include "solver/preconditioners/schur_complement.h"
+#include "solver/zone_solver.h"
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <functional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// diag(B_a diag(K)^-1 B_a^T) of each component
+    PointVectors
+    point_flexibility(const Stiffness &K, const GapOperator &contact)
+    {
+      const std::vector<double> diagonal = LA::ColumnExchange(contact.B_free).fetch(K.diagonal());
+      PointVectors              flexibility = contact.zeros();
+      for (unsigned int a = 0; a < flexibility.size(); ++a)
+        {
+          int local = 0;
+          for (const auto i : flexibility[a].locally_owned_elements())
+            {
+              const LA::RowView row(contact.free_rows(a), local++);
+              double            sum = 0;
+              for (int k = 0; k < row.size; ++k)
+                sum += row.values[k] * row.values[k] / diagonal[row.columns[k]];
+              flexibility[a](i) = sum;
+            }
+          flexibility[a].compress(VectorOperation::insert);
+        }
+      return flexibility;
+    }
+
+    /// A diagonal approximation, which each derived class fills.
+    class Diagonal : public SchurComplement
+    {
+    public:
+      explicit Diagonal(const ContactSystem &system)
+        : system(system)
+      {}
+
+      void
+      update() override
+      {
+        inverse = system.gap_operator().zeros();
+        for (unsigned int a = 0; a < inverse.size(); ++a)
+          {
+            for (const auto i : inverse[a].locally_owned_elements())
+              inverse[a](i) = 1 / diagonal(a, i);
+            inverse[a].compress(VectorOperation::insert);
+          }
+      }
+
+      void
+      vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override
+      {
+        for (unsigned int a = 0; a < inverse.size(); ++a)
+          {
+            dst.block(1 + a) = src.block(1 + a);
+            dst.block(1 + a).scale(inverse[a]);
+          }
+      }
+
+    protected:
+      /// Of S, at a point.
+      virtual double
+      diagonal(unsigned int component, types::global_dof_index point) const = 0;
+
+      const ContactSystem &system;
+
+    private:
+      PointVectors inverse;
+    };
+
+
+
+    /// diag(C B diag(K)^-1 B^T A) + I
+    class StiffnessDiagonal : public Diagonal
+    {
+    public:
+      explicit StiffnessDiagonal(const ContactSystem &system)
+        : Diagonal(system)
+        , flexibility(point_flexibility(system.stiffness(), system.gap_operator()))
+      {}
+
+    protected:
+      double
+      diagonal(const unsigned int a, const types::global_dof_index i) const override
+      {
+        return system.constraint()[a][a](i) * system.coupling()(i) * flexibility[a](i) +
+               system.identity()[a][a](i);
+      }
+
+    private:
+      const PointVectors flexibility;
+    };
+
+
+
+    /// C + I: the multipliers' lumped mass times E/h, which is how the flexibility of a cell
+    /// scales.
+    class Mass : public Diagonal
+    {
+    public:
+      using Diagonal::Diagonal;
+
+    protected:
+      double
+      diagonal(const unsigned int a, const types::global_dof_index i) const override
+      {
+        return system.constraint()[a][a](i) + system.identity()[a][a](i);
+      }
+    };
+
+
+
+    /// C B K_zz^-1 B^T A + I with the stiffness K_zz of the contact zone.
+    class Zone : public SchurComplement
+    {
+    public:
+      Zone(const ContactSystem &system, const LA::DirectLibrary direct_solver)
+        : system(system)
+        , direct_solver(direct_solver)
+      {}
+
+      void
+      update() override
+      {
+        zone = std::make_unique<ZoneSolver>(system, contact_zone(system), direct_solver);
+        zone->update();
+        right    = system.zero();
+        solution = right;
+      }
+
+      void
+      vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override
+      {
+        // Elimination of the displacement from [K -B^T A; -C B -I] (u, q) = (0, r): -S q = r.
+        for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
+          right.block(b) = src.block(b);
+        solution = 0;
+        zone->add_correction(solution, right);
+        for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
+          dst.block(b).equ(-1, solution.block(b));
+      }
+
+    private:
+      const ContactSystem        &system;
+      const LA::DirectLibrary     direct_solver;
+      std::unique_ptr<ZoneSolver> zone;
+      mutable LA::BlockVector     right, solution;
+    };
+
+
+
+    /// C B V B^T A + I with one multigrid cycle for K^-1, solved by a few steps of CG, or GMRES if
+    /// the law is not symmetric. It sees that the flexibility of the bodies reaches far, which the
+    /// others do not, at a multigrid cycle a step.
+    class Multigrid : public SchurComplement
+    {
+    public:
+      Multigrid(const ContactSystem &system, const AMG &amg)
+        : system(system)
+        , amg(amg)
+        , diagonal(system)
+      {}
+
+      void
+      update() override
+      {
+        diagonal.update();
+        from = system.zero();
+        to   = from;
+      }
+
+      void
+      vmult(LA::BlockVector &dst, const LA::BlockVector &src) const override
+      {
+        LA::BlockVector right = src;
+        right.block(0)        = 0;
+        if (system.bulk())
+          right.block(system.bulk_block()) = 0;
+        LA::BlockVector solution = right;
+        solution                 = 0;
+        if (const double norm = right.l2_norm(); norm > 0)
+          {
+            IterationNumberControl control(20, 0.1 * norm);
+            const Operator         schur{*this};
+            const Jacobi           jacobi{*this};
+            if (system.is_symmetric())
+              SolverCG<LA::BlockVector>(control).solve(schur, solution, right, jacobi);
+            else
+              SolverGMRES<LA::BlockVector>(control).solve(schur, solution, right, jacobi);
+          }
+        for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
+          dst.block(b) = solution.block(b);
+      }
+
+      bool
+      is_linear() const override
+      {
+        return false;
+      }
+
+    private:
+      /// On vectors that are zero but for the multipliers.
+      struct Operator
+      {
+        const Multigrid &schur;
+
+        void
+        vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
+        {
+          // The saddle point without K: (-B^T A q, -I q) of (0, q), then (., -C B u) of (u, 0).
+          const ContactSystem &system = schur.system;
+          system.contact_terms(dst, src);
+          schur.from = 0;
+          schur.amg.vmult(schur.from.block(0), dst.block(0));
+          system.contact_terms(schur.to, schur.from);
+          dst -= schur.to;
+          dst.block(0) = 0;
+          dst *= -1;
+        }
+      };
+
+      struct Jacobi
+      {
+        const Multigrid &schur;
+
+        void
+        vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
+        {
+          dst = src;
+          schur.diagonal.vmult(dst, src);
+        }
+      };
+
+      const ContactSystem    &system;
+      const AMG              &amg;
+      StiffnessDiagonal       diagonal;
+      mutable LA::BlockVector from, to;
+    };
+
+
+
+    using Pointer = std::unique_ptr<SchurComplement>;
+    using Maker =
+      std::function<Pointer(const LinearSolverSettings &, const ContactSystem &, const AMG &)>;
+
+    // The registry: one line an approximation.
+    const std::vector<std::pair<std::string, Maker>> &
+    registry()
+    {
+      static const std::vector<std::pair<std::string, Maker>> list = {
+        {"diagonal",
+         [](const auto &, const auto &system, const AMG &) -> Pointer {
+           return std::make_unique<StiffnessDiagonal>(system);
+         }},
+        {"mass",
+         [](const auto &, const auto &system, const AMG &) -> Pointer {
+           return std::make_unique<Mass>(system);
+         }},
+        {"zone",
+         [](const auto &settings, const auto &system, const AMG &) -> Pointer {
+           return std::make_unique<Zone>(system, settings.direct_solver.value());
+         }},
+        {"multigrid", [](const auto &, const auto &system, const AMG &amg) -> Pointer {
+           return std::make_unique<Multigrid>(system, amg);
+         }}};
+      return list;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  SchurComplement::names()
+  {
+    std::vector<std::string> result;
+    for (const auto &entry : registry())
+      result.push_back(entry.first);
+    return result;
+  }
+
+
+
+  std::unique_ptr<SchurComplement>
+  SchurComplement::create(const LinearSolverSettings &settings,
+                          const ContactSystem        &system,
+                          const AMG                  &amg)
+  {
+    for (const auto &[known, make] : registry())
+      if (known == settings.schur_complement)
+        return make(settings, system, amg);
+    AssertThrow(false, ExcMessage("unknown Schur complement " + settings.schur_complement));
+    return nullptr;
+  }
+} // namespace Signorini

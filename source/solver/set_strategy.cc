@@ -1,0 +1,134 @@
+#include "solver/set_strategy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double fine_reduction = 1e-6; // by linear solves, once an active set comes up again
+    constexpr unsigned int steps_of_growth = 5; // of a cold start, see ActiveSet::keep_deepest()
+    constexpr unsigned int patience =
+      10; // steps that change the set, before something else is tried
+  }       // namespace
+
+
+
+  SetStrategy::SetStrategy(ContactSystem &system, ContactLaw &law, const double reduction)
+    : system(system)
+    , law(law)
+    , contact(law.gap_operator())
+    , first_reduction(reduction)
+    , active_set(contact)
+  {}
+
+
+
+  bool
+  SetStrategy::start(const LA::Vector &p, const LA::Vector &status)
+  {
+    restart();
+    my_reduction              = first_reduction;
+    is_cold                   = has_no_pressure(p);
+    const bool is_another_set = active_set.set(status);
+    const bool is_stiffer     = law.soften(is_cold ? law.softest() : 1);
+    return is_another_set || is_stiffer;
+  }
+
+
+
+  void
+  SetStrategy::restart()
+  {
+    cautious  = false;
+    n_changes = 0;
+    active_set.restart();
+  }
+
+
+
+  bool
+  SetStrategy::has_no_pressure(const LA::Vector &p) const
+  {
+    double largest = 0;
+    for (const auto i : p.locally_owned_elements())
+      if (contact.coefficients.permanent(i) == 0)
+        largest = std::max(largest, std::abs(p(i)));
+    return Utilities::MPI::max(largest, system.stiffness().communicator()) == 0;
+  }
+
+
+
+  bool
+  SetStrategy::update(const LawInputs   &in,
+                      const unsigned int n,
+                      const bool         was_idle,
+                      NewtonStep        &step)
+  {
+    const PointVectors trial  = n == 0 && !is_cold ? law.trial_from_traction(in) : law.trial(in);
+    const LA::Vector  &gap    = in.gap[0];
+    const unsigned int before = active_set.size();
+    active_set.update(law.status(trial));
+    const unsigned int all = active_set.size();
+    // From a zone that is too small bodies overlap far around it, until they rest on it.
+    const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before && !was_idle;
+    if (is_cold && (n <= 1 || grows))
+      {
+        const bool         falls  = n == 0 && !system.free_motions().empty();
+        const bool         stands = falls && touches_where_it_can(gap);
+        const unsigned int kept   = stands ? active_set.add_touching(gap) :
+                                    falls  ? active_set.drop_touching(gap) :
+                                             active_set.keep_deepest(gap, grows);
+        step.withholds            = kept < all;
+      }
+    if (!cautious && n > 0)
+      active_set.open_pulling_regions(trial[0]);
+    // The linear solves may have been too rough to tell where there is pressure. Those of thin
+    // bodies, which bend before they are compressed, are so rough that sets wander without end, and
+    // none comes up again.
+    const bool is_rough = my_reduction > fine_reduction;
+    if (!cautious &&
+        (active_set.seen_before() || n_changes >= (is_rough ? patience : 2 * patience)))
+      {
+        if (is_rough)
+          my_reduction = fine_reduction;
+        else
+          cautious = true;
+        n_changes = 0;
+        active_set.restart();
+      }
+    if (cautious && law.has_multiplier())
+      active_set.keep_all_but_the_worst(trial[0]);
+    // An obstacle that retreats has lost all contact before the bodies follow: let them first.
+    step.follows = n == 0 && (active_set.keep_last_if_any() ||
+                              (!is_cold && active_set.take_if_empty(law.status(in.traction))));
+    step.active  = active_set.size();
+    step.changes = active_set.count_changes();
+    n_changes += step.changes > 0;
+    // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.
+    // The sign of the gap, which decides, knows nothing of the penalty.
+    if (law.is_soft() &&
+        (cautious || (step.active > 0 && step.changes <= 0.2 * active_set.size_of_separating())))
+      {
+        law.soften(1);
+        return true;
+      }
+    return step.changes > 0;
+  }
+
+
+
+  bool
+  SetStrategy::touches_where_it_can(const LA::Vector &gap)
+  {
+    ActiveSet touching(contact);
+    // On a tip nothing stands.
+    if (touching.add_touching(gap) <= 1)
+      return false;
+    system.find_loose_motions(touching.values());
+    return system.free_motions().loose().size() <= system.free_motions().never_held().size();
+  }
+} // namespace Signorini

@@ -1,0 +1,143 @@
+#include "base/interruption.h"
+#include "solver/step_length.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The derivative of the energy along u + a du where bodies deform by any amount.
+    class Resistance
+    {
+    public:
+      /// Refers to both.
+      Resistance(const StepStart &start, const LA::BlockVector &step)
+        : start(start)
+        , contact(start.law.gap_operator())
+        , step(step)
+        , du(step.block(0))
+      {}
+
+      /// At a. Collective, as the next one.
+      double
+      operator()(double a) const;
+
+      /// At 0, by what is known there.
+      double
+      at_start() const;
+
+    private:
+      /// What the law says; unknown pressures as of the augmented Lagrangian, (p - c g)+.
+      PointVectors
+      traction(const LA::Vector &u, const PointVectors &unknown) const;
+
+      /// Normal ones, of the bodies.
+      LA::Vector
+      stress(const LA::Vector &u) const
+      {
+        return contact.stress(u, start.bodies.bulk_stress());
+      }
+
+      const StepStart       &start;
+      const GapOperator     &contact;
+      const LA::BlockVector &step;
+      const LA::Vector      &du;
+    };
+
+
+
+    double
+    Resistance::operator()(const double a) const
+    {
+      look_for_interruption();
+      LA::Vector at = start.u;
+      at.add(a, du);
+      LA::Vector force = start.bodies.residual(at);
+      if (!contact.empty())
+        {
+          PointVectors p = start.contact.traction;
+          for (unsigned int k = 0; k < p.size() && start.system.is_saddle_point(); ++k)
+            p[k].add(a, step.block(1 + k));
+          force += contact.force(traction(at, p), stress(at));
+          contact.add_moved_force(force, at);
+        }
+      start.bodies.constraints().set_zero(force);
+      return -(force * du);
+    }
+
+
+
+    double
+    Resistance::at_start() const
+    {
+      double result = -(start.r * du);
+      if (start.system.is_saddle_point())
+        {
+          PointVectors more = traction(start.u, start.contact.traction);
+          for (unsigned int k = 0; k < more.size(); ++k)
+            more[k] -= start.contact.traction[k];
+          LA::Vector force = contact.force(more, stress(start.u));
+          start.bodies.constraints().set_zero(force);
+          result -= force * du;
+        }
+      if (start.system.bulk())
+        {
+          const LA::Vector &m      = step.block(start.system.bulk_block());
+          LA::Vector        volume = m;
+          start.system.bulk()->B.vmult(volume, du);
+          result += volume * m;
+        }
+      return result;
+    }
+
+
+
+    PointVectors
+    Resistance::traction(const LA::Vector &u, const PointVectors &unknown) const
+    {
+      const PointVectors gaps = contact.gaps(u), s = {stress(u)};
+      const LawInputs    in{gaps, s, unknown, start.contact.internal};
+      const PointVectors trial  = start.law.trial(in);
+      const LA::Vector   status = start.law.status(trial);
+      PointVectors       result = start.law.traction(in, status);
+      if (!start.system.is_saddle_point())
+        return result;
+      for (const auto i : status.locally_owned_elements())
+        result[0](i) = is_closed(status(i)) ? trial[0](i) : 0.;
+      result[0].compress(VectorOperation::insert);
+      return result;
+    }
+  } // namespace
+
+
+
+  double
+  descending_step(const StepStart &start, const LA::BlockVector &step, const double longest)
+  {
+    constexpr double       enough = 0.8; // of the slope at the start
+    constexpr unsigned int most   = 8;
+    const Resistance       slope(start, step);
+    const double           first = -slope.at_start(), last = slope(longest);
+    if (!(first > 0) || last <= enough * first)
+      return longest;
+    double low = 0, high = longest;
+    double at_low = -first, at_high = last;
+    // Stretches beside a turn resist with the third power.
+    double a = longest * std::cbrt(first / (first + last));
+    for (unsigned int i = 0; i < most; ++i)
+      {
+        const double here = slope(a);
+        if (std::abs(here) <= enough * first)
+          return a;
+        (here < 0 ? low : high)       = a;
+        (here < 0 ? at_low : at_high) = here;
+        const double share            = -at_low / (at_high - at_low);
+        a                             = low + std::clamp(share, 0.1, 0.9) * (high - low);
+      }
+    return low > 0 ? low : a;
+  }
+} // namespace Signorini

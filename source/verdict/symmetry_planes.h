@@ -1,0 +1,26 @@
+#pragma once
+
+#include "solid/elasticity.h"
+#include <signorini/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// A plane on which a support lets a body slide, and nothing else, at all times.
+  template <int dim>
+  struct SymmetryPlane
+  {
+    std::string            boundary;
+    unsigned int           body;
+    dealii::Point<dim>     center;
+    dealii::Tensor<1, dim> normal; ///< out of the body
+  };
+
+  /// Those that supports may stand for: of Type symmetry, or plane boundaries that are held along
+  /// their normal alone. Collective.
+  template <int dim>
+  std::vector<SymmetryPlane<dim>>
+  symmetry_planes(const Scene<dim> &scene, const Elasticity<dim> &elasticity);
+} // namespace Signorini
