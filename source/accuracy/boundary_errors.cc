@@ -1,6 +1,7 @@
 #include "accuracy/boundary_errors.h"
-#include <signorini/solid/model.h>
+
 #include "solid/stress.h"
+#include <signorini/solid/model.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

@@ -1,4 +1,5 @@
 #include "accuracy/cell_errors.h"
+
 #include "accuracy/recovered_stress.h"
 #include "solid/stress.h"
 

@@ -1,4 +1,5 @@
 #include "accuracy/contact_errors.h"
+
 #include "contact/constraints/openings.h"
 #include "fields/nodal_fields.h"
 #include "fields/point_values.h"

@@ -1,5 +1,6 @@
 #include "accuracy/error_control.h"
-#include "parameters/text.h"
+
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <cmath>

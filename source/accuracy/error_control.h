@@ -1,8 +1,8 @@
 #pragma once
 
 #include "accuracy/error_estimate.h"
-#include <signorini/accuracy/goals.h>
 #include "accuracy/refinement.h"
+#include <signorini/accuracy/goals.h>
 
 #include <string>
 

@@ -1,6 +1,7 @@
+#include "accuracy/error_estimate.h"
+
 #include "accuracy/boundary_errors.h"
 #include "accuracy/contact_errors.h"
-#include "accuracy/error_estimate.h"
 
 #include <cmath>
 

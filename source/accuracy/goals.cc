@@ -1,6 +1,6 @@
 #include <signorini/accuracy/goals.h>
+#include <signorini/base/text.h>
 #include <signorini/parameters/section.h>
-#include "parameters/text.h"
 
 namespace Signorini
 {

@@ -1,5 +1,5 @@
 #include "accuracy/quantities/kinds.h"
-#include "parameters/text.h"
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/fields/probe.h>
 #include "fields/snapshot.h"
+#include <signorini/fields/probe.h>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,8 @@
 #include "accuracy/recovered_stress.h"
-#include <signorini/solid/model.h>
-#include "solid/stress.h"
+
 #include "linear_algebra/dense.h"
+#include "solid/stress.h"
+#include <signorini/solid/model.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

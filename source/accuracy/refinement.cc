@@ -1,4 +1,5 @@
 #include "accuracy/refinement.h"
+
 #include <signorini/parameters/section.h>
 
 #include <deal.II/distributed/grid_refinement.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/accuracy/refinement_settings.h>
 #include "solid/elasticity.h"
+#include <signorini/accuracy/refinement_settings.h>
 
 #include <vector>
 

@@ -1,9 +1,10 @@
 #include "accuracy/solution_errors.h"
-#include <signorini/solid/model.h>
-#include "solid/stress.h"
+
 #include "fields/nodal_fields.h"
 #include "fields/point_values.h"
 #include "fields/recovered_pressure.h"
+#include "solid/stress.h"
+#include <signorini/solid/model.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

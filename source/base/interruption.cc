@@ -1,5 +1,6 @@
 #include "base/interruption.h"
-#include "parameters/text.h"
+
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <ctime>

@@ -1,4 +1,5 @@
 #include "checkpoint/cells.h"
+
 #include "mesh/cells_by_name.h"
 #include <signorini/parameters/raw.h>
 

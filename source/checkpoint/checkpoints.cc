@@ -1,4 +1,5 @@
 #include "checkpoint/checkpoints.h"
+
 #include "checkpoint/sealed_file.h"
 #include "output/directory.h"
 #include <signorini/parameters/raw.h>

@@ -1,8 +1,9 @@
 #include "checkpoint/origin.h"
+
 #include "checkpoint/sealed_file.h"
 #include "mesh/generators/file.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 #include <nlohmann/json.hpp>
 

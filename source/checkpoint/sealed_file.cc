@@ -1,4 +1,5 @@
 #include "checkpoint/sealed_file.h"
+
 #include "output/directory.h"
 
 #include <fcntl.h>

@@ -1,4 +1,5 @@
 #include "driver/automatic_pairs.h"
+
 #include "contact/search/deep_overlap.h"
 #include "contact/search/find_pairs.h"
 #include "driver/contact_setup.h"

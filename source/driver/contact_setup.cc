@@ -1,13 +1,14 @@
+#include "driver/contact_setup.h"
+
+#include "base/solver_failure.h"
 #include "contact/constraints/geometric_stiffness.h"
 #include "contact/constraints/idle_pairs.h"
 #include "contact/search/reach.h"
 #include "contact/search/sweep.h"
-#include <signorini/contact/methods/method.h>
-#include "driver/contact_setup.h"
-#include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 #include "scene/expected_motion.h"
-#include "base/solver_failure.h"
+#include <signorini/base/text.h>
+#include <signorini/contact/methods/method.h>
+#include <signorini/parameters/raw.h>
 
 #include <algorithm>
 
@@ -91,7 +92,8 @@ namespace Signorini
     other.exchange();
     try
       {
-        scene.contact.chosen().check(decisions.integration_of(other), decisions.degree_of(other.slave));
+        scene.contact.chosen().check(decisions.integration_of(other),
+                                     decisions.degree_of(other.slave));
         ContactSurface<dim> surface = surface_of(configuration, other, range_at_rest(i));
         if (area_of(surface, comm) < 0.9 * area_of(my_surfaces[i], comm))
           throw SceneError("the other side sees less");
@@ -207,8 +209,10 @@ namespace Signorini
         {
           for (unsigned int i = 0; i < decisions.pairs.size(); ++i)
             {
-              my_surfaces.push_back(surface_of(
-                configuration, decisions.pairs[i], of_pairs[i], keeps_points ? &former[i] : nullptr));
+              my_surfaces.push_back(surface_of(configuration,
+                                               decisions.pairs[i],
+                                               of_pairs[i],
+                                               keeps_points ? &former[i] : nullptr));
               exchange_sides(configuration, i);
             }
         }
@@ -487,14 +491,15 @@ namespace Signorini
       return false;
     const bool  with_stress = scene.contact.chosen().predictor() == Predictor::normal_stress;
     const auto &mesh        = elasticity.mesh();
-    return std::any_of(decisions.pairs.begin(), decisions.pairs.end(), [&](const ContactPair<dim> &pair) {
-      if (gap_varies(pair))
-        return true;
-      const bool is_between_bodies = !scene.obstacle_of(pair);
-      return with_stress &&
-             (surface_loads_vary(mesh, elasticity.loads(), pair.slave) ||
-              (is_between_bodies && surface_loads_vary(mesh, elasticity.loads(), pair.master)));
-    });
+    return std::any_of(
+      decisions.pairs.begin(), decisions.pairs.end(), [&](const ContactPair<dim> &pair) {
+        if (gap_varies(pair))
+          return true;
+        const bool is_between_bodies = !scene.obstacle_of(pair);
+        return with_stress &&
+               (surface_loads_vary(mesh, elasticity.loads(), pair.slave) ||
+                (is_between_bodies && surface_loads_vary(mesh, elasticity.loads(), pair.master)));
+      });
   }
 
 

@@ -1,6 +1,7 @@
-#include <signorini/contact/methods/method.h>
 #include "driver/equilibrium.h"
-#include "parameters/text.h"
+
+#include <signorini/base/text.h>
+#include <signorini/contact/methods/method.h>
 
 #include <algorithm>
 #include <cmath>
@@ -456,9 +457,10 @@ namespace Signorini
         in_vain = now < least ? 0 : in_vain + 1;
         least   = std::min(least, now);
       }
-    const bool by_segments  = std::all_of(decisions.pairs.begin(), decisions.pairs.end(), [&](auto &pair) {
-      return decisions.integration_of(pair).rule == Rule::segments;
-    });
+    const bool by_segments =
+      std::all_of(decisions.pairs.begin(), decisions.pairs.end(), [&](auto &pair) {
+        return decisions.integration_of(pair).rule == Rule::segments;
+      });
     const auto &[low, high] = elasticity.mesh().extent().get_boundary_points();
     constexpr double far    = 1e3; // sizes of the scene
     const bool       is_far = (low + (high - low) / 2).norm() > far * low.distance(high);

@@ -1,11 +1,12 @@
-#include "contact/laws/contact_law.h"
-#include <signorini/contact/methods/method.h>
-#include "solid/rigid_body_modes.h"
 #include "driver/equilibrium_in_place.h"
+
 #include "base/interruption.h"
+#include "contact/laws/contact_law.h"
 #include "matrix_free/make_stiffness.h"
-#include "parameters/text.h"
+#include "solid/rigid_body_modes.h"
 #include "solver/finite_bodies.h"
+#include <signorini/base/text.h>
+#include <signorini/contact/methods/method.h>
 
 namespace Signorini
 {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "driver/contact_setup.h"
-#include "solver/contact_solver.h"
 #include "driver/state.h"
+#include "solver/contact_solver.h"
 
 #include <functional>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "mesh_import/decks/import_deck.h"
-#include <signorini/parameters/raw.h>
-#include <signorini/driver/run_scene.h>
 #include "scene/reference.h"
 #include "scene/template.h"
+#include <signorini/driver/run_scene.h>
+#include <signorini/parameters/raw.h>
 
 #include <deal.II/base/multithread_info.h>
 

@@ -1,9 +1,9 @@
 #include "checkpoint/origin.h"
-#include "output/directory.h"
-#include <signorini/parameters/section.h>
-#include "parameters/text.h"
-#include <signorini/driver/run_scene.h>
 #include "driver/simulation.h"
+#include "output/directory.h"
+#include <signorini/base/text.h>
+#include <signorini/driver/run_scene.h>
+#include <signorini/parameters/section.h>
 
 #include <filesystem>
 #include <sstream>

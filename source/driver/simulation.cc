@@ -1,11 +1,12 @@
+#include "driver/simulation.h"
+
 #include "driver/automatic_pairs.h"
 #include "driver/body_setup.h"
 #include "output/directory.h"
 #include "output/preflight.h"
-#include "parameters/text.h"
 #include "scene/left_out.h"
-#include "driver/simulation.h"
 #include "solver/linear_reference.h"
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,11 +198,9 @@ namespace Signorini
   void
   Simulation<dim>::set_up_contact()
   {
-    contact = std::make_unique<ContactSetup<dim>>(decisions, *elasticity, timer, out);
-    equilibrium =
-      std::make_unique<Equilibrium<dim>>(decisions, *elasticity, *contact, state, timer, out, [this] {
-        return watch();
-      });
+    contact     = std::make_unique<ContactSetup<dim>>(decisions, *elasticity, timer, out);
+    equilibrium = std::make_unique<Equilibrium<dim>>(
+      decisions, *elasticity, *contact, state, timer, out, [this] { return watch(); });
   }
 
 
@@ -240,7 +239,10 @@ namespace Signorini
   {
     // On a mesh that is to be refined, curved surfaces are not yet where they will be.
     const bool is_final = scene.most_cycles() == 0;
-    check_probes(*elasticity, decisions.pairs, scene.output.probes, is_final ? probe_tolerance : 0.5);
+    check_probes(*elasticity,
+                 decisions.pairs,
+                 scene.output.probes,
+                 is_final ? probe_tolerance : 0.5);
     if (scene.expected.empty())
       return;
     const ContactState  nothing = open_contact(contact->gap_operator());

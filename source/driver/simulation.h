@@ -2,14 +2,14 @@
 
 #include "accuracy/error_control.h"
 #include "accuracy/refinement.h"
+#include "base/interruption.h"
 #include "checkpoint/checkpoints.h"
 #include "driver/equilibrium.h"
-#include <signorini/base/exit_code.h>
-#include "base/interruption.h"
+#include "driver/state.h"
 #include "output/recorder.h"
 #include "scene/decisions.h"
 #include "solver/newton.h"
-#include "driver/state.h"
+#include <signorini/base/exit_code.h>
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>

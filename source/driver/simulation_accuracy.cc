@@ -1,9 +1,9 @@
 #include "accuracy/enrichment.h"
 #include "driver/body_setup.h"
+#include "driver/simulation.h"
 #include "output/accuracy_results.h"
 #include "output/memory.h"
-#include "parameters/text.h"
-#include "driver/simulation.h"
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <sstream>

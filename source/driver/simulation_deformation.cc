@@ -1,9 +1,9 @@
 #include "driver/body_setup.h"
-#include "solid/deformation_change.h"
-#include "materials/material_law.h"
-#include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 #include "driver/simulation.h"
+#include "materials/material_law.h"
+#include "solid/deformation_change.h"
+#include <signorini/base/text.h>
+#include <signorini/parameters/raw.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 #include "checkpoint/cells.h"
 #include "checkpoint/origin.h"
-#include "output/accuracy_results.h"
-#include "parameters/text.h"
 #include "driver/simulation.h"
+#include "output/accuracy_results.h"
+#include <signorini/base/text.h>
 
 #include <fstream>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "contact/history/surface_field.h"
 #include "contact/laws/contact_state.h"
 #include "solid/material_history.h"
-#include "contact/history/surface_field.h"
 
 namespace Signorini
 {

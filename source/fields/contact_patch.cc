@@ -1,8 +1,9 @@
-#include <signorini/solid/model.h>
 #include "fields/contact_patch.h"
+
 #include "fields/nodal_fields.h"
 #include "fields/surface_parts.h"
 #include "linear_algebra/dense.h"
+#include <signorini/solid/model.h>
 
 #include <algorithm>
 #include <array>

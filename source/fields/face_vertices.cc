@@ -1,4 +1,5 @@
 #include "fields/face_vertices.h"
+
 #include "geometry/lagrange.h"
 
 #include <cmath>

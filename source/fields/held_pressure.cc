@@ -1,4 +1,5 @@
 #include "fields/held_pressure.h"
+
 #include "fields/nodal_fields.h"
 #include "fields/surface_parts.h"
 

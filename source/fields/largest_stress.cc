@@ -1,5 +1,6 @@
-#include "solid/stress.h"
 #include "fields/largest_stress.h"
+
+#include "solid/stress.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

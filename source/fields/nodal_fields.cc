@@ -1,4 +1,5 @@
 #include "fields/nodal_fields.h"
+
 #include "geometry/lagrange.h"
 
 #include <deal.II/base/mpi.h>

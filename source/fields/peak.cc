@@ -1,4 +1,5 @@
 #include "fields/peak.h"
+
 #include "linear_algebra/dense.h"
 
 #include <algorithm>

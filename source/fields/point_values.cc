@@ -1,6 +1,7 @@
+#include "fields/point_values.h"
+
 #include "contact/constraints/openings.h"
 #include "fields/nodal_fields.h"
-#include "fields/point_values.h"
 
 namespace Signorini
 {

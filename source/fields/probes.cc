@@ -1,9 +1,10 @@
-#include "solid/cell_nodes.h"
-#include <signorini/solid/model.h>
-#include "solid/stress.h"
 #include "fields/probes.h"
+
 #include "fields/surface_probes.h"
+#include "solid/cell_nodes.h"
+#include "solid/stress.h"
 #include <signorini/parameters/raw.h>
+#include <signorini/solid/model.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>

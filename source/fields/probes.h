@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/contact/pair.h>
 #include "solid/elasticity.h"
+#include <signorini/contact/pair.h>
 #include <signorini/fields/probe.h>
 
 #include <deal.II/base/symmetric_tensor.h>

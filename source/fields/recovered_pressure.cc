@@ -1,7 +1,8 @@
+#include "fields/recovered_pressure.h"
+
 #include "fields/face_vertices.h"
 #include "fields/held_pressure.h"
 #include "fields/nodal_fields.h"
-#include "fields/recovered_pressure.h"
 #include "fields/surface_gradient.h"
 #include "fields/surface_stretch.h"
 #include "geometry/lagrange.h"

@@ -1,10 +1,11 @@
+#include "fields/surface_probes.h"
+
 #include "contact/search/boundary_faces.h"
 #include "contact/search/projection.h"
 #include "fields/nodal_fields.h"
-#include <signorini/fields/probe.h>
 #include "fields/recovered_pressure.h"
-#include "fields/surface_probes.h"
 #include "geometry/extent.h"
+#include <signorini/fields/probe.h>
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,4 +1,5 @@
 #include "fields/surface_stretch.h"
+
 #include "geometry/lagrange.h"
 
 namespace Signorini

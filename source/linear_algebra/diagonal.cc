@@ -1,4 +1,5 @@
 #include "linear_algebra/diagonal.h"
+
 #include "linear_algebra/values.h"
 
 #include <Epetra_CrsMatrix.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/linear_algebra/direct_library.h>
 #include "linear_algebra/types.h"
+#include <signorini/linear_algebra/direct_library.h>
 
 #include <memory>
 

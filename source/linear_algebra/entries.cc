@@ -1,4 +1,5 @@
 #include "linear_algebra/entries.h"
+
 #include "linear_algebra/row_view.h"
 
 #include <Epetra_CrsMatrix.h>

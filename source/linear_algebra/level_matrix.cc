@@ -1,5 +1,6 @@
-#include "linear_algebra/columns.h"
 #include "linear_algebra/level_matrix.h"
+
+#include "linear_algebra/columns.h"
 #include "linear_algebra/row_view.h"
 
 #include <algorithm>

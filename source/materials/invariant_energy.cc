@@ -1,4 +1,5 @@
 #include "materials/invariant_energy.h"
+
 #include "materials/symmetric_pairs.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "materials/material_law.h"
+
 #include "materials/hencky.h"
 #include "materials/mooney_rivlin.h"
 #include "materials/neo_hooke.h"
@@ -6,8 +7,8 @@
 #include "materials/polynomial.h"
 #include "materials/saint_venant_kirchhoff.h"
 #include "materials/yeoh.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/section.h>
-#include "parameters/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/materials/material.h>
 #include "materials/hyperelastic.h"
+#include <signorini/materials/material.h>
 
 #include <functional>
 

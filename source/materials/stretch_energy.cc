@@ -1,4 +1,5 @@
 #include "materials/stretch_energy.h"
+
 #include "materials/symmetric_pairs.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include "linear_algebra/values.h"
 #include "matrix_free/cell_operator.h"
+
+#include "linear_algebra/values.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "solid/stiffness.h"
 #include "matrix_free/cell_space.h"
 #include "matrix_free/local_vectors.h"
+#include "solid/stiffness.h"
 
 #include <memory>
 #include <vector>

@@ -1,8 +1,9 @@
-#include "solid/cell_nodes.h"
+#include "matrix_free/cell_space.h"
+
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/sparsity_pattern.h"
 #include "matrix_free/cell_matrices.h"
-#include "matrix_free/cell_space.h"
+#include "solid/cell_nodes.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>

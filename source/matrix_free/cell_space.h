@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solid/elasticity.h"
 #include "matrix_free/cell_kernel.h"
+#include "solid/elasticity.h"
 
 #include <vector>
 

@@ -1,7 +1,8 @@
-#include "solid/cell_nodes.h"
+#include "matrix_free/cell_stiffness.h"
+
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/values.h"
-#include "matrix_free/cell_stiffness.h"
+#include "solid/cell_nodes.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solid/stiffness.h"
 #include "matrix_free/cell_operator.h"
+#include "solid/stiffness.h"
 
 #include <functional>
 #include <memory>

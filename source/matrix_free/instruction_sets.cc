@@ -1,4 +1,5 @@
 #include "matrix_free/instruction_sets.h"
+
 #include "matrix_free/targets.h"
 #include <signorini/parameters/raw.h>
 

@@ -1,5 +1,6 @@
-#include "linear_algebra/own_range.h"
 #include "matrix_free/local_vectors.h"
+
+#include "linear_algebra/own_range.h"
 
 #include <algorithm>
 

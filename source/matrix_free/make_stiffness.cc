@@ -1,6 +1,7 @@
-#include "solid/pressure_kernel.h"
-#include "matrix_free/cell_stiffness.h"
 #include "matrix_free/make_stiffness.h"
+
+#include "matrix_free/cell_stiffness.h"
+#include "solid/pressure_kernel.h"
 #include <signorini/parameters/raw.h>
 
 namespace Signorini

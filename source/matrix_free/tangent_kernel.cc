@@ -1,8 +1,9 @@
 // Compiled once for each instruction set, as cell_kernel.cc is.
 
+#include "matrix_free/tangent_kernel.h"
+
 #include "matrix_free/instruction_sets.h"
 #include "matrix_free/tangent_batches.h"
-#include "matrix_free/tangent_kernel.h"
 #include "matrix_free/targets.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solid/deformation_kernel.h"
 #include "matrix_free/cell_stiffness.h"
+#include "solid/deformation_kernel.h"
 
 #include <string>
 

@@ -1,4 +1,5 @@
 #include "mesh/cell_mapping.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,10 +1,10 @@
-#include <signorini/mesh/generator.h>
 #include "mesh/generators/box.h"
 #include "mesh/generators/disc.h"
 #include "mesh/generators/file.h"
 #include "mesh/generators/ring.h"
 #include "mesh/generators/shell.h"
 #include "mesh/generators/sphere.h"
+#include <signorini/mesh/generator.h>
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

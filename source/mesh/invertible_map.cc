@@ -1,4 +1,5 @@
 #include "mesh/invertible_map.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "mesh/mesh.h"
-#include "mesh_import/pieces.h"
 #include "mesh/transformed_manifold.h"
+#include "mesh_import/pieces.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,7 +1,8 @@
-#include "base/compatibility.h"
-#include "mesh/cell_mapping.h"
-#include "geometry/extent.h"
 #include "mesh/mesh.h"
+
+#include "base/compatibility.h"
+#include "geometry/extent.h"
+#include "mesh/cell_mapping.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/distributed/fully_distributed_tria.h>

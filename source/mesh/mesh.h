@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/mesh/body_mesh.h>
 #include "mesh/coarse_field.h"
+#include <signorini/mesh/body_mesh.h>
 #include <signorini/mesh/mesh_settings.h>
 
 #include <deal.II/base/bounding_box.h>

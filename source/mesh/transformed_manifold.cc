@@ -1,4 +1,5 @@
 #include "mesh/transformed_manifold.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/geometry_info.h>

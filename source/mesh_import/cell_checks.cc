@@ -1,4 +1,5 @@
 #include "mesh_import/cell_checks.h"
+
 #include "mesh_import/cells.h"
 #include <signorini/parameters/raw.h>
 

@@ -1,5 +1,6 @@
-#include "mesh_import/cells.h"
 #include "mesh_import/coinciding_nodes.h"
+
+#include "mesh_import/cells.h"
 #include "mesh_import/pieces.h"
 #include <signorini/parameters/raw.h>
 

@@ -1,4 +1,5 @@
 #include "mesh_import/curved_boundary.h"
+
 #include "geometry/round_manifold.h"
 #include <signorini/parameters/section.h>
 

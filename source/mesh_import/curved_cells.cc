@@ -1,6 +1,7 @@
-#include "mesh_import/cells.h"
 #include "mesh_import/curved_cells.h"
+
 #include "geometry/quadratic_manifold.h"
+#include "mesh_import/cells.h"
 #include <signorini/parameters/raw.h>
 
 namespace Signorini

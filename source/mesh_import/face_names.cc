@@ -1,5 +1,6 @@
-#include "mesh_import/cells.h"
 #include "mesh_import/face_names.h"
+
+#include "mesh_import/cells.h"
 #include <signorini/parameters/raw.h>
 
 namespace Signorini

@@ -1,6 +1,7 @@
-#include "mesh_import/division/cell_shape.h"
-#include "mesh_import/cells.h"
 #include "mesh_import/file_nodes.h"
+
+#include "mesh_import/cells.h"
+#include "mesh_import/division/cell_shape.h"
 
 #include <algorithm>
 #include <array>

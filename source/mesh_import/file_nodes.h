@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/geometry/coarse_mesh.h>
 #include "mesh_import/mesh_file.h"
+#include <signorini/geometry/coarse_mesh.h>
 
 namespace Signorini
 {

@@ -1,10 +1,11 @@
+#include "mesh_import/mesh_file.h"
+
 #include "mesh_import/formats/abaqus.h"
 #include "mesh_import/formats/gmsh.h"
 #include "mesh_import/formats/vtk.h"
 #include "mesh_import/formats/vtu.h"
-#include "mesh_import/mesh_file.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 #include <algorithm>
 #include <array>

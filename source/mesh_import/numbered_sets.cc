@@ -1,8 +1,9 @@
+#include "mesh_import/numbered_sets.h"
+
 #include "mesh_import/formats/abaqus_elements.h"
 #include "mesh_import/formats/keyword_file.h"
-#include "mesh_import/numbered_sets.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 namespace Signorini
 {

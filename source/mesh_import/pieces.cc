@@ -1,5 +1,6 @@
-#include "geometry/connected.h"
 #include "mesh_import/pieces.h"
+
+#include "geometry/connected.h"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solid/stiffness.h"
 #include "multigrid/prolongation.h"
+#include "solid/stiffness.h"
 
 #include <memory>
 #include <vector>

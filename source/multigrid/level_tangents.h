@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solid/cell_tangents.h"
 #include "multigrid/cell_curve.h"
+#include "solid/cell_tangents.h"
 
 #include <unordered_map>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "multigrid/cell_curve.h"
 #include "linear_algebra/own_range.h"
+#include "multigrid/cell_curve.h"
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>

@@ -1,9 +1,10 @@
-#include "base/compatibility.h"
-#include "solid/cell_nodes.h"
 #include "multigrid/linear_space.h"
-#include "multigrid/vertex_means.h"
+
+#include "base/compatibility.h"
 #include "linear_algebra/sparsity_pattern.h"
 #include "linear_algebra/values.h"
+#include "multigrid/vertex_means.h"
+#include "solid/cell_nodes.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>

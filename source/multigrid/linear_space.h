@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solid/elasticity.h"
 #include "multigrid/prolongation.h"
+#include "solid/elasticity.h"
 
 #include <memory>
 

@@ -1,9 +1,10 @@
-#include "solid/rigid_body_modes.h"
-#include "multigrid/linear_space.h"
 #include "multigrid/make_levels.h"
-#include "multigrid/mesh_levels.h"
+
 #include "linear_algebra/diagonal.h"
 #include "matrix_free/cell_operator.h"
+#include "multigrid/linear_space.h"
+#include "multigrid/mesh_levels.h"
+#include "solid/rigid_body_modes.h"
 
 namespace Signorini
 {

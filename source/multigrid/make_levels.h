@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solid/elasticity.h"
 #include "multigrid/level.h"
+#include "solid/elasticity.h"
 
 #include <vector>
 

@@ -1,9 +1,10 @@
+#include "multigrid/mesh_levels.h"
+
+#include "matrix_free/cell_operator.h"
 #include "multigrid/level_tangents.h"
 #include "multigrid/level_vertices.h"
 #include "multigrid/linear_space.h"
-#include "multigrid/mesh_levels.h"
 #include "multigrid/vertex_means.h"
-#include "matrix_free/cell_operator.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "solid/elasticity.h"
-#include "multigrid/level.h"
 #include "matrix_free/cell_space.h"
+#include "multigrid/level.h"
+#include "solid/elasticity.h"
 
 #include <vector>
 

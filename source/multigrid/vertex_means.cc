@@ -1,4 +1,5 @@
 #include "multigrid/vertex_means.h"
+
 #include "linear_algebra/columns.h"
 #include "linear_algebra/entries.h"
 #include "linear_algebra/row_view.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "multigrid/prolongation.h"
 #include "matrix_free/local_vectors.h"
+#include "multigrid/prolongation.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,7 @@
+#include "output/contact_vtu.h"
+
 #include "fields/nodal_fields.h"
 #include "fields/recovered_pressure.h"
-#include "output/contact_vtu.h"
 #include "output/pieces.h"
 
 #include <deal.II/base/quadrature.h>

@@ -1,4 +1,5 @@
 #include "output/directory.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <fcntl.h>

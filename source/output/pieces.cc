@@ -1,5 +1,6 @@
-#include "output/directory.h"
 #include "output/pieces.h"
+
+#include "output/directory.h"
 #include "output/pvd.h"
 
 #include <deal.II/base/mpi.h>

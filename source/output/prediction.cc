@@ -1,6 +1,7 @@
-#include "solid/kernel.h"
-#include "matrix_free/make_stiffness.h"
 #include "output/prediction.h"
+
+#include "matrix_free/make_stiffness.h"
+#include "solid/kernel.h"
 
 #include <deal.II/base/utilities.h>
 

@@ -1,7 +1,8 @@
+#include "output/preflight.h"
+
 #include "contact/search/boundary_faces.h"
 #include "contact/search/face_patches.h"
 #include "matrix_free/make_stiffness.h"
-#include "output/preflight.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -134,8 +135,8 @@ namespace Signorini
     Json
     bodies(const Decisions<dim> &decisions, const Elasticity<dim> &elasticity)
     {
-      const Scene<dim> &scene = decisions.scene;
-      const Mesh<dim>           &mesh = elasticity.mesh();
+      const Scene<dim>          &scene = decisions.scene;
+      const Mesh<dim>           &mesh  = elasticity.mesh();
       std::vector<unsigned long> cells(mesh.n_bodies());
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned())
@@ -430,8 +431,8 @@ namespace Signorini
             const GapOperator                      &contact,
             const double                            seconds)
   {
-    const Scene<dim> &scene = decisions.scene;
-    unsigned int n_points = 0;
+    const Scene<dim> &scene    = decisions.scene;
+    unsigned int      n_points = 0;
     for (const ContactSurface<dim> &surface : surfaces)
       n_points += surface.points.size();
     const Prediction prediction = predict(scene, elasticity, n_points, seconds);

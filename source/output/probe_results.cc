@@ -1,5 +1,6 @@
-#include "fields/surface_probes.h"
 #include "output/probe_results.h"
+
+#include "fields/surface_probes.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
+#include "output/profiles.h"
+
 #include "fields/recovered_pressure.h"
 #include "output/directory.h"
-#include "output/profiles.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,6 +1,7 @@
+#include "output/pvd.h"
+
 #include "base/compatibility.h"
 #include "output/directory.h"
-#include "output/pvd.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,7 +1,8 @@
 #include "output/recorder.h"
+
 #include "output/summary.h"
-#include <signorini/parameters/section.h>
 #include "verdict/checks.h"
+#include <signorini/parameters/section.h>
 
 #include <algorithm>
 #include <sstream>
@@ -68,10 +69,10 @@ namespace Signorini
 
   template <int dim>
   Recorder<dim>::Recorder(const Decisions<dim> &decisions,
-                          const Timer       &clock,
-                          const TimerOutput &timer,
-                          const MPI_Comm     comm,
-                          const bool         goes_on)
+                          const Timer          &clock,
+                          const TimerOutput    &timer,
+                          const MPI_Comm        comm,
+                          const bool            goes_on)
     : decisions(decisions)
     , scene(decisions.scene)
     , clock(clock)

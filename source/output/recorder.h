@@ -1,7 +1,6 @@
 #pragma once
 
 #include "accuracy/error_control.h"
-#include <signorini/base/exit_code.h>
 #include "output/directory.h"
 #include "output/probe_results.h"
 #include "output/results.h"
@@ -10,6 +9,7 @@
 #include "solver/linear_reference.h"
 #include "solver/newton_report.h"
 #include "verdict/verdict.h"
+#include <signorini/base/exit_code.h>
 
 #include <deal.II/base/timer.h>
 

@@ -1,5 +1,5 @@
-#include "solid/reactions.h"
-#include <signorini/solid/rigid_pose.h>
+#include "output/results.h"
+
 #include "fields/contact_force.h"
 #include "fields/contact_patch.h"
 #include "fields/largest_stress.h"
@@ -7,7 +7,8 @@
 #include "fields/point_values.h"
 #include "fields/recovered_pressure.h"
 #include "output/json.h"
-#include "output/results.h"
+#include "solid/reactions.h"
+#include <signorini/solid/rigid_pose.h>
 
 #include <deal.II/base/utilities.h>
 

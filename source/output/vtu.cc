@@ -1,7 +1,8 @@
-#include <signorini/solid/model.h>
-#include "solid/stress.h"
-#include "output/pieces.h"
 #include "output/vtu.h"
+
+#include "output/pieces.h"
+#include "solid/stress.h"
+#include <signorini/solid/model.h>
 
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>

@@ -1,7 +1,8 @@
+#include "output/writer.h"
+
 #include "output/contact_vtu.h"
 #include "output/profiles.h"
 #include "output/vtu.h"
-#include "output/writer.h"
 
 #include <filesystem>
 

@@ -1,6 +1,7 @@
 #include "parameters/compiled_formula.h"
+
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 #include <muParser.h>
 

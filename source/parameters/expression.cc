@@ -1,7 +1,7 @@
 #include "parameters/compiled_formula.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 namespace Signorini
 {

@@ -1,6 +1,6 @@
-#include <signorini/parameters/section.h>
-#include "parameters/text.h"
 #include "parameters/values.h"
+#include <signorini/base/text.h>
+#include <signorini/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
+#include "scene/descriptions.h"
 #include <signorini/parameters/section.h>
 #include <signorini/scene/contact_settings.h>
-#include "scene/descriptions.h"
 
 #include <algorithm>
 

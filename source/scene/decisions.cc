@@ -1,5 +1,6 @@
-#include "materials/material_law.h"
 #include "scene/decisions.h"
+
+#include "materials/material_law.h"
 
 #include <algorithm>
 
@@ -19,7 +20,8 @@ namespace Signorini
       return scene.contact.is_automatic() && !scene.degree_is_set ? 0 : scene.degree;
     }
 
-    /// What keeps a material from a displacement-pressure formulation, and the cure; empty: nothing.
+    /// What keeps a material from a displacement-pressure formulation, and the cure; empty:
+    /// nothing.
     template <int dim>
     std::string
     obstacle_to_mixed(const Scene<dim> &scene, const Body<dim> &body, const Material &material)
@@ -74,8 +76,8 @@ namespace Signorini
 
 
 
-  // The method by the curves of doc/benchmarks/accuracy.md: with multipliers nothing is left to choose and
-  // nothing overlaps, at the price of the others.
+  // The method by the curves of doc/benchmarks/accuracy.md: with multipliers nothing is left to
+  // choose and nothing overlaps, at the price of the others.
   template <int dim>
   Decisions<dim>::Decisions(const Scene<dim> &scene)
     : scene(scene)
@@ -85,10 +87,10 @@ namespace Signorini
   {
     for (const Body<dim> &body : scene.bodies)
       {
-        const std::string  place   = "Bodies/" + body.name;
-        const bool         is_open = body.degree == 0 && (!scene.degree_is_set || scene.degree == 0);
-        unsigned int       degree  = body.degree > 0 ? body.degree : degree_of_all(scene);
-        std::vector<bool> &flags   = has_pressure_field.emplace_back();
+        const std::string place   = "Bodies/" + body.name;
+        const bool        is_open = body.degree == 0 && (!scene.degree_is_set || scene.degree == 0);
+        unsigned int      degree  = body.degree > 0 ? body.degree : degree_of_all(scene);
+        std::vector<bool> &flags  = has_pressure_field.emplace_back();
         for (const Material *material : body.materials())
           {
             const std::string of_cells =
@@ -206,9 +208,9 @@ namespace Signorini
         const Integration integration = integration_of(pair);
         scene.contact.chosen().check(integration, degree_of(pair.slave));
         if (integration.rule == Rule::segments && scene.contact.quadrature_points > 7)
-          throw SceneError(
-            "Contact method/Quadrature points = " + std::to_string(scene.contact.quadrature_points) +
-            ": on segments there are rules with up to 7");
+          throw SceneError("Contact method/Quadrature points = " +
+                           std::to_string(scene.contact.quadrature_points) +
+                           ": on segments there are rules with up to 7");
       }
     if (finite_strain)
       check_finite_strain();

@@ -1,5 +1,6 @@
-#include <signorini/parameters/raw.h>
 #include "scene/left_out.h"
+
+#include <signorini/parameters/raw.h>
 
 #include <algorithm>
 

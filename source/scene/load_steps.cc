@@ -1,5 +1,5 @@
-#include <signorini/parameters/section.h>
 #include "parameters/values.h"
+#include <signorini/parameters/section.h>
 #include <signorini/scene/load_steps.h>
 
 #include <algorithm>

@@ -1,10 +1,11 @@
-#include "contact/obstacles/shapes.h"
-#include <signorini/parameters/section.h>
-#include "scene/descriptions.h"
 #include "scene/reference.h"
-#include <signorini/scene/scene.h>
+
+#include "contact/obstacles/shapes.h"
+#include "scene/descriptions.h"
 #include "solver/preconditioner.h"
 #include "solver/preconditioners/schur_complement.h"
+#include <signorini/parameters/section.h>
+#include <signorini/scene/scene.h>
 
 #include <algorithm>
 #include <ostream>

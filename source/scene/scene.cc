@@ -1,7 +1,7 @@
-#include <signorini/parameters/section.h>
-#include "parameters/text.h"
 #include "scene/descriptions.h"
 #include "scene/left_out.h"
+#include <signorini/base/text.h>
+#include <signorini/parameters/section.h>
 #include <signorini/scene/scene.h>
 
 #include <algorithm>

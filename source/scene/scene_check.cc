@@ -1,5 +1,5 @@
-#include <signorini/parameters/raw.h>
 #include "scene/decisions.h"
+#include <signorini/parameters/raw.h>
 
 #include <algorithm>
 
@@ -220,6 +220,8 @@ namespace Signorini
 
 
 
-  template void Scene<2>::check() const;
-  template void Scene<3>::check() const;
+  template void
+  Scene<2>::check() const;
+  template void
+  Scene<3>::check() const;
 } // namespace Signorini

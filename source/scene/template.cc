@@ -1,9 +1,10 @@
-#include "contact/obstacles/shapes.h"
-#include <signorini/parameters/section.h>
-#include "parameters/text.h"
-#include <signorini/scene/scene.h>
 #include "scene/template.h"
+
+#include "contact/obstacles/shapes.h"
 #include "solver/preconditioner.h"
+#include <signorini/base/text.h>
+#include <signorini/parameters/section.h>
+#include <signorini/scene/scene.h>
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,7 @@
 #include "solid/assembly.h"
-#include "solid/cell_nodes.h"
+
 #include "linear_algebra/sparsity_pattern.h"
+#include "solid/cell_nodes.h"
 
 namespace Signorini
 {

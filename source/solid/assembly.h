@@ -1,8 +1,8 @@
 #pragma once
 
+#include "linear_algebra/types.h"
 #include "solid/kernel.h"
 #include <signorini/materials/material.h>
-#include "linear_algebra/types.h"
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>

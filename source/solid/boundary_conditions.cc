@@ -1,5 +1,5 @@
-#include <signorini/solid/boundary_conditions.h>
 #include <signorini/parameters/section.h>
+#include <signorini/solid/boundary_conditions.h>
 
 namespace Signorini
 {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <signorini/materials/material.h>
-#include <signorini/solid/model.h>
 #include "linear_algebra/types.h"
 #include "mesh/mesh.h"
+#include <signorini/materials/material.h>
+#include <signorini/solid/model.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_values.h>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "materials/saint_venant_kirchhoff.h"
 #include <signorini/materials/material.h>
 #include <signorini/solid/model.h>
-#include "materials/saint_venant_kirchhoff.h"
 
 #include <optional>
 

@@ -1,5 +1,6 @@
-#include "solid/deformation.h"
 #include "solid/deformation_change.h"
+
+#include "solid/deformation.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

@@ -1,7 +1,8 @@
 #include "solid/deformation_kernel.h"
+
+#include "materials/symmetric_pairs.h"
 #include "solid/gradient_at_point.h"
 #include "solid/scalar_elements.h"
-#include "materials/symmetric_pairs.h"
 
 
 namespace Signorini

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "mesh/mesh.h"
 #include "solid/bulk_stress.h"
 #include "solid/cell_tangents.h"
 #include "solid/deformation.h"
 #include "solid/material_history.h"
 #include "solid/thermal_strain.h"
-#include "mesh/mesh.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/hp/fe_values.h>

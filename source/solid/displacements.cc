@@ -1,7 +1,8 @@
-#include "base/compatibility.h"
 #include "solid/displacements.h"
+
+#include "base/compatibility.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "linear_algebra/types.h"
+#include "mesh/mesh.h"
 #include "solid/held_nodes.h"
 #include <signorini/solid/model.h>
 #include <signorini/solid/rigid_body.h>
-#include "linear_algebra/types.h"
-#include "mesh/mesh.h"
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>

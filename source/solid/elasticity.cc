@@ -1,13 +1,14 @@
+#include "solid/elasticity.h"
+
+#include "linear_algebra/diagonal.h"
 #include "solid/cell_nodes.h"
 #include "solid/deformation.h"
 #include "solid/deformation_kernel.h"
-#include "solid/elasticity.h"
 #include "solid/kernel.h"
 #include "solid/pressure_kernel.h"
-#include <signorini/solid/rigid_pose.h>
 #include "solid/stress.h"
-#include "linear_algebra/diagonal.h"
 #include <signorini/parameters/raw.h>
+#include <signorini/solid/rigid_pose.h>
 
 #include <algorithm>
 

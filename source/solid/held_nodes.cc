@@ -1,9 +1,10 @@
-#include "solid/cell_nodes.h"
 #include "solid/held_nodes.h"
-#include "solid/node_places.h"
+
 #include "geometry/extent.h"
-#include "mesh/face_nodes.h"
 #include "geometry/face_parameter.h"
+#include "mesh/face_nodes.h"
+#include "solid/cell_nodes.h"
+#include "solid/node_places.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/utilities.h>

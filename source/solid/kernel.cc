@@ -1,4 +1,5 @@
 #include "solid/kernel.h"
+
 #include "solid/not_finite.h"
 #include "solid/scalar_elements.h"
 

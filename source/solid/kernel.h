@@ -1,10 +1,10 @@
 #pragma once
 
-#include <signorini/solid/boundary_conditions.h>
-#include <signorini/solid/model.h>
+#include "mesh/mesh.h"
 #include "solid/nodal_forces.h"
 #include "solid/surface_loads.h"
-#include "mesh/mesh.h"
+#include <signorini/solid/boundary_conditions.h>
+#include <signorini/solid/model.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/hp/fe_values.h>

@@ -1,4 +1,5 @@
 #include "solid/material_history.h"
+
 #include "mesh/cells_by_name.h"
 
 #include <deal.II/base/geometry_info.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/materials/material.h>
 #include "mesh/mesh.h"
+#include <signorini/materials/material.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/grid/cell_id.h>

@@ -1,4 +1,5 @@
 #include "solid/nodal_forces.h"
+
 #include "solid/node_places.h"
 
 namespace Signorini

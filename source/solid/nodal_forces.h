@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/solid/boundary_conditions.h>
 #include "mesh/mesh.h"
+#include <signorini/solid/boundary_conditions.h>
 
 #include <map>
 #include <vector>

@@ -1,4 +1,5 @@
 #include "solid/node_places.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/geometry_info.h>

@@ -1,5 +1,6 @@
 #include "solid/not_finite.h"
-#include "parameters/text.h"
+
+#include <signorini/base/text.h>
 
 #include <sstream>
 

@@ -1,6 +1,7 @@
+#include "solid/pressure_kernel.h"
+
 #include "solid/gradient_at_point.h"
 #include "solid/not_finite.h"
-#include "solid/pressure_kernel.h"
 #include "solid/scalar_elements.h"
 
 #include <cmath>

@@ -1,8 +1,9 @@
+#include "solid/reactions.h"
+
 #include "solid/cell_nodes.h"
 #include "solid/deformation_kernel.h"
 #include "solid/kernel.h"
 #include "solid/pressure_kernel.h"
-#include "solid/reactions.h"
 #include "solid/volume_kernel.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include <signorini/solid/rigid_body.h>
 #include <signorini/parameters/section.h>
+#include <signorini/solid/rigid_body.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "solid/cell_nodes.h"
 #include "solid/rigid_body_modes.h"
+
+#include "solid/cell_nodes.h"
 
 namespace Signorini
 {

@@ -1,4 +1,5 @@
 #include "solid/stiffness.h"
+
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/row_view.h"
 #include "linear_algebra/values.h"

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "solid/cell_tangents.h"
-#include <signorini/solid/stiffness_form.h>
 #include "linear_algebra/level_matrix.h"
 #include "linear_algebra/products.h"
+#include "solid/cell_tangents.h"
+#include <signorini/solid/stiffness_form.h>
 
 #include <memory>
 #include <vector>

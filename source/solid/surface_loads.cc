@@ -1,6 +1,7 @@
+#include "solid/surface_loads.h"
+
 #include "solid/not_finite.h"
 #include "solid/scalar_elements.h"
-#include "solid/surface_loads.h"
 
 #include <deal.II/hp/fe_values.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "mesh/mesh.h"
 #include <signorini/solid/boundary_conditions.h>
 #include <signorini/solid/model.h>
-#include "mesh/mesh.h"
 
 #include <deal.II/hp/fe_collection.h>
 

@@ -1,6 +1,6 @@
-#include <signorini/solid/thermal_expansion.h>
 #include "parameters/compiled_formula.h"
 #include <signorini/parameters/section.h>
+#include <signorini/solid/thermal_expansion.h>
 
 namespace Signorini
 {

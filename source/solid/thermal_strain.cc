@@ -1,4 +1,5 @@
 #include "solid/thermal_strain.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>

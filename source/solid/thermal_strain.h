@@ -1,9 +1,9 @@
 #pragma once
 
-#include <signorini/solid/model.h>
-#include <signorini/solid/thermal_expansion.h>
 #include "linear_algebra/types.h"
 #include "mesh/mesh.h"
+#include <signorini/solid/model.h>
+#include <signorini/solid/thermal_expansion.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/hp/fe_values.h>

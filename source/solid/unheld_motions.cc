@@ -1,8 +1,9 @@
+#include "solid/unheld_motions.h"
+
+#include "geometry/cell_size.h"
+#include "linear_algebra/dense.h"
 #include "solid/cell_nodes.h"
 #include "solid/rigid_body_modes.h"
-#include "solid/unheld_motions.h"
-#include "linear_algebra/dense.h"
-#include "geometry/cell_size.h"
 
 #include <algorithm>
 #include <cmath>

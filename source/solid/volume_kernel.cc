@@ -1,6 +1,7 @@
+#include "solid/volume_kernel.h"
+
 #include "solid/gradient_at_point.h"
 #include "solid/scalar_elements.h"
-#include "solid/volume_kernel.h"
 
 #include <cmath>
 

@@ -1,6 +1,7 @@
-#include "solid/rigid_body_modes.h"
-#include "multigrid/make_levels.h"
 #include "solver/bodies_hierarchy.h"
+
+#include "multigrid/make_levels.h"
+#include "solid/rigid_body_modes.h"
 
 namespace Signorini
 {

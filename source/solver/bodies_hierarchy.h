@@ -1,8 +1,8 @@
 #pragma once
 
 #include "solid/elasticity.h"
-#include <signorini/solver/linear_solver_settings.h>
 #include "solver/preconditioners/hierarchy.h"
+#include <signorini/solver/linear_solver_settings.h>
 
 #include <functional>
 #include <memory>

@@ -1,9 +1,10 @@
+#include "solver/bulk_balance.h"
+
+#include "linear_algebra/sparsity_pattern.h"
 #include "solid/cell_nodes.h"
 #include "solid/obeying.h"
-#include "linear_algebra/sparsity_pattern.h"
-#include <signorini/parameters/raw.h>
-#include "solver/bulk_balance.h"
 #include "solver/folded_cells.h"
+#include <signorini/parameters/raw.h>
 
 #include <set>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/contact/methods/method.h>
 #include "solver/newton.h"
+#include <signorini/contact/methods/method.h>
 
 namespace Signorini
 {

@@ -1,7 +1,8 @@
+#include "solver/contact_system.h"
+
 #include "base/interruption.h"
 #include "linear_algebra/row_view.h"
 #include "linear_algebra/values.h"
-#include "solver/contact_system.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/laws/contact_law.h"
-#include "solid/stiffness.h"
 #include "linear_algebra/columns.h"
+#include "solid/stiffness.h"
 #include "solver/bulk_equations.h"
 #include "solver/free_motions.h"
 

@@ -1,8 +1,9 @@
+#include "solver/finite_bodies.h"
+
 #include "solid/cell_nodes.h"
 #include "solid/obeying.h"
-#include <signorini/parameters/raw.h>
-#include "solver/finite_bodies.h"
 #include "solver/folded_cells.h"
+#include <signorini/parameters/raw.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "linear_algebra/dense.h"
 #include "solver/free_motions.h"
+
+#include "linear_algebra/dense.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
+#include "solver/linear_reference.h"
+
 #include "contact/laws/normal_contact.h"
 #include "matrix_free/make_stiffness.h"
 #include "solver/bulk_balance.h"
-#include "solver/linear_reference.h"
 
 #include <deal.II/base/timer.h>
 

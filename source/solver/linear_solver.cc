@@ -1,8 +1,9 @@
-#include "linear_algebra/direct_solver.h"
-#include "parameters/text.h"
 #include "solver/linear_solver.h"
+
+#include "linear_algebra/direct_solver.h"
 #include "solver/preconditioners/bulk_schur.h"
 #include "solver/preconditioners/schur_complement.h"
+#include <signorini/base/text.h>
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>

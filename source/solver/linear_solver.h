@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/solver_failure.h"
 #include "solver/bodies_hierarchy.h"
 #include "solver/preconditioner.h"
-#include "base/solver_failure.h"
 
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/solver_control.h>

@@ -1,7 +1,7 @@
-#include <signorini/parameters/section.h>
-#include <signorini/solver/linear_solver_settings.h>
 #include "solver/preconditioner.h"
 #include "solver/preconditioners/schur_complement.h"
+#include <signorini/parameters/section.h>
+#include <signorini/solver/linear_solver_settings.h>
 
 namespace Signorini
 {

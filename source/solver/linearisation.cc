@@ -1,8 +1,9 @@
-#include "solid/cell_nodes.h"
+#include "solver/linearisation.h"
+
 #include "linear_algebra/diagonal.h"
 #include "matrix_free/tangent_stiffness.h"
+#include "solid/cell_nodes.h"
 #include "solver/folded_cells.h"
-#include "solver/linearisation.h"
 
 namespace Signorini
 {

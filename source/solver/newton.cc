@@ -1,7 +1,8 @@
-#include "parameters/text.h"
-#include "solver/line_search.h"
 #include "solver/newton.h"
+
+#include "solver/line_search.h"
 #include "solver/step_length.h"
+#include <signorini/base/text.h>
 
 #include <cmath>
 

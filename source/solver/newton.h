@@ -4,8 +4,8 @@
 #include "solver/balance.h"
 #include "solver/dual_solution.h"
 #include "solver/linear_solver.h"
-#include <signorini/solver/newton_settings.h>
 #include "solver/set_strategy.h"
+#include <signorini/solver/newton_settings.h>
 
 #include <functional>
 

@@ -1,5 +1,6 @@
-#include "solver/linear_solver.h"
 #include "solver/preconditioner.h"
+
+#include "solver/linear_solver.h"
 #include "solver/preconditioners/block.h"
 #include "solver/preconditioners/contact_filter.h"
 #include "solver/preconditioners/direct.h"

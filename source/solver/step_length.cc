@@ -1,5 +1,6 @@
-#include "base/interruption.h"
 #include "solver/step_length.h"
+
+#include "base/interruption.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
+#include "solver/zone_solver.h"
+
 #include "linear_algebra/row_view.h"
 #include "linear_algebra/sparsity_pattern.h"
 #include "linear_algebra/values.h"
 #include "solver/linear_solver.h"
-#include "solver/zone_solver.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
-#include <signorini/solid/model.h>
-#include "fields/peak.h"
 #include "verdict/checks.h"
+
+#include "fields/peak.h"
+#include <signorini/solid/model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -252,8 +253,8 @@ namespace Signorini
                  const nlohmann::ordered_json &results,
                  const double                  largest_force)
   {
-    const Scene<dim> &scene = decisions.scene;
-    constexpr double rounding = 1e-6; // of elastic forces that are in balance inside of bodies
+    const Scene<dim> &scene    = decisions.scene;
+    constexpr double  rounding = 1e-6; // of elastic forces that are in balance inside of bodies
     // Iterations end where they do not count beside a target.
     double small = 1e-5;
     if (scene.goals.has_targets())

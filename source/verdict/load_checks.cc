@@ -1,6 +1,6 @@
 #include "contact/search/boundary_faces.h"
-#include <signorini/solid/model.h>
 #include "verdict/checks.h"
+#include <signorini/solid/model.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,6 +1,6 @@
-#include <signorini/solid/model.h>
-#include "parameters/text.h"
 #include "verdict/checks.h"
+#include <signorini/base/text.h>
+#include <signorini/solid/model.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

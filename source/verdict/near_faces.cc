@@ -1,7 +1,8 @@
-#include "solid/cell_nodes.h"
-#include "geometry/cell_size.h"
-#include <signorini/parameters/raw.h>
 #include "verdict/near_faces.h"
+
+#include "geometry/cell_size.h"
+#include "solid/cell_nodes.h"
+#include <signorini/parameters/raw.h>
 
 #include <deal.II/base/mpi.h>
 

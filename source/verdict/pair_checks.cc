@@ -1,10 +1,10 @@
 #include "contact/search/boundary_faces.h"
 #include "contact/search/reach.h"
 #include "contact/search/search.h"
-#include <signorini/solid/model.h>
 #include "fields/point_values.h"
-#include "parameters/text.h"
 #include "verdict/checks.h"
+#include <signorini/base/text.h>
+#include <signorini/solid/model.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -537,7 +537,7 @@ namespace Signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template std::vector<Finding> check_pairs(const Decisions<dim> &,                                    \
+  template std::vector<Finding> check_pairs(const Decisions<dim> &,                                \
                                             const Snapshot<dim> &,                                 \
                                             const std::vector<Extremes> &,                         \
                                             const nlohmann::ordered_json &,                        \

@@ -1,5 +1,6 @@
-#include "contact/search/boundary_faces.h"
 #include "verdict/symmetry_planes.h"
+
+#include "contact/search/boundary_faces.h"
 
 #include <cmath>
 

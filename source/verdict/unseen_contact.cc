@@ -3,10 +3,10 @@
 #include "contact/search/reach.h"
 #include "contact/search/search.h"
 #include "contact/search/self_contact.h"
-#include "parameters/text.h"
 #include "verdict/checks.h"
 #include "verdict/near_faces.h"
 #include "verdict/symmetry_planes.h"
+#include <signorini/base/text.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -467,11 +467,10 @@ namespace Signorini
           {
             // Where it holds another body, as the ground does, there may be a hole for this one.
             const Obstacle<dim> &obstacle = scene.obstacles[i];
-            const bool           is_used  = std::any_of(now.pairs.begin(),
-                                             now.pairs.end(),
-                                             [&](const ContactPair<dim> &pair) {
-                                               return scene.obstacle_of(pair) == &obstacle;
-                                             });
+            const bool           is_used =
+              std::any_of(now.pairs.begin(), now.pairs.end(), [&](const ContactPair<dim> &pair) {
+                return scene.obstacle_of(pair) == &obstacle;
+              });
             largest.take(overlap_of(configuration, a, obstacle, i, is_used, watched));
           }
         for (unsigned int i = 0; i < planes.size(); ++i)

@@ -1,5 +1,6 @@
-#include "contact/constraints/idle_pairs.h"
 #include "verdict/watched_surfaces.h"
+
+#include "contact/constraints/idle_pairs.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 #include "targets.h"
 
 #include "contact/obstacles/stl_file.h"
-#include "mesh_import/decks/import_deck.h"
 #include "mesh/mesh.h"
+#include "mesh_import/decks/import_deck.h"
 #include "parameters/compiled_formula.h"
-#include <signorini/parameters/section.h>
-#include <signorini/driver/run_scene.h>
 #include "scene/template.h"
+#include <signorini/driver/run_scene.h>
+#include <signorini/parameters/section.h>
 
 #include <unistd.h>
 

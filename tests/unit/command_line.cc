@@ -1,13 +1,13 @@
 // What the program prints without solving, and scenes as they are read.
 
 #include "contact/obstacles/shapes.h"
-#include <signorini/parameters/section.h>
-#include "parameters/text.h"
-#include <signorini/driver/run_scene.h>
 #include "scene/reference.h"
-#include <signorini/scene/scene.h>
 #include "scene/template.h"
 #include "solver/preconditioner.h"
+#include <signorini/base/text.h>
+#include <signorini/driver/run_scene.h>
+#include <signorini/parameters/section.h>
+#include <signorini/scene/scene.h>
 
 #include <doctest/doctest.h>
 #include <unistd.h>

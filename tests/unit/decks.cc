@@ -1,10 +1,10 @@
-#include "solid/cell_nodes.h"
-#include "solid/elasticity.h"
-#include "solid/resultant.h"
 #include "mesh_import/decks/import_deck.h"
 #include "mesh_import/formats/abaqus.h"
 #include "mesh_import/formats/rigid_motion.h"
 #include "mesh_import/pieces.h"
+#include "solid/cell_nodes.h"
+#include "solid/elasticity.h"
+#include "solid/resultant.h"
 #include <signorini/scene/scene.h>
 
 #include <sstream>

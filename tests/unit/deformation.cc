@@ -1,12 +1,12 @@
 // Bodies that deform by any amount: forces of cells, their tangents, small ones as a limit.
 
+#include "base/solver_failure.h"
+#include "materials/material_law.h"
 #include "solid/deformation_kernel.h"
 #include "solid/kernel.h"
-#include "materials/material_law.h"
 #include "solid/pressure_kernel.h"
 #include "solid/rigid_body_modes.h"
 #include "solver/finite_bodies.h"
-#include "base/solver_failure.h"
 
 #include <doctest/doctest.h>
 

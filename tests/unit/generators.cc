@@ -443,10 +443,13 @@ TEST_CASE("file: an octant of a ball with an exact sphere")
 
 TEST_CASE("file: one of two parts")
 {
-  const auto both =
-    generator<2>("file", {{"File", "two-blocks.msh"}, {"Coinciding nodes", "keep"}}, stored_mesh(""))->generate();
+  const auto both = generator<2>("file",
+                                 {{"File", "two-blocks.msh"}, {"Coinciding nodes", "keep"}},
+                                 stored_mesh(""))
+                      ->generate();
   const auto upper =
-    generator<2>("file", {{"File", "two-blocks.msh"}, {"Part", "upper"}}, stored_mesh(""))->generate();
+    generator<2>("file", {{"File", "two-blocks.msh"}, {"Part", "upper"}}, stored_mesh(""))
+      ->generate();
   CHECK(both.cells.size() == 7 * 3 + 5 * 2);
   CHECK(upper.cells.size() == 5 * 2);
   CHECK(upper.vertices.size() == 6 * 3);

@@ -1,6 +1,7 @@
 // Cell matrices and load vectors against an assembly with all indices, and against closed forms.
 
 #include "solid/kernel.h"
+
 #include "solid/stress.h"
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,7 +1,7 @@
 #include "contact/obstacles/stl_file.h"
 #include "mesh_import/mesh_file.h"
-#include <signorini/parameters/raw.h>
 #include "parameters/values.h"
+#include <signorini/parameters/raw.h>
 
 #include <chrono>
 #include <cstdlib>

@@ -1,13 +1,13 @@
 // Products without a matrix against the assembled matrix, on every kind of cell and constraint, and
 // the level of degree one against its Galerkin product.
 
-#include "solid/rigid_body_modes.h"
-#include "multigrid/make_levels.h"
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/row_view.h"
 #include "linear_algebra/values.h"
 #include "matrix_free/cell_stiffness.h"
 #include "matrix_free/instruction_sets.h"
+#include "multigrid/make_levels.h"
+#include "solid/rigid_body_modes.h"
 #include "solver/preconditioners/amg.h"
 
 #include <doctest/doctest.h>

@@ -2,8 +2,8 @@
 // the pair is stable.
 
 #include "driver/body_setup.h"
-#include "solid/rigid_body_modes.h"
 #include "linear_algebra/direct_solver.h"
+#include "solid/rigid_body_modes.h"
 #include "solver/finite_bodies.h"
 
 #include <doctest/doctest.h>

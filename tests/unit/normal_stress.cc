@@ -2,6 +2,7 @@
 // of a pressure.
 
 #include "contact/traction/normal_stress.h"
+
 #include "solid/kernel.h"
 #include "solid/rigid_body_modes.h"
 

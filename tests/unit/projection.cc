@@ -1,5 +1,6 @@
-#include "contact/search/face_patch.h"
 #include "contact/search/projection.h"
+
+#include "contact/search/face_patch.h"
 
 #include <deal.II/base/qprojector.h>
 #include <deal.II/base/quadrature_lib.h>

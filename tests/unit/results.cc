@@ -1,8 +1,8 @@
 // What a run leaves behind against doc/guide/results.md: nothing undocumented, nothing documented
 // that is not there; and the stress in all its forms against closed forms.
+#include "driver/simulation.h"
 #include "mesh_import/formats/vtu_data.h"
 #include <signorini/parameters/section.h>
-#include "driver/simulation.h"
 
 #include <doctest/doctest.h>
 #include <unistd.h>

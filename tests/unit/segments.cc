@@ -1,5 +1,6 @@
-#include "contact/interface/pairing.h"
 #include "contact/search/segments.h"
+
+#include "contact/interface/pairing.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

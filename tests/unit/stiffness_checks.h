@@ -1,9 +1,9 @@
 // A stiffness without a matrix, or a level of multigrid, against what it stands for.
 #pragma once
 
-#include "multigrid/level.h"
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/values.h"
+#include "multigrid/level.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-#include <signorini/contact/obstacles/obstacle.h>
 #include "contact/obstacles/triangle_surface.h"
+#include <signorini/contact/obstacles/obstacle.h>
 
 #include <cstdint>
 #include <random>

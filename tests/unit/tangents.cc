@@ -1,10 +1,10 @@
 // Tangents of large deformation without a matrix, by the points of integration, their means over
 // cells, and those of coarser meshes.
 
-#include "solid/rigid_body_modes.h"
-#include "multigrid/make_levels.h"
 #include "matrix_free/instruction_sets.h"
 #include "matrix_free/tangent_stiffness.h"
+#include "multigrid/make_levels.h"
+#include "solid/rigid_body_modes.h"
 #include "solver/finite_bodies.h"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
 // Thermal strain against closed forms: free bodies, held bodies, normal stresses at contact points.
 
 #include "contact/laws/normal_contact.h"
+#include "mesh_import/mesh_file.h"
 #include "solid/rigid_body_modes.h"
 #include "solid/stress.h"
-#include "mesh_import/mesh_file.h"
 
 #include <doctest/doctest.h>
 

@@ -3,10 +3,10 @@
 #include "accuracy/cell_errors.h"
 #include "accuracy/enrichment.h"
 #include "accuracy/refinement.h"
-#include "driver/body_setup.h"
 #include "checkpoint/cells.h"
-#include "solid/cell_nodes.h"
+#include "driver/body_setup.h"
 #include "driver/state.h"
+#include "solid/cell_nodes.h"
 
 #include <doctest/doctest.h>
 
@@ -222,7 +222,7 @@ namespace
     CHECK(growth_of_enrichment(*scene.mesh, {}) == 1);
     CHECK(growth_of_enrichment(*scene.mesh, {0, 1}) == std::pow(2, dim));
 
-    const auto before            = std::move(scene.elasticity);
+    const auto before = std::move(scene.elasticity);
     scene.decisions.raise_degree(0);
     scene.mesh->set_degrees(scene.decisions.degrees);
     scene.elasticity = make_elasticity(scene.decisions, *scene.mesh);

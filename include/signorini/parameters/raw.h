@@ -1,23 +1,14 @@
 #pragma once
 
+#include <signorini/base/scene_error.h>
+#include <signorini/base/text.h>
+
 #include <deque>
-#include <stdexcept>
+#include <iosfwd>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace Signorini
 {
-  /// Something that the user asked for and that cannot be done: a bad scene file, command line or
-  /// mesh file. The message names the key, its value, where it was set, and the cure. All ranks
-  /// throw it alike, because all ranks read the same input. What files have that nobody can read,
-  /// control characters and endless words, is not in it.
-  class SceneError : public std::runtime_error
-  {
-  public:
-    explicit SceneError(const std::string &message);
-  };
-
   /// A scene file as it was written: sections and values with the place where each was set, not yet
   /// interpreted. Syntax: `subsection NAME`, `set KEY = VALUE`, `end`, comments after `#`, a
   /// trailing
@@ -58,18 +49,7 @@ namespace Signorini
   void
   override_value(RawSection &root, const std::string &assignment);
 
-  /// The candidate that is spelt most like the given word, or an empty string if none is close.
-  std::string
-  nearest(const std::string &word, const std::vector<std::string> &candidates);
-
-  /// "a, b, c"
-  std::string
-  join(const std::vector<std::string> &words, const std::string &separator = ", ");
-
-  /// Split at the separator and trim; an empty text has no parts.
-  std::vector<std::string>
-  split(const std::string &text, char separator);
-
-  std::string
-  trim(const std::string &text);
+  /// Read a scene from a stream; `name` stands for the file in messages.
+  RawSection
+  read_raw(std::istream &in, const std::string &name);
 } // namespace Signorini

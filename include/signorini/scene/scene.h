@@ -5,9 +5,6 @@
 #include <signorini/accuracy/refinement_settings.h>
 #include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/pair.h>
-#include <signorini/solid/boundary_conditions.h>
-#include <signorini/solid/model.h>
-#include <signorini/solid/thermal_expansion.h>
 #include <signorini/mesh/body_mesh.h>
 #include <signorini/mesh/mesh_settings.h>
 #include <signorini/parameters/raw.h>
@@ -15,6 +12,9 @@
 #include <signorini/scene/expected_result.h>
 #include <signorini/scene/load_steps.h>
 #include <signorini/scene/output_settings.h>
+#include <signorini/solid/boundary_conditions.h>
+#include <signorini/solid/model.h>
+#include <signorini/solid/thermal_expansion.h>
 #include <signorini/solver/linear_solver_settings.h>
 #include <signorini/solver/newton_settings.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/solid/rigid_pose.h>
 #include <signorini/parameters/expression.h>
+#include <signorini/solid/rigid_pose.h>
 
 #include <deal.II/base/bounding_box.h>
 

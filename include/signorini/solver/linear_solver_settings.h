@@ -1,8 +1,8 @@
 #pragma once
 
-#include <signorini/solid/stiffness_form.h>
 #include <signorini/linear_algebra/direct_library.h>
 #include <signorini/parameters/choices.h>
+#include <signorini/solid/stiffness_form.h>
 
 #include <optional>
 #include <string>

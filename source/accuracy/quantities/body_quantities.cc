@@ -1,9 +1,9 @@
 #include "accuracy/quantities/kinds.h"
+#include "fields/contact_force.h"
+#include "fields/probes.h"
 #include "solid/cell_nodes.h"
 #include "solid/reactions.h"
 #include "solid/stress.h"
-#include "fields/contact_force.h"
-#include "fields/probes.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 #include "accuracy/quantities/kinds.h"
-#include <signorini/solid/model.h>
 #include "fields/contact_patch.h"
 #include "fields/nodal_fields.h"
 #include "fields/peak.h"
 #include "fields/probes.h"
 #include "fields/recovered_pressure.h"
 #include "fields/surface_probes.h"
+#include <signorini/solid/model.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "contact/constraints/contact_rows.h"
+
 #include "contact/search/bytes.h"
 
 #include <deal.II/base/mpi.h>

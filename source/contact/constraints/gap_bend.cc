@@ -1,4 +1,5 @@
 #include "contact/constraints/gap_bend.h"
+
 #include "contact/search/vectors_across.h"
 
 #include <cmath>

@@ -1,16 +1,17 @@
-#include "contact/constraints/contact_rows.h"
-#include "contact/traction/face_matrices.h"
 #include "contact/constraints/gap_operator.h"
+
+#include "contact/constraints/contact_rows.h"
 #include "contact/constraints/shared_places.h"
-#include "contact/traction/stress_of_fields.h"
 #include "contact/constraints/tangents.h"
 #include "contact/constraints/tied_columns.h"
-#include <signorini/contact/methods/method.h>
-#include "solid/cell_nodes.h"
-#include "solid/resultant.h"
+#include "contact/traction/face_matrices.h"
+#include "contact/traction/stress_of_fields.h"
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/entries.h"
 #include "linear_algebra/sparsity_pattern.h"
+#include "solid/cell_nodes.h"
+#include "solid/resultant.h"
+#include <signorini/contact/methods/method.h>
 
 #include <algorithm>
 #include <cmath>

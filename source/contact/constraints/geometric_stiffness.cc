@@ -1,4 +1,5 @@
 #include "contact/constraints/geometric_stiffness.h"
+
 #include "contact/constraints/pressed_points.h"
 #include "linear_algebra/ghost_exchange.h"
 #include "linear_algebra/values.h"

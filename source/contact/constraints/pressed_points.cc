@@ -1,4 +1,5 @@
 #include "contact/constraints/pressed_points.h"
+
 #include "contact/constraints/tangents.h"
 
 #include <deal.II/lac/full_matrix.h>

@@ -1,4 +1,5 @@
 #include "contact/constraints/pressure_basis.h"
+
 #include "linear_algebra/dense.h"
 
 #include <algorithm>

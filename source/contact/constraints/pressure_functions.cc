@@ -1,8 +1,9 @@
 #include "contact/constraints/pressure_functions.h"
-#include <signorini/contact/methods/method.h>
-#include "solid/cell_nodes.h"
-#include <signorini/solid/model.h>
+
 #include "mesh/face_nodes.h"
+#include "solid/cell_nodes.h"
+#include <signorini/contact/methods/method.h>
+#include <signorini/solid/model.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

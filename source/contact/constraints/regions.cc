@@ -1,4 +1,5 @@
 #include "contact/constraints/regions.h"
+
 #include "contact/search/bytes.h"
 #include "geometry/connected.h"
 

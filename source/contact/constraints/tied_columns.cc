@@ -1,4 +1,5 @@
 #include "contact/constraints/tied_columns.h"
+
 #include "linear_algebra/columns.h"
 #include "linear_algebra/entries.h"
 #include "linear_algebra/row_view.h"

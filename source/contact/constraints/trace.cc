@@ -1,7 +1,8 @@
 #include "contact/constraints/trace.h"
-#include "solid/cell_nodes.h"
-#include "mesh/face_nodes.h"
+
 #include "geometry/face_parameter.h"
+#include "mesh/face_nodes.h"
+#include "solid/cell_nodes.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

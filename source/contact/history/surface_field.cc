@@ -1,6 +1,7 @@
-#include "mesh/cells_by_name.h"
-#include "geometry/lagrange.h"
 #include "contact/history/surface_field.h"
+
+#include "geometry/lagrange.h"
+#include "mesh/cells_by_name.h"
 
 #include <deal.II/base/geometry_info.h>
 

@@ -1,8 +1,9 @@
 #include "contact/interface/contact_points.h"
+
 #include "contact/constraints/gap_bend.h"
 #include "contact/traction/stress_bounds.h"
-#include <signorini/contact/methods/method.h>
 #include "geometry/lagrange.h"
+#include <signorini/contact/methods/method.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

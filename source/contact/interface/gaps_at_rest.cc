@@ -1,5 +1,6 @@
-#include "contact/interface/contact_points.h"
 #include "contact/interface/gaps_at_rest.h"
+
+#include "contact/interface/contact_points.h"
 
 #include <algorithm>
 #include <cmath>

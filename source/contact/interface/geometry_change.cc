@@ -1,4 +1,5 @@
 #include "contact/interface/geometry_change.h"
+
 #include "contact/constraints/openings.h"
 #include "contact/search/boundary_faces.h"
 #include "contact/search/self_contact.h"

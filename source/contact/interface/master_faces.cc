@@ -1,5 +1,6 @@
-#include "contact/constraints/gap_bend.h"
 #include "contact/interface/master_faces.h"
+
+#include "contact/constraints/gap_bend.h"
 #include "contact/traction/stress_bounds.h"
 
 #include <memory>

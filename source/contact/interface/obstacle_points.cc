@@ -1,5 +1,6 @@
-#include "contact/constraints/gap_bend.h"
 #include "contact/interface/obstacle_points.h"
+
+#include "contact/constraints/gap_bend.h"
 #include "contact/constraints/trace.h"
 
 #include <algorithm>

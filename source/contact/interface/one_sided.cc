@@ -1,22 +1,23 @@
+#include "contact/interface/one_sided.h"
+
+#include "base/solver_failure.h"
+#include "contact/constraints/openings.h"
+#include "contact/constraints/pressure_functions.h"
+#include "contact/constraints/tangents.h"
 #include "contact/interface/candidates.h"
 #include "contact/interface/contact_points.h"
 #include "contact/interface/gaps_at_rest.h"
 #include "contact/interface/master_faces.h"
 #include "contact/interface/obstacle_points.h"
-#include "contact/interface/one_sided.h"
-#include "contact/constraints/openings.h"
-#include "contact/constraints/pressure_functions.h"
 #include "contact/interface/seams.h"
 #include "contact/interface/slave_faces.h"
 #include "contact/interface/surface_comparison.h"
-#include "contact/constraints/tangents.h"
 #include "contact/search/deep_overlap.h"
 #include "contact/search/reach.h"
 #include "contact/search/self_contact.h"
+#include <signorini/base/text.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/parameters/section.h>
-#include "parameters/text.h"
-#include "base/solver_failure.h"
 
 #include <algorithm>
 #include <cmath>

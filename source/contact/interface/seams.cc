@@ -1,4 +1,5 @@
 #include "contact/interface/seams.h"
+
 #include "contact/constraints/trace.h"
 
 namespace Signorini

@@ -1,5 +1,6 @@
-#include "contact/constraints/gap_bend.h"
 #include "contact/interface/segment_pairs.h"
+
+#include "contact/constraints/gap_bend.h"
 #include "contact/search/descent.h"
 #include "contact/search/local_faces.h"
 #include "contact/search/segments.h"

@@ -1,5 +1,6 @@
-#include "contact/interface/one_sided.h"
 #include "contact/interface/surface.h"
+
+#include "contact/interface/one_sided.h"
 #include <signorini/contact/methods/method.h>
 
 #include <utility>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "contact/interface/pairing.h"
 #include "contact/constraints/pressure_basis.h"
+#include "contact/interface/pairing.h"
 #include "contact/interface/sides.h"
 #include "contact/search/configuration.h"
+#include "solid/elasticity.h"
 #include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/pair.h>
-#include "solid/elasticity.h"
 
 #include <algorithm>
 #include <array>

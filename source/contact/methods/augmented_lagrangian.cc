@@ -1,4 +1,5 @@
 #include "contact/methods/augmented_lagrangian.h"
+
 #include <signorini/parameters/section.h>
 
 namespace Signorini

@@ -1,4 +1,5 @@
 #include "contact/methods/direct_elimination.h"
+
 #include <signorini/parameters/section.h>
 
 namespace Signorini

@@ -1,4 +1,5 @@
 #include "contact/methods/lagrange_multiplier.h"
+
 #include <signorini/parameters/section.h>
 
 namespace Signorini

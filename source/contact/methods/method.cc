@@ -2,10 +2,10 @@
 #include "contact/methods/augmented_lagrangian.h"
 #include "contact/methods/direct_elimination.h"
 #include "contact/methods/lagrange_multiplier.h"
-#include <signorini/contact/methods/method.h>
 #include "contact/methods/nitsche.h"
 #include "contact/methods/penalty.h"
 #include "contact/methods/perturbed_lagrangian.h"
+#include <signorini/contact/methods/method.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,4 +1,5 @@
 #include "contact/methods/nitsche.h"
+
 #include <signorini/parameters/section.h>
 
 #include <sstream>

@@ -1,4 +1,5 @@
 #include "contact/methods/penalty.h"
+
 #include <signorini/parameters/section.h>
 
 #include <cmath>

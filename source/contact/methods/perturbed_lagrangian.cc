@@ -1,4 +1,5 @@
 #include "contact/methods/perturbed_lagrangian.h"
+
 #include <signorini/parameters/section.h>
 
 namespace Signorini

@@ -1,5 +1,5 @@
-#include <signorini/contact/obstacles/obstacle.h>
 #include "contact/obstacles/shapes.h"
+#include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/exceptions.h>

@@ -1,6 +1,7 @@
 #include "contact/obstacles/stl_file.h"
+
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,5 @@
 #include "contact/obstacles/triangle_surface.h"
+
 #include "geometry/extent.h"
 #include <signorini/parameters/raw.h>
 

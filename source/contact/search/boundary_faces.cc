@@ -1,4 +1,5 @@
 #include "contact/search/boundary_faces.h"
+
 #include "contact/search/face_patches.h"
 #include "geometry/cell_size.h"
 #include "geometry/face_parameter.h"

@@ -1,4 +1,5 @@
 #include "contact/search/configuration.h"
+
 #include "solid/cell_nodes.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/search/face_patch.h"
-#include <signorini/contact/obstacles/obstacle.h>
 #include "solid/elasticity.h"
+#include <signorini/contact/obstacles/obstacle.h>
 
 #include <array>
 #include <map>

@@ -1,4 +1,5 @@
 #include "contact/search/deep_overlap.h"
+
 #include "contact/search/search.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include "contact/search/face_patch.h"
+
 #include "geometry/lagrange.h"
 
 #include <deal.II/base/exceptions.h>

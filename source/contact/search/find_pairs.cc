@@ -1,6 +1,7 @@
+#include "contact/search/find_pairs.h"
+
 #include "contact/search/face_patch.h"
 #include "contact/search/face_patches.h"
-#include "contact/search/find_pairs.h"
 #include "contact/search/search.h"
 #include <signorini/parameters/raw.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "mesh/mesh.h"
 #include <signorini/contact/obstacles/obstacle.h>
 #include <signorini/contact/pair.h>
-#include "mesh/mesh.h"
 
 #include <vector>
 

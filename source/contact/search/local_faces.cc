@@ -1,4 +1,5 @@
 #include "contact/search/local_faces.h"
+
 #include "contact/search/self_contact.h"
 #include "geometry/extent.h"
 

@@ -65,7 +65,7 @@ namespace Signorini
   ///   T_(n+a).d = (rigid_(n+a)).d                  of obstacles
   ///   T_(n+a).d = normal.du^M/dxi_a                of bodies
   ///
-  /// See contact/discretisation/gap_bend.h.
+  /// See contact/constraints/gap_bend.h.
   template <int dim>
   struct GapBend
   {

@@ -1,5 +1,6 @@
-#include "contact/search/descent.h"
 #include "contact/search/projection.h"
+
+#include "contact/search/descent.h"
 
 #include <algorithm>
 #include <array>

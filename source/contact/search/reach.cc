@@ -1,7 +1,8 @@
 #include "contact/search/reach.h"
-#include "solid/cell_nodes.h"
+
 #include "geometry/extent.h"
 #include "mesh/face_nodes.h"
+#include "solid/cell_nodes.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,6 @@
-#include "contact/search/local_faces.h"
 #include "contact/search/search.h"
+
+#include "contact/search/local_faces.h"
 #include "geometry/extent.h"
 
 #include <deal.II/base/exceptions.h>

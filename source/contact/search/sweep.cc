@@ -1,7 +1,8 @@
+#include "contact/search/sweep.h"
+
 #include "contact/search/boundary_faces.h"
 #include "contact/search/reach.h"
 #include "contact/search/search.h"
-#include "contact/search/sweep.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

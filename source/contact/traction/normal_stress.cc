@@ -1,9 +1,10 @@
 #include "contact/traction/normal_stress.h"
+
 #include "contact/search/face_patch.h"
+#include "geometry/lagrange.h"
+#include "linear_algebra/dense.h"
 #include "solid/cell_nodes.h"
 #include "solid/deformation.h"
-#include "linear_algebra/dense.h"
-#include "geometry/lagrange.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>

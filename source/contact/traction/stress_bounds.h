@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact/traction/normal_stress.h"
 #include "contact/search/boundary_faces.h"
+#include "contact/traction/normal_stress.h"
 
 #include <utility>
 #include <vector>

@@ -1,4 +1,5 @@
 #include "contact/traction/stress_of_fields.h"
+
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/sparsity_pattern.h"
 

@@ -1,4 +1,5 @@
 #include "mesh/generators/box.h"
+
 #include "geometry/memory.h"
 #include <signorini/parameters/section.h>
 

@@ -1,7 +1,8 @@
-#include "mesh/generators/circle_part.h"
 #include "mesh/generators/disc.h"
-#include "mesh/generators/octants.h"
+
 #include "geometry/round_manifold.h"
+#include "mesh/generators/circle_part.h"
+#include "mesh/generators/octants.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_generator.h>

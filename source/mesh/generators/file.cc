@@ -1,13 +1,14 @@
+#include "mesh/generators/file.h"
+
+#include "mesh_import/cells.h"
+#include "mesh_import/curved_cells.h"
 #include "mesh_import/division/chosen_cells.h"
 #include "mesh_import/division/collapsed_cells.h"
 #include "mesh_import/division/division.h"
 #include "mesh_import/division/merged_nodes.h"
-#include "mesh_import/cells.h"
-#include "mesh_import/curved_cells.h"
-#include "mesh/generators/file.h"
 #include "mesh_import/numbered_sets.h"
-#include "mesh_import/reconstruction/round_off.h"
 #include "mesh_import/pieces.h"
+#include "mesh_import/reconstruction/round_off.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -327,7 +328,7 @@ namespace Signorini
     if (file_exists(path))
       file = std::filesystem::absolute(path).lexically_normal(); // for the scene that is written
     std::vector<std::string> notes;
-    std::string key = "File";
+    std::string              key = "File";
     try
       {
         MeshFile all = read_mesh_file(path);
@@ -352,8 +353,7 @@ namespace Signorini
         nodes         = part.nodes;
         sets_of_cells = cell_sets_of(all, part);
         if (!part.touching_pieces.empty())
-          unless_pair =
-            place_of["File"] + ": mesh file '" + path + "' " + part.touching_pieces;
+          unless_pair = place_of["File"] + ": mesh file '" + path + "' " + part.touching_pieces;
 
         key          = "Temperature field";
         temperatures = temperatures_of(all, part, temperature_field);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <signorini/mesh/generator.h>
 #include "mesh_import/curved_boundary.h"
 #include "mesh_import/file_part.h"
+#include <signorini/mesh/generator.h>
 
 namespace Signorini
 {
@@ -101,10 +101,10 @@ namespace Signorini
     FileSelection
     divide(MeshFile &all, std::vector<std::string> &notes) const;
 
-    std::string   file, curved_text = "automatic", temperature_field;
-    std::string   node_set_text, face_set_text, cell_set_text;
-    FileSelection selection;
-    bool          mid_side_nodes = true;
+    std::string                        file, curved_text = "automatic", temperature_field;
+    std::string                        node_set_text, face_set_text, cell_set_text;
+    FileSelection                      selection;
+    bool                               mid_side_nodes = true;
     std::vector<CurvedBoundary<dim>>   surfaces; ///< those that `curved_text` names
     std::map<std::string, std::string> place_of; ///< keys, in the scene
 

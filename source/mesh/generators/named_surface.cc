@@ -1,4 +1,5 @@
 #include "mesh/generators/named_surface.h"
+
 #include <signorini/parameters/section.h>
 
 #include <algorithm>

@@ -1,7 +1,8 @@
-#include "mesh/generators/circle_part.h"
 #include "mesh/generators/ring.h"
+
 #include "geometry/memory.h"
 #include "geometry/round_manifold.h"
+#include "mesh/generators/circle_part.h"
 #include <signorini/parameters/section.h>
 
 #include <array>

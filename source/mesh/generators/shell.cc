@@ -1,7 +1,8 @@
-#include "mesh/generators/octants.h"
 #include "mesh/generators/shell.h"
+
 #include "geometry/memory.h"
 #include "geometry/round_manifold.h"
+#include "mesh/generators/octants.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_tools.h>

@@ -1,6 +1,7 @@
-#include "mesh/generators/octants.h"
 #include "mesh/generators/sphere.h"
+
 #include "geometry/round_manifold.h"
+#include "mesh/generators/octants.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/grid/grid_generator.h>

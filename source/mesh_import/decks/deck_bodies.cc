@@ -1,6 +1,6 @@
+#include "mesh_import/cells.h"
 #include "mesh_import/decks/scene_writer.h"
 #include "mesh_import/formats/abaqus_elements.h"
-#include "mesh_import/cells.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

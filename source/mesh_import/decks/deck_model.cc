@@ -1,4 +1,5 @@
 #include "mesh_import/decks/deck_model.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

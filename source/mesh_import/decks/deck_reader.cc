@@ -1,4 +1,5 @@
 #include "mesh_import/decks/deck_reader.h"
+
 #include "mesh_import/formats/abaqus_elements.h"
 #include <signorini/parameters/raw.h>
 

@@ -1,6 +1,7 @@
 #include "mesh_import/decks/history_groups.h"
+
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
 #include "mesh_import/decks/scene_text.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
+#include "mesh_import/decks/scene_writer.h"
+
 #include "mesh_import/decks/import_deck.h"
 #include "mesh_import/decks/scene_text.h"
-#include "mesh_import/decks/scene_writer.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

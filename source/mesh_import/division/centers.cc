@@ -1,6 +1,7 @@
-#include "mesh_import/division/cell_shape.h"
 #include "mesh_import/division/centers.h"
+
 #include "mesh_import/cells.h"
+#include "mesh_import/division/cell_shape.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

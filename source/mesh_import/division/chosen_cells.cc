@@ -1,7 +1,8 @@
+#include "mesh_import/division/chosen_cells.h"
+
 #include "geometry/connected.h"
 #include "mesh_import/division/cell_shape.h"
 #include "mesh_import/division/centers.h"
-#include "mesh_import/division/chosen_cells.h"
 
 namespace Signorini
 {

@@ -1,6 +1,7 @@
-#include "mesh_import/division/cell_shape.h"
 #include "mesh_import/division/collapsed_cells.h"
+
 #include "mesh_import/cells.h"
+#include "mesh_import/division/cell_shape.h"
 
 #include <algorithm>
 #include <set>

@@ -1,10 +1,11 @@
+#include "mesh_import/division/division.h"
+
+#include "mesh_import/cells.h"
 #include "mesh_import/division/cell_shape.h"
 #include "mesh_import/division/centers.h"
 #include "mesh_import/division/chosen_cells.h"
-#include "mesh_import/division/division.h"
 #include "mesh_import/division/shape_report.h"
 #include "mesh_import/division/tetrahedra.h"
-#include "mesh_import/cells.h"
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

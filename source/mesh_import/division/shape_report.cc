@@ -1,4 +1,5 @@
 #include "mesh_import/division/shape_report.h"
+
 #include "mesh_import/cells.h"
 #include <signorini/parameters/raw.h>
 

@@ -1,5 +1,6 @@
-#include "mesh_import/division/cell_shape.h"
 #include "mesh_import/division/tetrahedra.h"
+
+#include "mesh_import/division/cell_shape.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "mesh_import/division/cell_shape.h"
 #include "mesh_import/formats/abaqus_reader.h"
-#include "parameters/text.h"
+#include <signorini/base/text.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>

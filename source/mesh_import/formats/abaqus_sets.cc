@@ -1,6 +1,7 @@
 #include "mesh_import/formats/abaqus_sets.h"
+
 #include "geometry/memory.h"
-#include "parameters/text.h"
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,7 +1,8 @@
 #include "mesh_import/formats/gmsh.h"
+
 #include "mesh_import/formats/place.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,8 @@
 #include "mesh_import/formats/keyword_file.h"
+
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 #include <signorini/parameters/section.h>
-#include "parameters/text.h"
 
 #include <algorithm>
 #include <cctype>

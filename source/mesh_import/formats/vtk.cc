@@ -1,8 +1,9 @@
-#include "mesh_import/formats/place.h"
 #include "mesh_import/formats/vtk.h"
+
+#include "mesh_import/formats/place.h"
 #include "mesh_import/formats/vtk_cells.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
-#include "parameters/text.h"
 
 #include <algorithm>
 #include <cstdint>

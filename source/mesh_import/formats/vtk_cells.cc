@@ -1,4 +1,5 @@
 #include "mesh_import/formats/vtk_cells.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include "mesh_import/formats/vtk_cells.h"
 #include "mesh_import/formats/vtu.h"
+
+#include "mesh_import/formats/vtk_cells.h"
 #include "mesh_import/formats/vtu_data.h"
 #include <signorini/parameters/raw.h>
 

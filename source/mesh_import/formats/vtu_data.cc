@@ -1,4 +1,5 @@
 #include "mesh_import/formats/vtu_data.h"
+
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/utilities.h>

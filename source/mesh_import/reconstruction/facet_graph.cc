@@ -1,4 +1,5 @@
 #include "mesh_import/reconstruction/facet_graph.h"
+
 #include "mesh_import/reconstruction/facets.h"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
+#include "mesh_import/reconstruction/fitted_surface.h"
+
+#include "geometry/round_manifold.h"
 #include "linear_algebra/dense.h"
 #include "mesh_import/cells.h"
-#include "mesh_import/reconstruction/fitted_surface.h"
-#include "geometry/round_manifold.h"
-#include "parameters/text.h"
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <cmath>

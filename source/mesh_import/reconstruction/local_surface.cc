@@ -1,5 +1,6 @@
-#include "linear_algebra/dense.h"
 #include "mesh_import/reconstruction/local_surface.h"
+
+#include "linear_algebra/dense.h"
 
 #include <array>
 #include <cmath>

@@ -1,10 +1,11 @@
+#include "mesh_import/reconstruction/round_off.h"
+
 #include "geometry/cell_size.h"
 #include "mesh_import/cells.h"
 #include "mesh_import/reconstruction/round_faces.h"
-#include "mesh_import/reconstruction/round_off.h"
 #include "mesh_import/reconstruction/smooth_faces.h"
+#include <signorini/base/text.h>
 #include <signorini/parameters/section.h>
-#include "parameters/text.h"
 
 #include <algorithm>
 #include <map>

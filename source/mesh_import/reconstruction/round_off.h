@@ -1,7 +1,7 @@
 #pragma once
 
-#include <signorini/geometry/coarse_mesh.h>
 #include "mesh_import/file_part.h"
+#include <signorini/geometry/coarse_mesh.h>
 
 #include <deal.II/grid/tria.h>
 

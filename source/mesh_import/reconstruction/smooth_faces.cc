@@ -1,7 +1,8 @@
+#include "mesh_import/reconstruction/smooth_faces.h"
+
 #include "geometry/connected.h"
 #include "mesh_import/reconstruction/facets.h"
 #include "mesh_import/reconstruction/local_surface.h"
-#include "mesh_import/reconstruction/smooth_faces.h"
 
 #include <cmath>
 #include <map>

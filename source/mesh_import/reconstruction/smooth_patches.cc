@@ -1,6 +1,7 @@
+#include "mesh_import/reconstruction/smooth_patches.h"
+
 #include "geometry/connected.h"
 #include "mesh_import/reconstruction/facets.h"
-#include "mesh_import/reconstruction/smooth_patches.h"
 
 #include <array>
 #include <cmath>

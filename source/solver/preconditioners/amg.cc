@@ -1,5 +1,6 @@
-#include "linear_algebra/values.h"
 #include "solver/preconditioners/amg.h"
+
+#include "linear_algebra/values.h"
 #include "solver/preconditioners/largest_eigenvalue.h"
 
 #include <deal.II/base/mpi.h>

@@ -1,8 +1,9 @@
+#include "solver/preconditioners/amg_springs.h"
+
 #include "linear_algebra/columns.h"
 #include "linear_algebra/entries.h"
 #include "linear_algebra/row_view.h"
 #include "linear_algebra/values.h"
-#include "solver/preconditioners/amg_springs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "solver/linear_solver.h"
 #include "solver/preconditioners/block.h"
+
+#include "solver/linear_solver.h"
 
 namespace Signorini
 {

@@ -1,5 +1,6 @@
-#include "linear_algebra/values.h"
 #include "solver/preconditioners/bulk_schur.h"
+
+#include "linear_algebra/values.h"
 
 namespace Signorini
 {

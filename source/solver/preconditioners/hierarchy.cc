@@ -1,5 +1,6 @@
-#include "linear_algebra/smoothed_aggregation.h"
 #include "solver/preconditioners/hierarchy.h"
+
+#include "linear_algebra/smoothed_aggregation.h"
 
 namespace Signorini
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solid/stiffness.h"
 #include "multigrid/level.h"
+#include "solid/stiffness.h"
 
 #include <memory>
 #include <vector>
@@ -12,7 +12,7 @@ namespace Signorini
   /// joins nodes of two bodies.
   ///
   /// Below the stiffness itself there may be spaces of lower degree and on coarser meshes
-  /// (`levels/`). Below the last of them come those of smoothed aggregation, made by ML from the
+  /// (`multigrid/`). Below the last of them come those of smoothed aggregation, made by ML from the
   /// near-null-space, the rigid-body modes: translations alone cost half as many again, and the
   /// count then grows with the mesh.
   class Hierarchy

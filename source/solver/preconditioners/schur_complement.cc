@@ -1,7 +1,8 @@
+#include "solver/preconditioners/schur_complement.h"
+
 #include "linear_algebra/columns.h"
 #include "linear_algebra/row_view.h"
 #include "solver/linear_solver.h"
-#include "solver/preconditioners/schur_complement.h"
 #include "solver/zone_solver.h"
 
 #include <deal.II/lac/solver_cg.h>
