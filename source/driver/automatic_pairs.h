@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/mesh.h"
 #include <signorini/scene/scene.h>
 
 #include <deal.II/base/conditional_ostream.h>

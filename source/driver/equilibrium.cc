@@ -20,14 +20,14 @@ namespace Signorini
                                 TimerOutput                 &timer,
                                 ConditionalOStream          &out,
                                 std::function<StepVisitor()> watch)
-    : decisions(decisions)
+    : in_place(decisions.scene, elasticity, contact, state, timer, std::move(watch))
+    , decisions(decisions)
     , scene(decisions.scene)
     , elasticity(elasticity)
     , contact(contact)
     , state(state)
     , timer(timer)
     , out(out)
-    , in_place(scene, elasticity, contact, state, timer, std::move(watch))
     , my_follows(elasticity.is_finite())
   {}
 

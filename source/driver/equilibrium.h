@@ -27,18 +27,14 @@ namespace Signorini
                 dealii::ConditionalOStream  &out,
                 std::function<StepVisitor()> watch);
 
-    /// Look for contact where the surfaces are placed now.
+    /// Solves with contact as it is found where the surfaces are placed now.
+    EquilibriumInPlace<dim> in_place;
+
+    /// Look for contact there.
     void
     find_contact()
     {
       in_place.find_contact(my_follows);
-    }
-
-    /// Throws SceneError for motions that nothing can stop.
-    void
-    check_motions()
-    {
-      in_place.check_motions();
     }
 
     /// Solve at time t, starting from `state`, which becomes the solution. If there is none, it
@@ -51,33 +47,11 @@ namespace Signorini
     void
     set_state(const State &other, bool follows);
 
-    /// Pressure and active set of the state, as the last load step left them; find_contact() keeps
-    /// the pressure only.
-    void
-    recall_active_set()
-    {
-      in_place.recall_active_set();
-    }
-
     /// The mesh is another one, and the state carried over to it.
     void
     forget_mesh();
 
-    /// Newton's method, multigrid and all that they hold; the results stay.
-    void
-    release()
-    {
-      in_place.release();
-    }
-
     // Of the last solution:
-
-    /// Its reaction to changes, seen by a quantity. Collective.
-    DualSolution
-    dual(const Functional &functional)
-    {
-      return in_place.dual(functional);
-    }
 
     const NewtonReport &
     report() const
@@ -105,21 +79,6 @@ namespace Signorini
     neglected() const
     {
       return my_neglected;
-    }
-
-    // On this mesh so far:
-
-    unsigned int
-    multigrid_cycles() const
-    {
-      return in_place.multigrid_cycles();
-    }
-
-    /// Of this rank.
-    double
-    seconds() const
-    {
-      return in_place.seconds();
     }
 
   private:
@@ -179,7 +138,6 @@ namespace Signorini
     dealii::TimerOutput        &timer;
     dealii::ConditionalOStream &out;
 
-    EquilibriumInPlace<dim> in_place;
     LA::Vector              gap, active; ///< at the contact points; 1 or 0: closed or open
     bool                    my_follows = false;
     std::optional<double>   my_neglected;

@@ -102,7 +102,7 @@ namespace Signorini
   {
     if (!solver)
       make_solver();
-    solver->set_goal(goal);
+    solver->newton.set_goal(goal);
     clock.start();
     {
       TimerOutput::Scope scope(timer, "assembly");
@@ -115,10 +115,10 @@ namespace Signorini
     }
     elasticity.distribute(state.displacement);
     contact.set_time(t);
-    my_report = solver->solve(state.displacement, my_contact, watch());
+    my_report = solver->newton.solve(state.displacement, my_contact, watch());
     elasticity.distribute(state.displacement);
     ContactState now  = my_contact;
-    now.internal      = solver->internal(state.displacement, my_contact);
+    now.internal      = solver->newton.internal(state.displacement, my_contact);
     state.contact     = places_of_rows(contact.gap_operator(), now, dim);
     state.bulk_stress = elasticity.bulk_stress().coefficients();
     clock.stop();
@@ -208,11 +208,11 @@ namespace Signorini
     constexpr double   reduction = 1e-3; // what recovery makes of it is not better
     TimerOutput::Scope scope(timer, "dual");
     clock.start();
-    const DualSolution result = solver->dual(state.displacement,
-                                             my_contact,
-                                             functional.of_displacement,
-                                             functional.of_pressure,
-                                             reduction);
+    const DualSolution result = solver->newton.dual(state.displacement,
+                                                    my_contact,
+                                                    functional.of_displacement,
+                                                    functional.of_pressure,
+                                                    reduction);
     clock.stop();
     return result;
   }
@@ -248,7 +248,7 @@ namespace Signorini
   {
     had_curved_down = has_curved_down();
     if (solver)
-      former_cycles += solver->multigrid_cycles();
+      former_cycles += solver->linear_solver.multigrid_cycles();
     solver.reset(); // it refers to what is replaced
   }
 

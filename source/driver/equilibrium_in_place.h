@@ -97,14 +97,14 @@ namespace Signorini
     bool
     curves_down(const LA::Vector &u)
     {
-      return solver && solver->curves_down(u, my_contact);
+      return solver && solver->newton.curves_down(u, my_contact);
     }
 
     /// So was one on the way, since go_on_from().
     bool
     has_curved_down() const
     {
-      return had_curved_down || (solver && solver->has_curved_down());
+      return had_curved_down || (solver && solver->linear_solver.has_curved_down());
     }
 
     /// Its reaction to changes, seen by a quantity. Collective.
@@ -116,7 +116,7 @@ namespace Signorini
     unsigned int
     multigrid_cycles() const
     {
-      return former_cycles + (solver ? solver->multigrid_cycles() : 0);
+      return former_cycles + (solver ? solver->linear_solver.multigrid_cycles() : 0);
     }
 
     /// Of this rank.

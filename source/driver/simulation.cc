@@ -123,7 +123,7 @@ namespace Signorini
             report_set_up();
           }
         if (position.step > 0) // as it was between two load steps
-          equilibrium->recall_active_set();
+          equilibrium->in_place.recall_active_set();
         reach();
         run_load_history();
         if (report().converged && !scene.goals.quantities.empty())
@@ -219,7 +219,7 @@ namespace Signorini
                           contact->left_out());
     if (position.cycle > 0 || is_restored)
       return;
-    equilibrium->check_motions();
+    equilibrium->in_place.check_motions();
     check_wanted();
     TimerOutput::Scope scope(timer, "preflight");
     const Json         report = Signorini::preflight(
@@ -307,7 +307,7 @@ namespace Signorini
     nothing.displacement = elasticity->zero_vector();
     nothing.contact      = SurfaceField(dim);
     equilibrium->set_state(nothing, equilibrium->follows());
-    equilibrium->recall_active_set();
+    equilibrium->in_place.recall_active_set();
     Position start;
     start.longest = end / 2;
     return follow_loads(tolerance, start, [&](auto) {
@@ -393,7 +393,10 @@ namespace Signorini
     TimerOutput::Scope scope(timer, "output");
     recorder->add_contact_geometry(equilibrium->neglected(), equilibrium->follows());
     recorder->add_deformation(neglected_work, elasticity->is_finite());
-    recorder->add_step(equilibrium->snapshot(step),
+    const Snapshot<dim> now = equilibrium->snapshot(step);
+    if (after_step)
+      after_step(now);
+    recorder->add_step(now,
                        report(),
                        multigrid_cycles(),
                        std::exchange(of_step, {}));
@@ -405,7 +408,7 @@ namespace Signorini
   unsigned int
   Simulation<dim>::multigrid_cycles() const
   {
-    return former_cycles + equilibrium->multigrid_cycles();
+    return former_cycles + equilibrium->in_place.multigrid_cycles();
   }
 
 
@@ -414,7 +417,7 @@ namespace Signorini
   double
   Simulation<dim>::mesh_seconds() const
   {
-    return former_seconds + Utilities::MPI::max(equilibrium->seconds(), comm);
+    return former_seconds + Utilities::MPI::max(equilibrium->in_place.seconds(), comm);
   }
 
 
@@ -425,7 +428,7 @@ namespace Signorini
   {
     const double          seconds = mesh_seconds(), cycles = multigrid_cycles();
     const LinearReference linear = [&]() {
-      equilibrium->release(); // looks at the stiffness matrix
+      equilibrium->in_place.release(); // looks at the stiffness matrix
       TimerOutput::Scope scope(timer, "linear reference");
       return solve_without_contact(*elasticity, scene.solver, scene.newton.tolerance);
     }();

@@ -47,6 +47,9 @@ namespace Signorini
     ExitCode
     run();
 
+    /// Called after each load step of the last mesh, if it is not empty. Collective.
+    std::function<void(const Snapshot<dim> &)> after_step;
+
   private:
     // In the order in which they happen.
     ExitCode

@@ -83,7 +83,7 @@ namespace Signorini
     reached.reset(); // it belongs to the mesh
     former_cycles  = 0;
     former_seconds = 0;
-    equilibrium->release();
+    equilibrium->in_place.release();
     if (next_quadratic.empty())
       {
         std::vector<LA::Vector *> displacements = {&state.displacement};
@@ -279,7 +279,7 @@ namespace Signorini
     for (const QuantityName &name : decisions.quantities())
       {
         functionals.push_back(functional(name, now, scene.output.probes));
-        duals.push_back(equilibrium->dual(functionals.back()));
+        duals.push_back(equilibrium->in_place.dual(functionals.back()));
       }
     TimerOutput::Scope scope(timer, "estimate");
     const Predictor    predictor = scene.contact.chosen().predictor();

@@ -42,7 +42,7 @@ namespace Signorini
     other->setup(t);
     const State carried = state;
     replace_elasticity(std::move(other), carried, equilibrium->follows(), contact->memory());
-    equilibrium->recall_active_set();
+    equilibrium->in_place.recall_active_set();
   }
 
 

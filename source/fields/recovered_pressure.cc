@@ -389,16 +389,20 @@ namespace Signorini
 
 
   template <int dim>
-  LA::Vector
+  const LA::Vector &
   recovered_pressure(const Snapshot<dim> &s, const unsigned int pair)
   {
+    const auto [place, is_new] = s.recovered->try_emplace(pair);
+    LA::Vector &result         = place->second;
+    if (!is_new)
+      return result;
     unsigned int degree = 0;
     for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
       degree = std::max(degree, face.degree);
-    const LA::Vector raw    = nodal_field(s, s.pressure, pair);
-    LA::Vector       result = Utilities::MPI::max(degree, s.elasticity.mesh().communicator()) < 2 ?
-                                raw :
-                                Recovery<dim>(s, pair).run();
+    const LA::Vector raw = nodal_field(s, s.pressure, pair);
+    result               = Utilities::MPI::max(degree, s.elasticity.mesh().communicator()) < 2 ?
+                             raw :
+                             Recovery<dim>(s, pair).run();
     extrapolate_to_held_nodes(s, pair, raw, result);
     to_present_areas(s, pair, result);
     return result;
@@ -406,8 +410,8 @@ namespace Signorini
 
 
 
-  template LA::Vector
+  template const LA::Vector &
   recovered_pressure(const Snapshot<2> &, unsigned int);
-  template LA::Vector
+  template const LA::Vector &
   recovered_pressure(const Snapshot<3> &, unsigned int);
 } // namespace Signorini

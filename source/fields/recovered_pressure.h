@@ -20,8 +20,8 @@ namespace Signorini
   /// cubic (Hermite) interpolants of values and gradients. All that takes a neighbourhood that is
   /// in contact as a whole; at the edge of the contact zone vertices have m, open nodes zero. Exact
   /// for linear pressures; of smooth ones, errors of the order h^4, at rims h^3,
-  /// at corners h^2. Collective.
+  /// at corners h^2. Computed once for each snapshot and pair. Collective.
   template <int dim>
-  LA::Vector
+  const LA::Vector &
   recovered_pressure(const Snapshot<dim> &snapshot, unsigned int pair);
 } // namespace Signorini

@@ -2,6 +2,8 @@
 
 #include "contact/laws/contact_state.h"
 
+#include <map>
+#include <memory>
 #include <vector>
 
 namespace Signorini
@@ -21,5 +23,8 @@ namespace Signorini
     const ContactState &contact_state;
     double              time;
     unsigned int        step;
+    /// By pairs: what recovered_pressure() has found so far. Copies share it.
+    std::shared_ptr<std::map<unsigned int, LA::Vector>> recovered =
+      std::make_shared<std::map<unsigned int, LA::Vector>>();
   };
 } // namespace Signorini

@@ -46,11 +46,11 @@ namespace Signorini
         const auto nodal = [&](const LA::Vector &values) {
           return snapshot.elasticity.with_ghosts(nodal_field(snapshot, values, pair));
         };
-        displacement               = snapshot.elasticity.with_ghosts(snapshot.displacement);
-        const LA::Vector recovered = recovered_pressure(snapshot, pair);
-        pressure                   = snapshot.elasticity.with_ghosts(recovered);
-        gap                        = nodal(snapshot.gap);
-        status                     = nodal(snapshot.active);
+        displacement                = snapshot.elasticity.with_ghosts(snapshot.displacement);
+        const LA::Vector &recovered = recovered_pressure(snapshot, pair);
+        pressure                    = snapshot.elasticity.with_ghosts(recovered);
+        gap                         = nodal(snapshot.gap);
+        status                      = nodal(snapshot.active);
         coverage = snapshot.elasticity.with_ghosts(nodal_coverage(snapshot, pair));
         for (const LA::Vector &normal : snapshot.contact.geometry.normal)
           {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solid/elasticity.h"
 #include <signorini/scene/scene.h>
 
 namespace Signorini

@@ -35,7 +35,7 @@ namespace Signorini
       std::vector<double> numbers;
       const IndexSet      rows  = snapshot.pressure.locally_owned_elements();
       auto                row   = rows.begin();
-      const LA::Vector    nodal = recovered_pressure(snapshot, pair);
+      const LA::Vector   &nodal = recovered_pressure(snapshot, pair);
       for (unsigned int k = 0; k < contact.origin.pair.size(); ++k, ++row)
         if (contact.origin.pair[k] == pair)
           {

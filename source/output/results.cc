@@ -125,7 +125,7 @@ namespace Signorini
             sums.minus_gap       = std::max(sums.minus_gap, -g);
             sums.complementarity = std::max(sums.complementarity, std::abs(p * g));
           }
-      const LA::Vector nodal = recovered_pressure(s, pair);
+      const LA::Vector &nodal = recovered_pressure(s, pair);
       for (const auto i : nodal.locally_owned_elements())
         sums.tension = std::max(sums.tension, -nodal(i));
       sums.patch     = contact_patch(s, pair, nodal);

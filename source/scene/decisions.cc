@@ -133,7 +133,7 @@ namespace Signorini
         const bool is_mixed = has_pressure_field[body][result.size()];
         result.push_back(*material);
         result.back().is_mixed = is_mixed;
-        if (finite_strain)
+        if (finite_strain && !material->constitutive_law)
           result.back().constitutive_law = law_of(*material).make(result.back());
       }
     return result;

@@ -7,9 +7,8 @@ namespace Signorini
 {
   /// All that Newton's method needs for contact as it was found: the law, the linear system of
   /// bodies and law, its solver. Goes when contact is looked for again.
-  class ContactSolver
+  struct ContactSolver
   {
-  public:
     /// Refers to bodies, contact, hierarchies and timer.
     ContactSolver(const NewtonSettings       &newton_settings,
                   const LinearSolverSettings &linear_settings,
@@ -29,62 +28,9 @@ namespace Signorini
       , newton(newton_settings, bodies, *law, system, linear_solver)
     {}
 
-    /// See Newton::solve().
-    NewtonReport
-    solve(LA::Vector &u, ContactState &contact, const StepVisitor &visit)
-    {
-      return newton.solve(u, contact, visit);
-    }
-
-    /// See Newton::internal().
-    InternalFields
-    internal(const LA::Vector &u, const ContactState &contact) const
-    {
-      return newton.internal(u, contact);
-    }
-
-    /// Of Newton's method, from then on.
-    void
-    set_goal(const NewtonGoal &goal)
-    {
-      newton.set_goal(goal);
-    }
-
-    /// See Newton::dual().
-    DualSolution
-    dual(const LA::Vector   &u,
-         const ContactState &contact,
-         const LA::Vector   &of_displacement,
-         const LA::Vector   &of_pressure,
-         const double        reduction)
-    {
-      return newton.dual(u, contact, of_displacement, of_pressure, reduction);
-    }
-
-    /// See Newton::curves_down().
-    bool
-    curves_down(const LA::Vector &u, const ContactState &contact)
-    {
-      return newton.curves_down(u, contact);
-    }
-
-    /// See LinearSolver::has_curved_down().
-    bool
-    has_curved_down() const
-    {
-      return linear_solver.has_curved_down();
-    }
-
-    unsigned int
-    multigrid_cycles() const
-    {
-      return linear_solver.multigrid_cycles();
-    }
-
-  private:
-    std::unique_ptr<ContactLaw> law;
-    ContactSystem               system;
-    LinearSolver                linear_solver;
-    Newton                      newton;
+    const std::unique_ptr<ContactLaw> law;
+    ContactSystem                     system;
+    LinearSolver                      linear_solver;
+    Newton                            newton;
   };
 } // namespace Signorini

@@ -49,7 +49,7 @@ namespace
     ContactState       state  = open_contact(problem.contact);
     u                         = 0.;
     state.traction[0]         = 1e-3; // not a cold start, which would choose a better first set
-    const NewtonReport report = solver.solve(u, state, print_steps(out));
+    const NewtonReport report = solver.newton.solve(u, state, print_steps(out));
     CAPTURE(log.str());
     CHECK(report.converged);
     CHECK(report.steps.size() > 3);

@@ -201,7 +201,7 @@ TEST_CASE("bodies that stiffen: of second order, with contact, whatever solves t
                              silence.timer);
         const LA::Vector   linear = u;
         ContactState       state  = open_contact(scene.gap_operator());
-        const NewtonReport report = solver.solve(u, state, print_steps(silence.out));
+        const NewtonReport report = solver.newton.solve(u, state, print_steps(silence.out));
         CAPTURE(silence.log.str());
         CHECK(report.converged);
         elasticity.distribute(u);

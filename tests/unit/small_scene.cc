@@ -103,7 +103,7 @@ namespace TestScene
     u = elasticity->zero_vector();
     elasticity->distribute(u);
     ContactState       state  = open_contact(gap_operator());
-    const NewtonReport report = solver.solve(u, state, [](const NewtonStep &) {});
+    const NewtonReport report = solver.newton.solve(u, state, [](const NewtonStep &) {});
     p                         = state.pressure();
     elasticity->distribute(u);
     return report;

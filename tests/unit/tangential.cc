@@ -529,19 +529,19 @@ namespace
     // and a restart with other ranks than before.
     Dragged<dim> again(kind, sampling, degree);
     again.equilibrium->set_state(first, false);
-    again.equilibrium->recall_active_set();
+    again.equilibrium->in_place.recall_active_set();
     unsigned int &most_steps = again.scene.scene.newton.maximum_steps;
     const auto    enough     = std::exchange(most_steps, 0);
     REQUIRE(!again.solve(2));
     most_steps = enough;
     again.equilibrium->find_contact(); // and a solver that knows of it
-    again.equilibrium->recall_active_set();
+    again.equilibrium->in_place.recall_active_set();
     REQUIRE(again.solve(2));
     again.check(1);
     State elsewhere   = first;
     elsewhere.contact = on_one_rank(first.contact, dim);
     again.equilibrium->set_state(elsewhere, false);
-    again.equilibrium->recall_active_set();
+    again.equilibrium->in_place.recall_active_set();
     REQUIRE(again.solve(2));
     again.check(1);
 

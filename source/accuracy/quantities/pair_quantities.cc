@@ -224,7 +224,7 @@ namespace Signorini
   {
     const unsigned int pair  = number_of_pair(s, name.of);
     const MPI_Comm     comm  = s.elasticity.mesh().communicator();
-    const LA::Vector   nodal = recovered_pressure(s, pair);
+    const LA::Vector &  nodal = recovered_pressure(s, pair);
     // The contact point with the largest pressure, the first of those with the same.
     double                  largest = -std::numeric_limits<double>::max();
     types::global_dof_index row     = numbers::invalid_dof_index;
