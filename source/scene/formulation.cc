@@ -17,17 +17,15 @@ namespace Signorini
                       const bool        has_degree)
     {
       if (model_of(scene.model) == Model::plane_stress)
-        return "a sheet, with Model = plane stress, is free to become thinner: it is for "
-               "displacement";
+        return "the mixed formulation is not available for Model = plane stress, which does not lock";
       if (body.degree == 1 || (body.degree == 0 && has_degree && scene.degree == 1))
-        return "degree 1 has no stable bulk stress; set Degree = 2";
+        return "the pressure of degree 1 is not stable (inf-sup condition); set Degree = 2";
       if (!(material.poissons_ratio > 0))
-        return "needs a Poisson's ratio above 0";
+        return "requires a Poisson's ratio above 0";
       if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
-        return "Law = Saint Venant-Kirchhoff has no volumetric part; take neo-Hooke";
+        return "Law = Saint Venant-Kirchhoff has no volumetric part; set Law = neo-Hooke";
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())
-        return "errors of the bulk stress are not estimated; take Accuracy/Quantity and Target "
-               "error out";
+        return "errors of the volumetric stress are not estimated; remove Accuracy/Quantity and Target error";
       return {};
     }
 
@@ -56,9 +54,9 @@ namespace Signorini
                           (material.formulation == Formulation::automatic &&
                            material.poissons_ratio >= nearly_incompressible && obstacle.empty());
       if (!material.is_mixed && material.poissons_ratio == 0.5)
-        throw SceneError(place + "/Poisson's ratio = 0.5 is for Formulation = mixed" +
+        throw SceneError(place + "/Poisson's ratio = 0.5 requires Formulation = mixed" +
                          (obstacle.empty() ? "" : ", but " + obstacle) +
-                         "; or take a Poisson's ratio below 0.5");
+                         "; or set a Poisson's ratio below 0.5");
       const bool is_open = body.degree == 0 && (!has_degree || scene.degree == 0);
       if (is_open && (material.is_mixed || needs_degree_2(scene, material)))
         body.degree = 2;

@@ -58,6 +58,10 @@ namespace Signorini
   void
   override_value(RawSection &root, const std::string &assignment);
 
+  /// True if a value or section comes from the command line, by its `where`.
+  bool
+  is_override(const std::string &where);
+
   /// The candidate that is spelt most like the given word, or an empty string if none is close.
   std::string
   nearest(const std::string &word, const std::vector<std::string> &candidates);
