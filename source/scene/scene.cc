@@ -86,6 +86,24 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    void
+    declare_expected(Section                     &section,
+                     std::vector<ExpectedResult> &expected,
+                     const unsigned int           dim)
+    {
+      section.add_named("Expected results",
+                        expected,
+                        "Reference values that the results are compared with.");
+      if (section.reading())
+        for (ExpectedResult &one : expected)
+          one.use_present_paths(section, dim);
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   Scene<dim>::declare(Section &section)
@@ -187,12 +205,7 @@ namespace Signorini
       "Known solution",
       "Exact solution, as formulas; the errors of the computed solution are reported.",
       [&](Section &s) { known.declare(s); });
-    section.add_named("Expected results",
-                      expected,
-                      "Reference values that the results are compared with.");
-    if (section.reading())
-      for (ExpectedResult &one : expected)
-        one.use_present_paths(section, dim);
+    declare_expected(section, expected, dim);
   }
 
 
