@@ -35,9 +35,9 @@ namespace Signorini
     for (const double target : targets)
       if (!(target >= least))
         section.fail("Target error",
-                     "below " + short_text(least) +
+                     "is below " + short_text(least) +
                        ": forces and pressures are at the level of round-off there, and errors "
-                       "cannot be estimated; set a smaller Factor");
+                       "cannot be estimated; set a larger one");
     if (has_targets() && quantities.empty())
       section.fail(
         "Target error",

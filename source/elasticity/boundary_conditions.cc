@@ -155,7 +155,8 @@ namespace Signorini
       section.fail("Bodies", "is required with a Body force");
     const bool acts = !traction.empty() || section.is_set("Pressure") || total_force.given();
     if (!boundaries.empty() && !acts)
-      section.fail("Traction", "or Pressure or Total force is required with Boundaries");
+      section.fail("Traction",
+                   "one of Traction, Pressure or Total force is required with Boundaries");
   }
 
 

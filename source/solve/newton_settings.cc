@@ -9,7 +9,7 @@ namespace Signorini
     section.add("Maximum steps", maximum_steps, "of Newton's method in one load step", positive);
     section.add("Tolerance",
                 tolerance,
-                "of the nonlinear residual, relative to the largest applied or reaction force",
+                "of the nonlinear residual, relative to the acting forces",
                 Range{0, 1e-3, false});
     section.add(
       "Geometry tolerance",

@@ -15,12 +15,12 @@
 
 #include "source_directory.h"
 
-using namespace Signorini;
-
-namespace
+namespace FormerNames
 {
-  bool
-  has(const std::string &text, const std::string &part)
+  using namespace Signorini;
+
+  inline bool
+  mentions(const std::string &text, const std::string &part)
   {
     return text.find(part) != std::string::npos;
   }
@@ -32,7 +32,7 @@ namespace
     FormerName               name;
   };
 
-  void
+  inline void
   collect(const SectionDescription       &section,
           const std::vector<std::string> &path,
           std::vector<Found>             &all)
@@ -60,8 +60,8 @@ namespace
   }
 
   /// The section at a path, in which NAME is the first one that is there.
-  RawSection &
-  at(RawSection &root, const std::vector<std::string> &path)
+  inline RawSection &
+  section_at(RawSection &root, const std::vector<std::string> &path)
   {
     RawSection *section = &root;
     for (const std::string &name : path)
@@ -73,7 +73,7 @@ namespace
     return *section;
   }
 
-  RawSection
+  inline RawSection
   raw_of(const std::string &text)
   {
     std::istringstream in(text);
@@ -88,7 +88,7 @@ namespace
 
   template <typename Object>
   Read
-  read(Object &object, RawSection raw)
+  read_and_written(Object &object, RawSection raw)
   {
     Section section(raw);
     object.declare(section);
@@ -108,10 +108,10 @@ namespace
     const auto &[kind, former, now, key] = found.name;
     INFO("former name '", former, "' of '", now, "' in ", join(found.path, "/"));
     RawSection  present = base, old = base;
-    RawSection &section = at(old, found.path);
+    RawSection &section = section_at(old, found.path);
     if (kind == FormerName::Kind::choice)
       {
-        at(present, found.path).set_value(key, now, "test.prm:1");
+        section_at(present, found.path).set_value(key, now, "test.prm:1");
         section.set_value(key, former, "test.prm:1");
       }
     else if (kind == FormerName::Kind::key)
@@ -128,23 +128,24 @@ namespace
     CHECK(as_former.text == as_present.text);
     CHECK(as_present.notes.empty());
     REQUIRE(as_former.notes.size() == 1);
-    CHECK(has(as_former.notes[0], former + "' is now called '"));
-    CHECK(has(as_former.notes[0], now + "'; the former name is accepted until the next release"));
+    CHECK(mentions(as_former.notes[0], former + "' is now called '"));
+    CHECK(
+      mentions(as_former.notes[0], now + "'; the former name is accepted until the next release"));
 
     // What is written has the present name.
     RawSection written = raw_of(as_former.text);
     if (kind == FormerName::Kind::key)
-      CHECK(at(written, found.path).find_value(former) == nullptr);
+      CHECK(section_at(written, found.path).find_value(former) == nullptr);
     else if (kind == FormerName::Kind::section)
-      CHECK(at(written, found.path).find_section(former) == nullptr);
+      CHECK(section_at(written, found.path).find_section(former) == nullptr);
 
     if (kind == FormerName::Kind::choice)
       return;
     RawSection both = old;
     if (kind == FormerName::Kind::key)
-      at(both, found.path).set_value(now, section.find_value(former)->text, "test.prm:2");
+      section_at(both, found.path).set_value(now, section.find_value(former)->text, "test.prm:2");
     else
-      at(both, found.path).get_section(now, "test.prm:2");
+      section_at(both, found.path).get_section(now, "test.prm:2");
     try
       {
         read(both);
@@ -152,8 +153,8 @@ namespace
       }
     catch (const SceneError &error)
       {
-        CHECK(has(error.what(), "'" + former + "' is the former name of the "));
-        CHECK(has(error.what(), "'" + now + "', which is set at test.prm:2 too"));
+        CHECK(mentions(error.what(), "'" + former + "' is the former name of the "));
+        CHECK(mentions(error.what(), "'" + now + "', which is set at test.prm:2 too"));
       }
   }
 
@@ -170,7 +171,7 @@ namespace
     for (const Found &found : names)
       check_name(found, base, [](const RawSection &raw) {
         Scene<dim> scene;
-        return read(scene, raw);
+        return read_and_written(scene, raw);
       });
 
     RawSection file;
@@ -180,12 +181,12 @@ namespace
     for (const std::string &name : generator_names<dim>())
       for (const Found &found : declared_in(*MeshGenerator<dim>::create(name)))
         check_name(found, name == "file" ? file : RawSection(), [&](const RawSection &raw) {
-          return read(*MeshGenerator<dim>::create(name), raw);
+          return read_and_written(*MeshGenerator<dim>::create(name), raw);
         });
     for (const std::string &name : obstacle_names<dim>())
       for (const Found &found : declared_in(*make_shape<dim>(name)))
         check_name(found, RawSection(), [&](const RawSection &raw) {
-          return read(*make_shape<dim>(name), raw);
+          return read_and_written(*make_shape<dim>(name), raw);
         });
   }
 
@@ -215,8 +216,8 @@ subsection Mesh
 end
 )";
 
-  Scene<2>
-  scene_of(const std::vector<std::string> &overrides, std::vector<std::string> &notes)
+  inline Scene<2>
+  scene_of_pairs(const std::vector<std::string> &overrides, std::vector<std::string> &notes)
   {
     RawSection raw = raw_of(two_pairs);
     for (const std::string &assignment : overrides)
@@ -228,7 +229,9 @@ end
     notes = section.notes();
     return scene;
   }
-} // namespace
+} // namespace FormerNames
+
+using namespace FormerNames;
 
 
 
@@ -244,23 +247,23 @@ TEST_CASE(
   "a former name is noted once, with the first place; the command line overrides either name")
 {
   std::vector<std::string> notes;
-  Scene<2>                 scene = scene_of({}, notes);
+  Scene<2>                 scene = scene_of_pairs({}, notes);
   REQUIRE(notes.size() == 4);
   CHECK(notes[0] == "test.prm:8: 'Sides' is now called 'Slave choice'; the former name is accepted "
                     "until the next release");
   CHECK(scene.pairs[1].sides == SideChoice::as_named);
   CHECK(scene.mesh.zones[0].times == 2);
 
-  scene = scene_of({"Contact pairs/one/Slave choice=automatic",
-                    "Contact pairs/two/Sides=automatic",
-                    "Mesh/Refinement regions/near/Levels=3"},
-                   notes);
+  scene = scene_of_pairs({"Contact pairs/one/Slave choice=automatic",
+                          "Contact pairs/two/Sides=automatic",
+                          "Mesh/Refinement regions/near/Levels=3"},
+                         notes);
   for (const auto &pair : scene.pairs)
     CHECK(pair.sides == SideChoice::automatic);
   CHECK(scene.mesh.zones[0].times == 3);
   CHECK(scene.mesh.zones[0].where.formula() == "x");
 
-  scene = scene_of({"Mesh/Zones/near/Times=4"}, notes);
+  scene = scene_of_pairs({"Mesh/Zones/near/Times=4"}, notes);
   CHECK(scene.mesh.zones[0].times == 4);
 }
 
@@ -268,15 +271,15 @@ TEST_CASE(
 
 TEST_CASE("an obstacle without its Normal has the default one, with a note")
 {
-  for (const std::string &name : {"paraboloid", "punch", "cone", "gap function"})
+  for (const char *name : {"paraboloid", "punch", "cone", "gap function"})
     {
       RawSection raw;
       raw.where       = "test.prm:3";
       const auto was  = make_shape<3>(name);
-      const Read read = ::read(*was, raw);
+      const Read read = read_and_written(*was, raw);
       REQUIRE(read.notes.size() == 1);
       CHECK(read.notes[0] == "test.prm:3: 'Normal' is not set; the default '0, 0, -1' is used");
-      CHECK(has(read.text, "set Normal = 0, 0, -1"));
+      CHECK(mentions(read.text, "set Normal = 0, 0, -1"));
     }
 }
 
