@@ -89,14 +89,14 @@ namespace Signorini
         const std::string &name = goals.quantities[i];
         if (histories[i].diverges())
           return name +
-                 " grows from mesh to mesh without end: it has no finite value, as under a "
-                 "sharp edge or a point force, or one that only a finer start sees (Mesh/Contact "
-                 "refinements); ask for a force, or for a value farther away";
+                 " grows with every refinement: the exact value is unbounded (sharp edge, point "
+                 "force), or the initial mesh is too coarse (Mesh/Contact refinements); choose a "
+                 "force, or a value farther away, as Accuracy/Quantity";
         if (const double model = histories[i].last().parts.model; model > 0.9 * allowed(i))
           return name + " is wrong by " +
                  short_text(100 * model / std::abs(histories[i].last().value)) +
-                 " % since contact is on the surfaces at rest; take Contact method/Contact geometry "
-                 "= updated";
+                 " %, because contact is evaluated in the reference configuration; set Contact "
+                 "method/Contact geometry = updated";
       }
     return {};
   }

@@ -10,15 +10,21 @@ namespace Signorini
     section.add("Displacement",
                 displacement,
                 "formula of the coordinates and t; its errors are reported");
-    section.add("Pressure",
-                pressure,
-                "contact pressure, likewise; written beside the computed one in profiles");
-    section.add("Bulk stress", bulk_stress, "of mixed bodies, tension positive, likewise [stress]");
+    section.add(
+      "Pressure",
+      pressure,
+      "formula for the contact pressure; its errors are reported, and profiles contain it as reference");
+    section.rename_key("Bulk stress", "Volumetric stress");
+    section.add(
+      "Volumetric stress",
+      bulk_stress,
+      "formula for the volumetric stress of bodies with Formulation = mixed, tension positive; its "
+      "error is reported [stress]");
     if (!section.reading())
       return;
     for (const auto &[key, formula] :
          {std::pair<const char *, const Formula &>("Pressure", pressure),
-          std::pair<const char *, const Formula &>("Bulk stress", bulk_stress)})
+          std::pair<const char *, const Formula &>("Volumetric stress", bulk_stress)})
       if (!formula.empty())
         try
           {

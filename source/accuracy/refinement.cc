@@ -15,25 +15,25 @@ namespace Signorini
   {
     section.add("Refinement cycles",
                 cycles,
-                "how often the mesh is refined and the scene solved again");
+                "number of adaptive refinements of the mesh, each followed by a new solution");
     section.add_choice("Strategy",
                        strategy,
                        {{"estimator", Strategy::estimator}, {"global", Strategy::global}},
                        "estimator: where the error estimate is largest; global: everywhere");
     section.add("Refine fraction",
                 refine_fraction,
-                "share of the cells that are refined",
+                "fraction of the cells that are refined",
                 Range{0, 1});
     section.add("Coarsen fraction",
                 coarsen_fraction,
-                "share of the cells that are coarsened",
+                "fraction of the cells that are coarsened",
                 Range{0, 1});
     section.add("Maximum cells", maximum_cells, "no refinement beyond", positive);
     section.add(
       "Tolerance",
       tolerance,
-      "of Newton's method on meshes that are still to be refined, if it is larger than Newton/Tolerance; with a Target error, "
-      "up to ten times that where the solver's part of the errors allows it",
+      "of Newton's method on meshes that will be refined, if larger than Newton/Tolerance; with a "
+      "Target error up to ten times larger if the algebraic error allows it",
       Range{0, 0.1});
     if (refine_fraction + coarsen_fraction > 1)
       section.fail("Refine fraction", "plus Coarsen fraction must not exceed 1");

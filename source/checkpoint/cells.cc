@@ -29,9 +29,8 @@ namespace Signorini
     [[noreturn]] void
     refuse_mesh(const std::string &why)
     {
-      throw SceneError(
-        "--restart: the mesh is not the one of the checkpoint: " + why +
-        "; were mesh files changed? Put them back, or solve the scene from the start");
+      throw SceneError("--restart: the mesh is not the one of the checkpoint: " + why +
+                       "; restore mesh files that were changed, or solve the scene from the start");
     }
   } // namespace
 
@@ -98,7 +97,7 @@ namespace Signorini
               sum(indices[i]) += *value++;
         }
     if (Utilities::MPI::min(int(fits), elasticity.mesh().communicator()) == 0)
-      refuse_mesh("it has other cells or degrees of freedom");
+      refuse_mesh("cells or degrees of freedom differ");
     sum.compress(VectorOperation::add);
     return sum;
   }
@@ -143,7 +142,7 @@ namespace Signorini
         if (Utilities::MPI::sum(n_changes, mesh.communicator()) == 0)
           return;
         if (!dynamic_cast<parallel::distributed::Triangulation<dim> *>(&triangulation))
-          refuse_mesh("the distribution METIS makes other cells");
+          refuse_mesh("Mesh/Distribution = METIS produced different cells");
         triangulation.execute_coarsening_and_refinement();
       }
   }
@@ -187,12 +186,12 @@ namespace Signorini
     if (now["cells"] != mark["cells"])
       refuse_mesh("it has " + now["cells"].dump() + " cells instead of " + mark["cells"].dump());
     if (now["names"] != mark["names"])
-      refuse_mesh("other cells are refined");
+      refuse_mesh("different cells are refined");
     for (unsigned int i = 0; i < 2 * dim; ++i)
       {
         const double a = now["centres"][i], b = mark["centres"][i];
         if (!(std::abs(a - b) <= 1e-9 * (1 + std::abs(b))))
-          refuse_mesh("its cells are elsewhere");
+          refuse_mesh("cells are at different positions");
       }
   }
 

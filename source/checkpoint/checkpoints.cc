@@ -72,7 +72,7 @@ namespace Signorini
       {
         content.parts.push_back(read_sealed(part_of(folder, part)));
         if (sums[part] != checksum(content.parts.back()))
-          throw Damaged(part_of(folder, part) + " is not of the same checkpoint as the others");
+          throw Damaged(part_of(folder, part) + " belongs to a different checkpoint");
       }
     return content;
   }
@@ -116,7 +116,8 @@ namespace Signorini
         damages += (damages.empty() ? "" : "; ") + damage;
       }
     if (!all.empty())
-      throw SceneError("--restart " + directory + ": no checkpoint there is whole: " + damages +
+      throw SceneError("--restart " + directory +
+                       ": no checkpoint in that directory is complete: " + damages +
                        "; solve the scene from the start");
     return {};
   }

@@ -79,8 +79,8 @@ namespace Signorini
   {
     if (!std::filesystem::exists(file_in(directory)))
       throw SceneError("--restart " + directory +
-                       ": no run has begun there, since there is no file restart.scene; give the "
-                       "output directory of a run, or solve its scene from the start");
+                       ": the directory has no file restart.scene; give the output directory of a "
+                       "run, or solve its scene from the start");
     Origin result;
     try
       {
@@ -94,8 +94,8 @@ namespace Signorini
     for (const auto &[path, sum] : result.files)
       if (!file_exists(path) || checksum_of_file(path) != sum)
         throw SceneError("--restart: file '" + path + "' " +
-                         (file_exists(path) ? "is not what it was when the run began" : "is gone") +
-                         "; put it back, or solve the scene from the start");
+                         (file_exists(path) ? "has changed since the run began" : "is gone") +
+                         "; restore it, or solve the scene from the start");
     return result;
   }
 
@@ -117,10 +117,11 @@ namespace Signorini
     if (section != "Newton" && section != "Solver" && section != "Output" &&
         key != "Load steps/Cut-backs")
       refuse("--set " + key +
-             " would change what is solved; only keys of Newton, Solver and Output, and "
-             "Load steps/Cut-backs, may change half-way");
+             " would change the problem; a restart may change only keys of Newton, Solver and "
+             "Output, and Load steps/Cut-backs");
     if (key == "Output/Directory")
-      throw SceneError("--restart: --set Output/Directory: the run goes on where it is; copy its "
-                       "directory, and restart from the copy");
+      throw SceneError(
+        "--restart: --set Output/Directory is not possible, because a restarted run "
+        "continues in its own directory; copy the directory, and restart from the copy");
   }
 } // namespace Signorini

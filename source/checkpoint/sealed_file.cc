@@ -83,12 +83,13 @@ namespace Signorini
     const auto start = in.tellg();
     in.seekg(0, std::ios::end);
     if (!numbers || static_cast<std::size_t>(in.tellg() - start) != size)
-      throw Damaged(path + " has not the length that it says: it was cut off or changed");
+      throw Damaged(path +
+                    " does not have the length that it records: it was truncated or changed");
     std::string content(size, ' ');
     in.seekg(start);
     in.read(content.data(), size);
     if (!in || checksum(content) != sum)
-      throw Damaged(path + " has not the checksum that it says: it was changed");
+      throw Damaged(path + " does not have the checksum that it records: it was changed");
     return content;
   }
 

@@ -12,58 +12,65 @@ namespace Signorini
     section.add(
       "Slave",
       slave,
-      "BODY.BOUNDARY; contact is integrated over it: the softer side, or the finer one of equal stiffness, up to twice as fine");
-    section.add(
-      "Master",
-      master,
-      "BODY.BOUNDARY, or the name of an obstacle; the slave itself, where a surface folds onto itself");
+      "BODY.BOUNDARY; contact is integrated over it. Choose the softer body or, of bodies of equal stiffness, the one with the finer mesh (up to twice as fine)");
+    section.add("Master",
+                master,
+                "BODY.BOUNDARY, or the name of an obstacle; the same as Slave for self-contact");
+    section.rename_key("Sides", "Slave choice");
     section.add_choice(
-      "Sides",
+      "Slave choice",
       sides,
       {{"automatic", SideChoice::automatic}, {"as named", SideChoice::as_named}},
-      "automatic: slave and master are exchanged where the slave is so much stiffer or finer that its pressure would "
-      "oscillate; results keep the signs of the names");
+      "automatic: slave and master are exchanged if the slave is so much stiffer or finer that the contact pressure "
+      "would oscillate (the signs in results.json still refer to Slave and Master as named); as named: never");
     section.add("Initial gap",
                 initial_gap,
                 "'from geometry', 'closed' (zero everywhere), or a formula in x,y,z,t [length]");
+    section.rename_key("Closed up to", "Closure tolerance");
     section.add(
-      "Closed up to",
+      "Closure tolerance",
       closed_up_to,
-      "gaps at the start up to this, and overlaps, are taken for closed, without strain, as "
-      "by ADJUST of a deck; negative: none are [length]");
-    section.add(
-      "Separates",
+      "initial gaps up to this value, and initial overlaps, are closed without strain, as "
+      "by ADJUST in Abaqus; negative: none [length]");
+    section.rename_key("Separates", "Separation");
+    section.rename_choice("Separation", "yes", "allowed");
+    section.rename_choice("Separation", "no", "none");
+    section.add_choice(
+      "Separation",
       separates,
-      "yes, or no: what touches at the start, or is within the Search distance, keeps its "
-      "distance, slides freely, and may pull: as a flat platen under a given force");
-    section.add("Interference",
+      {{"allowed", true}, {"none", false}},
+      "none: no-separation (bilateral, frictionless) contact. Points that touch at the start, or lie within the "
+      "Search distance, keep their gap and may carry tension, as a flat platen under a given force");
+    section.rename_key("Interference", "Interference ramp");
+    section.add("Interference ramp",
                 interference,
-                "share of initial overlaps (and of gaps that a pair closes that never separates) "
-                "that counts, formula in t: 1: at once; t: ramped");
+                "fraction of the initial overlap (and of the initial gap of a no-separation pair) "
+                "that is applied, formula in t: 1: at once; t: linear ramp");
     section.add(
       "Search distance",
       search_distance,
-      "points that are farther apart at the start never touch; 0: chosen from the motion that is expected, "
-      "and widened where bodies move farther [length]",
+      "radius of the contact search: points with a larger initial gap are no candidates for contact; 0: "
+      "estimated from the expected motion, and enlarged if bodies move farther [length]",
       non_negative);
-    section.add(
-      "Directions",
-      directions,
-      "along which the extent of the contact zone is reported, beside the axes: vectors, separated by "
-      "semicolons");
+    section.rename_key("Directions", "Extent directions");
+    section.add("Extent directions",
+                directions,
+                "directions along which the extent of the contact area is reported, in addition to "
+                "the axes: vectors, separated by semicolons");
     if (!section.reading())
       return;
     for (const dealii::Point<dim> &direction : directions)
       if (direction.norm() == 0)
-        section.fail("Directions", "the zero vector has no direction");
+        section.fail("Extent directions", "the zero vector has no direction; remove it");
     slave_place  = section.place_of("Slave");
     master_place = section.place_of("Master");
     if (interference.depends_on_place())
       section.fail(
-        "Interference",
-        "depends on the place, but is one share for the whole pair; write it in t alone");
+        "Interference ramp",
+        "depends on x, y or z, but is one factor for the whole pair; use a formula in t alone");
     if (gap_is_given() && closed_up_to >= 0)
-      section.fail("Closed up to", "is of gaps from geometry; take Initial gap out");
+      section.fail("Closure tolerance",
+                   "applies to Initial gap = from geometry only; remove Initial gap or this key");
     if (gap_is_given() && initial_gap.text != "closed")
       try
         {

@@ -33,11 +33,12 @@ namespace Signorini
                      (is_of(pair.slave, b) && is_of(pair.master, a));
             });
             if (depth > distance && !any)
-              out << "  WARNING: " << mesh.body_name(b) << " and " << mesh.body_name(a)
-                  << ": one may lie up to " << depth << " deep in the other, but no surfaces of "
-                  << "theirs see each other within " << distance
-                  << "; if they overlap, name the pair, or set Contact pairs/auto/Search distance"
-                  << std::endl;
+              out
+                << "  WARNING: " << mesh.body_name(b) << " and " << mesh.body_name(a)
+                << ": one may lie up to " << depth << " deep in the other, but no surfaces of "
+                << "these bodies face each other within " << distance
+                << "; if they are in contact, define the pair explicitly, or set Contact pairs/auto/Search distance"
+                << std::endl;
           }
     }
 
@@ -77,8 +78,9 @@ namespace Signorini
                                          std::max(mesh.size() / 10, largest_closing(scene, mesh));
     auto                    pairs    = find_pairs(mesh, scene.obstacles, moduli, pattern, distance);
     if (pairs.empty())
-      out << "  WARNING: no surfaces see each other within " << distance
-          << "; name the Contact pairs, or set Contact pairs/auto/Search distance" << std::endl;
+      out << "  WARNING: no surfaces face each other within " << distance
+          << "; define the Contact pairs explicitly, or set Contact pairs/auto/Search distance"
+          << std::endl;
     warn_of_overlaps(mesh, pairs, distance, out);
     // What cannot move against what cannot move carries no pressure that anything would tell.
     pairs.erase(std::remove_if(pairs.begin(),

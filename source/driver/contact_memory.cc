@@ -46,7 +46,7 @@ namespace Signorini
             was.at("master") != pair.master)
           throw SceneError("--restart: contact pair " + pair.name + " of '" + pair.slave +
                            "' and '" + pair.master +
-                           "' is not that of the checkpoint; solve the scene from the start");
+                           "' differs from that of the checkpoint; solve the scene from the start");
         reach[i]  = was.value("reach", reach[i]);
         nearby[i] = was.value("nearby", 0.);
         if (was.value("known", false))

@@ -230,8 +230,8 @@ namespace Signorini
     if (contact->has_stress() && contact->theta != method.theta() && !told_of_theta)
       {
         out
-          << "  pairs see the same places of a surface: Contact method/Nitsche/Theta = 0 is taken, "
-             "which lets each of them carry what the others do not"
+          << "  several pairs share parts of a surface: Contact method/Nitsche/Theta = 0 is used, "
+             "because the consistency terms of other values would count twice there"
           << std::endl;
         told_of_theta = true;
       }
@@ -247,12 +247,14 @@ namespace Signorini
             !known[i].is_known)
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
-            "' has a partner there: the surfaces are farther apart than the Search distance, or do not face each other");
+            "' has a projection onto the master: the surfaces are farther apart than the Search "
+            "distance, or do not face each other; set a larger Search distance, or check Slave and "
+            "Master");
         if (!pair.separates && n_rows(i) == 0)
           throw SceneError(
             pair.master_place + ": no point of '" + pair.slave +
-            "' touches the master of this pair, which is never to separate; move them together, or " +
-            (pair.search_distance > 0 ? "take a larger" : "set its") + " Search distance");
+            "' touches the master of this pair with Separation = none; close the gap, or " +
+            (pair.search_distance > 0 ? "set a larger" : "set its") + " Search distance");
       }
   }
 
@@ -267,8 +269,9 @@ namespace Signorini
     for (const ContactPair<dim> &pair : decisions.pairs)
       if (const Obstacle<dim> *obstacle = scene.obstacle_of(pair))
         if (goes_through(start, to, pair.slave, *obstacle))
-          throw SolverFailure("the obstacle '" + obstacle->name + "' would go through '" +
-                              pair.slave + "' in one load step; load in smaller steps");
+          throw SolverFailure("the obstacle '" + obstacle->name + "' would pass through '" +
+                              pair.slave +
+                              "' in one load step (tunnelling); use smaller load steps");
   }
 
 
@@ -289,8 +292,9 @@ namespace Signorini
             for (const SlaveFace<dim> &face : my_surfaces[i].slave_faces)
               seen.push_back(face.degree > 0);
           if (is_within(now, slave, *obstacle, seen) || holds(now, slave, *obstacle))
-            throw SolverFailure("'" + slave + "' has got through the obstacle '" + obstacle->name +
-                                "'; load in smaller steps, or refine the surface");
+            throw SolverFailure("'" + slave + "' has passed through the obstacle '" +
+                                obstacle->name +
+                                "'; use smaller load steps, or refine the surface");
         }
   }
 
@@ -422,7 +426,9 @@ namespace Signorini
         out << "  pair " << pair.name << ": its surfaces may have come closer by " << approach
             << ", farther than " << my_surfaces[i].reach;
         if (pair.search_distance > 0 && at_rest && my_surfaces[i].reach >= pair.search_distance)
-          out << ", its Search distance: contact beyond was not looked for" << std::endl;
+          out
+            << ", its Search distance: contact beyond it is not detected; set a larger Search distance"
+            << std::endl;
         else
           {
             out << ": searching again" << std::endl;
@@ -453,7 +459,9 @@ namespace Signorini
         any      = true;
       }
     if (any)
-      out << "  bodies may fall farther than contact was looked for: searching again" << std::endl;
+      out << "  bodies without sufficient supports may move farther than the search distance: "
+             "searching again with a larger one"
+          << std::endl;
     return any;
   }
 
@@ -528,8 +536,8 @@ namespace Signorini
     const unsigned int second = (most - 1) % decisions.pairs.size(),
                        first  = (most - 1) / decisions.pairs.size() - 1;
     return "; pairs '" + decisions.pairs[first].name + "' and '" + decisions.pairs[second].name +
-           "' press the same nodes: where they do so in the same direction, remove one, or take a "
-           "penalty method";
+           "' are active at the same nodes (over-constrained): if they act in the same direction, "
+           "remove one, or use a penalty method";
   }
 
 
@@ -541,7 +549,7 @@ namespace Signorini
     std::vector<std::string> result;
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       if (my_surfaces[i].is_apart)
-        result.push_back("pair " + decisions.pairs[i].name + ": its surfaces stay apart");
+        result.push_back("pair " + decisions.pairs[i].name + ": its surfaces do not come into contact");
     return result;
   }
 

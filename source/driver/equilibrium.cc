@@ -124,8 +124,8 @@ namespace Signorini
       {
         if (solve_from(start, t, tolerance))
           return true;
-        out << "  not solved from where the last load step leads to: " << my_report.reason
-            << "; once more from where it ended" << std::endl;
+        out << "  no solution from the extrapolated initial guess: " << my_report.reason
+            << "; starting again from the last load step" << std::endl;
       }
     return solve_from({}, t, tolerance);
   }
@@ -378,8 +378,8 @@ namespace Signorini
         if (const std::string unknown = contact.unknown_elsewhere(); !unknown.empty())
           {
             if (is_solution)
-              out << "  contact geometry: that of surfaces at rest, since the Gap of '" << unknown
-                  << "' says nothing of other places" << std::endl;
+              out << "  contact geometry: reference, because the Gap of '" << unknown
+                  << "' is defined on the undeformed surface only" << std::endl;
           }
         else
           {
@@ -391,9 +391,10 @@ namespace Signorini
             if (!my_follows && !is_solution)
               return false;
             my_neglected = change;
-            out << "  contact geometry: surfaces as they are now change the pressure by about "
+            out << "  contact geometry: updating it changes the pressure by about "
                 << short_text(100 * change, 2) << " %"
-                << (my_follows ? ": contact is found again there" : "") << std::endl;
+                << (my_follows ? ": the contact geometry is updated from here on" : "")
+                << std::endl;
           }
       }
     else
@@ -466,16 +467,16 @@ namespace Signorini
     const bool       is_far = (low + (high - low) / 2).norm() > far * low.distance(high);
     my_report.converged     = false;
     my_report.reason =
-      "contact on the surfaces as they are now does not come to rest: " +
+      "the contact geometry update did not converge: " +
       std::string(
         is_far ?
-          "gaps are rounded like coordinates, and the scene lies far from the origin: shift it there, or "
-          "take a larger Newton/Geometry tolerance, which is now " +
+          "the model lies so far from the origin that gaps are inaccurate by round-off: shift it to "
+          "the origin, or set a larger Newton/Geometry tolerance, which is now " +
             short_text(scene.newton.of_geometry) + " of the forces; or " :
           "") +
-      "load in smaller steps (Load steps/Number)" +
-      (!is_finite   ? ", or take Contact method/Contact geometry = reference" :
-       !by_segments ? ", or integrate by segments (Contact method/Integration)" :
+      "use smaller load steps (Load steps/Number)" +
+      (!is_finite   ? ", or set Contact method/Contact geometry = reference" :
+       !by_segments ? ", or set Contact method/Integration = segments" :
                       "");
     return false;
   }

@@ -192,11 +192,11 @@ namespace Signorini
     if (motions.never_held().empty() || scene.newton.undetermined != Undetermined::refuse)
       return motions;
     if (placed.size() > 0 && placed.linfty_norm() > 0) // on the way to somewhere else
-      throw SolverFailure("where surfaces are now, no contact can hold " +
-                          join(motions.never_held()) + "; load in smaller steps");
-    throw SceneError("Supports/Names: no support holds " + join(motions.never_held()) +
+      throw SolverFailure("in the current configuration contact cannot constrain " +
+                          join(motions.never_held()) + "; use smaller load steps");
+    throw SceneError("Supports/Names: no support constrains " + join(motions.never_held()) +
                      ", and no contact can; " + NewtonSettings::how_to_hold() +
-                     ". There are these boundaries: " + join(elasticity.mesh().boundaries()) + ".");
+                     ". Boundaries of the bodies: " + join(elasticity.mesh().boundaries()) + ".");
   }
 
 

@@ -88,8 +88,8 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
       }
     wanted.overrides = arguments.overrides;
     if (!arguments.restart.empty() && (!arguments.scene.empty() || arguments.action != "solve"))
-      throw SceneError("--restart DIRECTORY knows its scene, and solves it: no other words are "
-                       "possible but --set");
+      throw SceneError(
+        "--restart DIRECTORY continues the scene of that directory; it can be combined with --set only");
     if (arguments.restart.empty() && arguments.scene.empty() &&
         (arguments.action == "solve" || arguments.action == "check"))
       throw SceneError("no scene is given\n\n" + usage);

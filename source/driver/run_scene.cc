@@ -25,6 +25,7 @@ namespace Signorini
         Section section(raw);
         scene.declare(section);
         section.close();
+        notes       = section.notes();
         scene.given = raw;
         scene.name  = name;
         scene.read_files(std::filesystem::path(task.scene).parent_path().string());
@@ -34,6 +35,9 @@ namespace Signorini
       ExitCode
       run(const MPI_Comm comm, std::ostream &out) const override
       {
+        if (Utilities::MPI::this_mpi_process(comm) == 0)
+          for (const std::string &note : notes)
+            out << "note: " << note << std::endl;
         Simulation<dim> simulation(scene, comm, out, goes_on);
         if (!only_check)
           return simulation.run();
@@ -42,8 +46,9 @@ namespace Signorini
       }
 
     private:
-      Scene<dim> scene;
-      const bool only_check, goes_on;
+      Scene<dim>               scene;
+      std::vector<std::string> notes;
+      const bool               only_check, goes_on;
     };
 
     /// The scene of a task, without its overrides, and its name.

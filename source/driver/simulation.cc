@@ -64,7 +64,7 @@ namespace Signorini
     if (!decisions.reason.empty())
       out << "  chosen: " << decisions.reason << std::endl;
     for (const LeftOut &one : left_out_of(scene.left_out))
-      out << "  left out: " << one.kind << ": " << one.what << std::endl;
+      out << "  not imported: " << one.kind << ": " << one.what << std::endl;
     for (const std::string &note : scene.notes)
       out << "  note: " << note << std::endl;
   }
@@ -139,9 +139,9 @@ namespace Signorini
     catch (const Interrupted &interruption)
       {
         is_interrupted = true;
-        return finish(unsolved(
-          interruption.what() +
-          std::string(has_gained ? "" : "; nothing was reached that a restart could start from")));
+        return finish(
+          unsolved(interruption.what() +
+                   std::string(has_gained ? "" : "; there is no checkpoint to restart from")));
       }
   }
 
@@ -189,7 +189,9 @@ namespace Signorini
       restore_state();
 
     if (elasticity->has_free_motions() && scene.output.linear_reference)
-      throw SceneError("Output/Linear reference: without contact nothing holds the bodies");
+      throw SceneError(
+        "Output/Linear reference = yes: without contact the bodies have unconstrained "
+        "rigid-body modes; set it to no");
   }
 
 
@@ -275,7 +277,7 @@ namespace Signorini
                                    "contact_candidates",
                                    "contact_bytes",
                                    "seconds",
-                                   "shares_of_ranks",
+                                   "partition",
                                    "peak_memory_mb",
                                    "preflight",
                                    "linear_reference",
@@ -302,7 +304,8 @@ namespace Signorini
       }
     if (report().is_loose || scene.load_steps.shortest(end) == end)
       return false;
-    out << "  not solved at once (" << report().reason << "): step by step" << std::endl;
+    out << "  no convergence in one load step (" << report().reason
+        << "): applying the load in steps" << std::endl;
     State nothing;
     nothing.displacement = elasticity->zero_vector();
     nothing.contact      = SurfaceField(dim);
@@ -374,9 +377,9 @@ namespace Signorini
                 longest = (next - t) / 2;
                 if (longest < 0.999 * shortest || report().is_loose)
                   return false;
-                out << "  not solved (" << report().reason
+                out << "  no convergence (" << report().reason
                     << (report().curves_down ? "; the tangent was not positive definite" : "")
-                    << "): half the load step" << std::endl;
+                    << "): halving the load step" << std::endl;
                 shortest_tried = longest;
               }
           }
@@ -462,21 +465,21 @@ namespace Signorini
   {
     if (!end.converged && end.curves_down)
       end.reason +=
-        (state.time > 0 ? "; the last load that was solved is that of t = " +
-                            short_text(state.time) + ", and beyond" :
-                          std::string("; no load was solved, and on the way")) +
-        " the tangent was not positive definite: where bodies snap through or buckle, no load near "
-        "by is in balance" +
-        (is_driven_by_forces(scene) ? "; prescribe displacements instead of forces" : "");
+        (state.time > 0 ? "; the last converged load step ends at t = " + short_text(state.time) +
+                            ", and beyond it" :
+                          std::string("; no load step converged, and")) +
+        " the tangent was not positive definite: near a snap-through or buckling point no "
+        "equilibrium exists under load control" +
+        (is_driven_by_forces(scene) ? "; use displacement control" : "");
     else if (!end.converged && !is_interrupted && shortest_tried > 0)
       end.reason +=
         "; load steps down to " + short_text(shortest_tried) +
         " were tried from t = " + short_text(state.time) +
-        " on: where contact slips off a corner or an edge, or a hook snaps, no state near by is in "
-        "balance, and no load step is small enough" +
-        (state.time > 0 ?
-           "; take Load steps/End time = " + short_text(state.time) + " for what comes before" :
-           "");
+        ": where contact slides off a corner or an edge, or a snap fit releases, no neighbouring "
+        "equilibrium exists, and no load step is small enough" +
+        (state.time > 0 ? "; set Load steps/End time = " + short_text(state.time) +
+                            " to obtain the solution up to there" :
+                          "");
     recorder->add_sizes(*elasticity,
                         contact->surfaces(),
                         contact->gap_operator(),

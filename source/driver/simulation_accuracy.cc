@@ -132,7 +132,7 @@ namespace Signorini
       why_not_met = "the next mesh would end after Accuracy/Time limit = " +
                     short_text(scene.goals.time_limit, 3) + " minutes";
     else if (!has_memory_for(factor, comm))
-      why_not_met = "the next mesh would not fit into the memory";
+      why_not_met = "the next mesh would not fit into memory";
     if (!why_not_met.empty())
       {
         clear_marks(*mesh);
@@ -238,7 +238,7 @@ namespace Signorini
     if (!why_not_met.empty())
       return why_not_met;
     return control.is_met(true) ?
-             "the solver cannot do better" :
+             "the algebraic error cannot be reduced further" :
              "Accuracy/Refinement cycles = " + std::to_string(scene.most_cycles());
   }
 

@@ -35,7 +35,7 @@ namespace Signorini
   void
   Simulation<dim>::change_supports(const double t)
   {
-    out << "  supports: others hold from here on" << std::endl;
+    out << "  supports: a change of the active supports" << std::endl;
     former_cycles  = multigrid_cycles();
     former_seconds = mesh_seconds();
     auto other     = make_elasticity(decisions, *mesh);
@@ -62,10 +62,11 @@ namespace Signorini
     const DeformationChange change   = deformation_change(*elasticity, laws, state.displacement);
     const bool              is_small = change.work <= limit;
     neglected_work                   = std::max(neglected_work.value_or(0), change.work);
-    out << "  deformation: small strain neglects about " << short_text(100 * change.work, 2)
-        << " % of the work of the stresses (strains up to " << short_text(100 * change.strain, 2)
-        << " %, turns up to " << short_text(change.turn * 180 / numbers::PI, 2) << " degrees)"
-        << (is_small ? "" : ": large deformation from here on") << std::endl;
+    out << "  deformation: the relative work error of small strain is about "
+        << short_text(100 * change.work, 2) << " % (strains up to "
+        << short_text(100 * change.strain, 2) << " %, rotations up to "
+        << short_text(change.turn * 180 / numbers::PI, 2) << " degrees)"
+        << (is_small ? "" : ": finite strain from here on") << std::endl;
     return is_small;
   }
 
@@ -84,9 +85,9 @@ namespace Signorini
       {
         throw SceneError(
           std::string(error.what()) +
-          ", which Deformation = automatic has come to, since small strain neglects " +
+          ". Deformation = automatic changed to finite, because the relative work error of small strain is " +
           short_text(100 * *neglected_work, 2) +
-          " % of the work of the stresses; take Deformation = small, or a larger Deformation share");
+          " %; set Deformation = small, or a larger Finite-strain tolerance");
       }
     auto finite = make_elasticity(decisions, *mesh);
     finite->setup(elasticity->time_of_supports());

@@ -120,8 +120,9 @@ namespace Signorini
       }
     const Json &head = former->head;
     if (head.at("origin") != origin)
-      throw SceneError("--restart " + recorder->directory() + ": " + former->name +
-                       " and restart.scene are of different runs; solve the scene from the start");
+      throw SceneError(
+        "--restart " + recorder->directory() + ": " + former->name +
+        " and restart.scene belong to different runs; solve the scene from the start");
     position = {head.at("cycle"), head.at("time"), head.at("step"), head.at("longest")};
     out << "Restart from " << recorder->directory() << "/" << former->name << ", written by "
         << head.at("parts").size() << " ranks: mesh " << position.cycle << ", load step "
@@ -263,8 +264,9 @@ namespace Signorini
           << megabytes(checkpoints->bytes()) << " in " << short_text(checkpoints->seconds(), 2)
           << " s" << std::endl;
     else
-      out << "  WARNING: the checkpoint cannot be written; is the disk full? The former one stays, "
-          << "and the run goes on" << std::endl;
+      out
+        << "  WARNING: the checkpoint cannot be written; is the disk full? The previous one is kept, "
+        << "and the run goes on" << std::endl;
     if (interruption)
       interruption->set_reserve(2 * checkpoints->seconds() + 1);
     written_at  = clock.wall_time();

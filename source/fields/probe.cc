@@ -11,18 +11,19 @@ namespace Signorini
   void
   Probe<dim>::declare(Section &section)
   {
-    section.add("Body", body, "the body that the point belongs to; empty: any");
-    section.add("Pair",
-                pair,
-                "instead of a body: the contact pair whose slave is looked at where it is closest "
-                "to the point; there are pressure, gap and displacement");
+    section.add("Body", body, "body that contains the point; empty: any");
+    section.add(
+      "Pair",
+      pair,
+      "contact pair instead of a body: pressure, gap and displacement at the slave surface "
+      "point closest to Point");
     section.add("Point", point, "coordinates of the undeformed body, separated by commas [length]");
     section.add("End", end, "coordinates of the end of a line from Point; empty: a point alone");
-    section.add("Points", n_points, "on a line, both ends included", {2, 10000});
+    section.add("Points", n_points, "number of points on a line, including both ends", {2, 10000});
     if (!section.reading())
       return;
     if (!body.empty() && is_on_pair())
-      section.fail("Pair", "stands instead of Body = " + body + "; give one of them");
+      section.fail("Pair", "is set together with Body = " + body + "; give one of them");
     if (is_line() && end.size() != dim)
       section.fail("End", "must have " + std::to_string(dim) + " coordinates, separated by commas");
     if (!is_line() && n_points != Probe().n_points)

@@ -83,7 +83,7 @@ namespace Signorini
       lost = Utilities::MPI::min(lost, comm);
       if (lost < points.size())
         throw SceneError(which + "the point " + point_text(points[lost]) +
-                         " is beside the slave's surface");
+                         " has no projection onto the slave surface");
       return own;
     }
   } // namespace

@@ -36,7 +36,7 @@ namespace Signorini
       return;
     std::ostringstream text;
     text << "asks for " << product << " cells, more than the " << largest_number_of_cells()
-         << " that the memory of this machine could hold; take fewer";
+         << " that fit into the memory of this machine; use fewer";
     section.fail(key, text.str());
   }
 } // namespace Signorini

@@ -38,7 +38,7 @@ namespace Signorini
     ogden_terms(const Values &c)
     {
       if (c.empty() || c.size() % 2 != 0)
-        throw std::domain_error("there must be two a term");
+        throw std::domain_error("each term requires two coefficients");
       std::vector<std::pair<double, double>> terms;
       for (unsigned int i = 0; i < c.size(); i += 2)
         {
@@ -67,7 +67,7 @@ namespace Signorini
     static const std::vector<MaterialLaw> laws = {
       {"neo-Hooke", "W = mu/2 (I1 - 3) - mu ln J + lambda/2 (ln J)^2", "", {}, of_moduli<NeoHooke>},
       {"Mooney-Rivlin",
-       "W = c10 (I1 - 3) + c01 (I2 - 3), and of the volume what makes it free of stress at rest",
+       "W = c10 (I1 - 3) + c01 (I2 - 3) + volumetric terms such that the reference configuration is stress-free",
        "c10, c01",
        [](const Values &c) {
          check_number(c, 2);
@@ -110,7 +110,7 @@ namespace Signorini
        }},
       {"Hencky", "linear elasticity of the logarithmic strains", "", {}, of_moduli<Hencky>},
       {"Saint Venant-Kirchhoff",
-       "linear elasticity of the Green strain, which gives way in strong compression",
+       "linear elasticity of the Green strain, which is unstable in strong compression",
        "",
        {},
        of_moduli<SaintVenantKirchhoff>}};
@@ -135,10 +135,11 @@ namespace Signorini
     std::vector<std::string> names;
     for (const MaterialLaw &one : material_laws())
       names.push_back(one.name);
-    section.add_choice("Law",
-                       law,
-                       names,
-                       "of large deformation; at small deformation all are linear");
+    section.add_choice(
+      "Law",
+      law,
+      names,
+      "constitutive law for finite strain; with small strain all bodies are linear elastic");
     section.add(
       "Coefficients",
       coefficients,
@@ -155,9 +156,10 @@ namespace Signorini
       {{"automatic", Formulation::automatic},
        {"displacement", Formulation::displacement},
        {"mixed", Formulation::mixed}},
-      "mixed: the stress of changes of volume is a field of its own, so that nearly incompressible bodies neither lock nor "
-      "cost more iterations, and 0.5 is allowed; with Degree = 2, which it sets where nobody does; automatic: from nu = "
-      "0.48 on, where the degree, the model and the contact method allow for it");
+      "mixed: displacement-pressure formulation, in which the volumetric stress is an independent "
+      "unknown; nearly incompressible bodies neither lock nor need more iterations, and Poisson's "
+      "ratio = 0.5 is allowed; requires Degree = 2, which is the default then; automatic: mixed from "
+      "nu = 0.48 on, if the degree, the model and the contact method allow it");
     if (!section.reading())
       return;
     const MaterialLaw &chosen = law_of(*this);
@@ -180,7 +182,7 @@ namespace Signorini
     if (!(shear > 0))
       section.fail("Coefficients",
                    "have a shear modulus of " + short_text(shear) +
-                     " at rest, which is not positive");
+                     " in the reference configuration, which is not positive");
     const double young = 2 * shear * (1 + poissons_ratio);
     if (section.is_set("Young's modulus") && std::abs(youngs_modulus - young) > 1e-6 * young)
       section.fail("Young's modulus",

@@ -33,8 +33,8 @@ namespace Signorini
                  elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
     if (wanted == StiffnessForm::matrix_free && !is_possible)
       throw SceneError(
-        "Solver/Operator = matrix-free: is there in three dimensions, for bodies of degree one and two and without pressures that follow large deformation; "
-        "take auto or assembled");
+        "Solver/Operator = matrix-free is available in 3D only, for bodies of degree 1 and 2, "
+        "without follower pressures; set auto or assembled");
     return wanted.value_or(is_possible && (has_levels || elasticity.is_nonlinear()) &&
                                !needs_matrix ?
                              StiffnessForm::matrix_free :

@@ -14,17 +14,18 @@ namespace Signorini
     section.add(
       "Transformation",
       transformation,
-      "map of the generated mesh, one formula in x,y,z a component, e.g. x; y + x^2/600; empty: none");
+      "mapping of the generated mesh, one formula in x,y,z a component, e.g. x; y + x^2/600; empty: none");
     section.add("Refinements",
                 refinements,
-                "how often the cells of this body are halved at the start");
+                "number of uniform refinements of this body at the start");
     for (unsigned int d = 0; d < dim; ++d)
       if (!transformation.empty() && !transformation.prescribed(d))
         section.fail("Transformation", "every component needs a formula");
     if (transformation.depends_on_time())
-      section.fail("Transformation",
-                   "depends on t, but a mesh is made once; write it in the coordinates alone, and "
-                   "what moves as the Displacement of Supports");
+      section.fail(
+        "Transformation",
+        "depends on t, but the mesh is generated once; use formulas in x, y, z alone, and "
+        "describe motion by Displacement of Supports");
   }
 
   template struct BodyMesh<2>;

@@ -156,8 +156,9 @@ namespace Signorini
         }
     if (Utilities::MPI::logical_or(any_folds, comm))
       throw SceneError(
-        "Mesh: where cells are refined beside others that are not, a curved body is so thin that they would fold, "
-        "since the edges of the larger ones stay straight; take more cells around it, or Degree = 2 for it");
+        "Mesh: cells with hanging nodes of a thin curved body would be inverted, because the edges "
+        "of the larger neighbours are straight; use more cells along its circumference, or set "
+        "Degree = 2 for it");
     if (!Utilities::MPI::logical_or(!now->points.empty(), comm))
       return;
     // A ghost may hang on a cell that only its owner knows.

@@ -30,10 +30,9 @@ namespace Signorini
       if (n_cells <= most)
         return;
       std::ostringstream text;
-      text << "Mesh: refinement at the start would make " << n_cells << " cells, more than the "
-           << most
-           << " that memory could hold; take smaller Mesh/Refinements, Contact refinements, "
-           << "Zones/.../Times or Bodies/.../Refinements, or coarser bodies";
+      text << "Mesh: the initial refinement would make " << n_cells << " cells, more than the "
+           << most << " that fit into memory; set smaller Mesh/Refinements, Contact refinements, "
+           << "Refinement regions/.../Levels or Bodies/.../Refinements, or coarser bodies";
       throw SceneError(text.str());
     }
 
@@ -46,10 +45,10 @@ namespace Signorini
       const bool    is_tree =
         dynamic_cast<const parallel::distributed::Triangulation<dim> *>(&triangulation) != nullptr;
       if (is_tree && Utilities::MPI::max(finest, triangulation.get_communicator()) > most)
-        throw SceneError("Mesh: refinement at the start would halve a cell more than " +
-                         std::to_string(most) +
-                         " times, which p4est has no room for; take smaller Mesh/Refinements, "
-                         "Contact refinements, Zones/.../Times or Bodies/.../Refinements");
+        throw SceneError(
+          "Mesh: the initial refinement would halve a cell more than " + std::to_string(most) +
+          " times, the limit of p4est; set smaller Mesh/Refinements, "
+          "Contact refinements, Refinement regions/.../Levels or Bodies/.../Refinements");
     }
 
     /// @param growth of the number of cells that are wanted, at least, from one time to the next,

@@ -207,8 +207,7 @@ namespace Signorini
     throw std::runtime_error(
       "The transformation '" + F.text() + "' cannot be inverted: no point near the mesh goes to " +
       text(x) +
-      ". Is it one to one, also a little outside of the mesh? A finer coarse "
-      "mesh may help.");
+      "; it must be one to one, also slightly outside of the mesh; a finer coarse mesh may help");
   }
 
 

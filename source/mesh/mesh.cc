@@ -21,15 +21,19 @@ namespace Signorini
   void
   RefinementZone<dim>::declare(Section &section)
   {
-    section.add("Where",
+    section.rename_key("Where", "Inside");
+    section.add("Inside",
                 where,
-                "cells are refined where this function of the coordinates is positive");
+                "indicator of the region: cells are refined where this function of the coordinates "
+                "is positive");
     if (where.depends_on_time())
-      section.fail("Where",
-                   "depends on t, but these cells are refined once, at the start; write it in the "
-                   "coordinates alone, and refine wherever it is to be fine at any time");
+      section.fail(
+        "Inside",
+        "depends on t, but these cells are refined once, at the start; use a function of "
+        "the coordinates that is positive wherever the mesh is to be fine at any time");
     section.add("Bodies", bodies, "only cells of these bodies; empty: all");
-    section.add("Times", times, "how often");
+    section.rename_key("Times", "Levels");
+    section.add("Levels", times, "number of refinements of the cells in the region");
     place = section.place_of("Bodies");
   }
 
@@ -43,22 +47,25 @@ namespace Signorini
       "Distribution",
       distribution,
       or_auto<Distribution>({{"p4est", Distribution::p4est}, {"METIS", Distribution::METIS}}),
-      "who distributes the cells; METIS has a fixed mesh; auto: p4est, but METIS for more than 30,000 coarse cells that are refined neither as a whole nor by cycles");
-    section.add("Refinements", refinements, "how often all cells are halved at the start");
+      "partitioner of the mesh; METIS cannot refine; auto: p4est, but METIS for more than 30,000 coarse cells without Refinements and Refinement cycles");
+    section.add("Refinements", refinements, "number of uniform refinements at the start");
     section.add("Contact refinements",
                 contact_refinements,
-                "how often cells at contact surfaces are halved, after that");
+                "number of refinements of the cells at contact surfaces, after the uniform ones");
     section.add(
       "Slave face weight",
       slave_face_weight,
-      "work of contact on a slave face, in units of the work on a cell: ranks get equal sums",
+      "weight of a slave face in the load balance between ranks, in units of the weight of a cell",
       Range{0, 1000});
     section.add(
       "Geometry degree",
       geometry_degree,
-      "polynomial degree of the cells' shape, and of curved surfaces where gaps are measured; 0: of cells that of the displacement, of surfaces 4",
+      "polynomial degree of the cell mapping, and of curved surfaces in gaps; 0: the degree of the displacement for cells, 4 for surfaces",
       Range{0, 4});
-    section.add_named("Zones", zones, "Parts of space that are refined, after that.");
+    section.rename_section("Zones", "Refinement regions");
+    section.add_named("Refinement regions",
+                      zones,
+                      "Regions of space whose cells are refined, after the uniform refinements.");
   }
 
 
@@ -303,7 +310,7 @@ namespace Signorini
           if (boundary_ids(master).count(id) > 0)
             throw SceneError(
               "a contact pair has the slave '" + slave + "' and the master '" + master +
-              "', which have faces in common; where a surface touches itself, both are that surface");
+              "', which share faces; for self-contact set Master to the same boundary as Slave");
   }
 
 

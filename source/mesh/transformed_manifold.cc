@@ -190,8 +190,8 @@ namespace Signorini
                 std::ostringstream place;
                 place << corners[v];
                 throw SceneError("the transformation '" + formulas +
-                                 "' folds or mirrors the cell that comes to lie at (" +
-                                 place.str() + ")");
+                                 "' inverts or mirrors the cell that is mapped to (" + place.str() +
+                                 ")");
               }
         }
     }

@@ -123,16 +123,14 @@ namespace Signorini
       throw SceneError(
         "has nodes that coincide, at which cells that are connected elsewhere are not: " +
         number_of_pairs(cracks.size()) + text_of(vertices[cracks[0]]) +
-        "; say Coinciding nodes = keep if there is a crack or a slit, or Coinciding nodes = merge "
-        "if the mesh has a fault");
+        "; set Coinciding nodes = keep for a crack or a slit, or Coinciding nodes = merge to connect the cells");
     if (between.empty())
       return "";
-    return "has pieces that touch, but are not connected: they have nodes of their own at the same "
-           "places, " +
+    return "has pieces that touch, but are not connected: they have separate nodes at the same positions, " +
            number_of_pairs(between.size()) + text_of(vertices[between[0]]) +
-           "; if they are in contact, take each as a body by the key 'Part', or let a contact pair "
-           "join two boundaries of this body; if there is nothing between them, say "
-           "Coinciding nodes = keep; only if they are one, Coinciding nodes = merge";
+           "; if they are in contact, make each a body by the key 'Part', or define a contact pair "
+           "of two boundaries of this body; if they do not interact, set Coinciding nodes = keep; if "
+           "they are one piece, set Coinciding nodes = merge";
   }
 
 
@@ -176,9 +174,9 @@ namespace Signorini
                 throw SceneError(
                   "has a node at " + text_of(x) + " on the edge of a cell from " +
                   text_of(vertices[a]) + " to " + text_of(vertices[b]) +
-                  " that does not have it: cells of different sizes are not connected there; make "
-                  "the mesh conforming, take the parts as bodies with a contact pair, or say "
-                  "Coinciding nodes = keep if there is a crack or a slit");
+                  " without that node: cells of different sizes are not connected there; make the "
+                  "mesh conforming, make the parts bodies with a contact pair, or set Coinciding "
+                  "nodes = keep for a crack or a slit");
             }
         }
   }

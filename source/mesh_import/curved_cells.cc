@@ -53,8 +53,8 @@ namespace Signorini
         if (!map.is_invertible())
           throw SceneError("has element " + std::to_string(element.number) + " at " +
                            text_of(map.value(Point<dim>())) +
-                           ", which its mid-side nodes fold; improve the mesh there, or take the "
-                           "corners alone: Mid-side nodes = no");
+                           ", which is inverted by its mid-side nodes; improve the mesh there, or "
+                           "set Mid-side nodes = no");
         const types::manifold_id id = first + n++;
         triangulation.set_manifold(id, QuadraticManifold<dim>(map));
         cell->set_manifold_id(id);

@@ -33,7 +33,7 @@ namespace Signorini
         throw SceneError("has elements of a type that is not known here: " + element.type +
                          ", the first is number " + std::to_string(element.number));
       if (dimension_of(element.shape) > dim)
-        throw SceneError("has cells in three dimensions, the scene has two");
+        throw SceneError("has three-dimensional cells, but Dimension = 2");
       AssertThrow(element.shape == cell_shape<dim>,
                   ExcInternalError("A cell of a mesh file was not divided."));
     }
@@ -101,7 +101,7 @@ namespace Signorini
       for (const auto &cell : cells)
         for (const unsigned int v : cell.vertices)
           if (std::abs(file.nodes[v][2] - z) > 1e-10 * file.nodes[v].norm())
-            throw SceneError("does not lie in the plane of x and y, the scene is two-dimensional");
+            throw SceneError("does not lie in the x-y plane, but Dimension = 2");
     }
 
 
@@ -133,11 +133,11 @@ namespace Signorini
         if (++n == 1)
           first = next;
       if (n > 0)
-        throw SceneError("has " + name(first->second) + " twice, also as " +
-                         name((first + 1)->second) + ", at " + text_of(vertices[first->first[0]]) +
-                         (n > 1 ? ", and " + std::to_string(n - 1) + " others" : "") +
-                         "; take one of them out (CalculiX adds their stiffness: then it has the "
-                         "modulus of both)");
+        throw SceneError(
+          "has " + name(first->second) + " twice, also as " + name((first + 1)->second) + ", at " +
+          text_of(vertices[first->first[0]]) +
+          (n > 1 ? ", and " + std::to_string(n - 1) + " others" : "") +
+          "; remove one of them (CalculiX adds their stiffness: use the sum of the moduli)");
     }
 
 
@@ -272,7 +272,7 @@ namespace Signorini
       if (n == 0)
         return {};
       const auto first = std::find(used.begin(), used.end(), false) - used.begin();
-      return {std::to_string(n) + " nodes that no element uses are left out, the first is at " +
+      return {std::to_string(n) + " nodes without elements are ignored, the first is at " +
               text_of(file.nodes[first])};
     }
 

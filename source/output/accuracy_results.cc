@@ -19,26 +19,26 @@ namespace Signorini
         const ValueWithBar      now     = history.last_with_bar();
         Json                   &one     = quantities[goals.quantities[i]];
         one["value"]                    = now.value;
-        one["bar"]                      = now.bar;
+        one["error_bound"]              = now.bar;
         if (now.value != 0)
-          one["relative_bar"] = now.bar / std::abs(now.value);
+          one["relative_error_bound"] = now.bar / std::abs(now.value);
         if (goals.has_targets())
           {
             one["target"] = goals.targets[i];
             one["met"]    = now.bar <= goals.targets[i] * control.scale(i);
           }
         if (const auto better = history.extrapolated())
-          one["extrapolated"] = {{"value", better->value}, {"bar", better->bar}};
-        one["parts"]       = {{"discretisation", last.parts.discretisation},
-                              {"geometry", last.parts.geometry},
-                              {"enforcement", last.parts.enforcement},
-                              {"model", last.parts.model},
-                              {"nonlinear", last.parts.nonlinear},
-                              {"algebraic", last.parts.algebraic}};
-        one["absolute"]    = last.absolute;
-        one["most"]        = last.most;
-        one["unresolved"]  = last.unresolved;
-        one["regularised"] = last.is_regularised;
+          one["extrapolated"] = {{"value", better->value}, {"error_bound", better->bar}};
+        one["parts"]                = {{"discretisation", last.parts.discretisation},
+                                       {"geometry", last.parts.geometry},
+                                       {"enforcement", last.parts.enforcement},
+                                       {"model", last.parts.model},
+                                       {"nonlinear", last.parts.nonlinear},
+                                       {"algebraic", last.parts.algebraic}};
+        one["absolute"]             = last.absolute;
+        one["cauchy_schwarz_bound"] = last.most;
+        one["unresolved"]           = last.unresolved;
+        one["regularised"]          = last.is_regularised;
       }
     return {{"energy", estimate.energy},
             {"quantities", quantities},
@@ -63,7 +63,7 @@ namespace Signorini
         read.parts.nonlinear      = parts.at("nonlinear");
         read.parts.algebraic      = parts.at("algebraic");
         read.absolute             = one.at("absolute");
-        read.most                 = one.at("most");
+        read.most                 = one.at("cauchy_schwarz_bound");
         read.unresolved           = one.at("unresolved");
         read.energy               = results.at("energy");
         read.is_regularised       = one.at("regularised");
@@ -82,7 +82,7 @@ namespace Signorini
       widest = std::max(widest, name.size());
     std::ostringstream text;
     text << "  " << std::left << std::setw(widest) << "error of" << std::right
-         << "          value      bar     mesh geometry  penalty    model   solver\n";
+         << "          value    bound     mesh geometry  penalty    model   solver\n";
     for (unsigned int i = 0; i < goals.quantities.size(); ++i)
       {
         const ErrorHistory &history = control.quantities()[i];

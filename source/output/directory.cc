@@ -99,10 +99,11 @@ namespace Signorini
                   if (entry.is_regular_file() && is_ours)
                     result.push_back(entry.path());
                   else if (kind.needed)
-                    throw SceneError("Output/Directory = " + directory.string() + ": the file '" +
-                                     entry.path().filename().string() +
-                                     "' there is not of this program and would be replaced; move "
-                                     "it, or choose another directory");
+                    throw SceneError(
+                      "Output/Directory = " + directory.string() + ": the file '" +
+                      entry.path().filename().string() +
+                      "' in that directory was not written by this program and would "
+                      "be overwritten; move it, or choose another directory");
                 }
           }
       return result;
@@ -187,8 +188,9 @@ namespace Signorini
     [[noreturn]] void
     refuse_locked(const std::string &directory, const std::string &file, const Owner &owner)
     {
-      throw SceneError("Output/Directory = " + directory + ": another run writes there (" +
-                       owner.text() + "); choose another directory, or wait until it is over" +
+      throw SceneError("Output/Directory = " + directory + ": another run uses it (" +
+                       owner.text() +
+                       "); choose another directory, or wait until that run has ended" +
                        (owner.host == host_name() ? "" : ", or remove " + file + " if it is"));
     }
 
@@ -224,9 +226,8 @@ namespace Signorini
         {
           const int lock = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
           if (lock < 0)
-            throw SceneError("Output/Directory = " + directory +
-                             ": nothing can be written there (" + std::strerror(errno) +
-                             "); choose another directory");
+            throw SceneError("Output/Directory = " + directory + ": it is not writable (" +
+                             std::strerror(errno) + "); choose another directory");
           const Owner owner = owner_of(file);
           if (!hold(lock, owner))
             {

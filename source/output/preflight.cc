@@ -288,8 +288,9 @@ namespace Signorini
                                          {"separates", pair.separates}};
           if (surfaces[i].sees_nothing)
             warnings.push_back(
-              "pair " + pair.name + ": no face of " + pair.slave + " sees " + pair.master +
-              "; if they are to touch, name other boundaries or set its Search distance");
+              "pair " + pair.name + ": no face of " + pair.slave + " faces " + pair.master +
+              " within the search distance; if they should touch, choose other boundaries, or set "
+              "Search distance of the pair");
           if (surfaces[i].is_apart)
             {
               one["candidates"] = 0;
@@ -304,13 +305,15 @@ namespace Signorini
           const std::string where = "pair " + pair.name + ": ";
           if (const double overlap = -one["gap"]["least"].get<double>(); overlap > slave.size)
             warnings.push_back(
-              where + "the surfaces overlap at the start by more than a face of the slave; "
-                      "refine the slave, or ramp it: Interference = t");
+              where +
+              "the initial overlap is larger than a face of the slave; refine the slave, or "
+              "set Interference ramp = t");
           if (one["largest_angle"] > 60)
             warnings.push_back(
-              where + "normals of what touches at the start are up to " +
+              where + "the slave normal deviates by up to " +
               std::to_string(one["largest_angle"].template get<int>()) +
-              " degrees from opposite; contact there is badly resolved: refine, or split the surface");
+              " degrees from the opposite of the master normal where the surfaces touch; refine "
+              "there, or split the surface");
           if (!decisions.scene.obstacle_of(pair))
             {
               const Side<dim> master(elasticity, pair.master);
@@ -318,15 +321,15 @@ namespace Signorini
               one["master_face_size"] = master.size;
               one["matching"]         = match(slave, master, comm);
               if (slave.size > 8 * master.size)
-                warnings.push_back(where +
-                                   "the slave is more than 8 times coarser than the master, whose "
-                                   "resolution is lost on it; refine " +
-                                   pair.slave);
+                warnings.push_back(
+                  where +
+                  "the slave mesh is more than 8 times coarser than the master mesh; refine " +
+                  pair.slave);
               else if (master.size > 8 * slave.size)
-                warnings.push_back(where +
-                                   "the master is more than 8 times coarser than the slave, whose "
-                                   "resolution is lost on it; refine " +
-                                   pair.master);
+                warnings.push_back(
+                  where +
+                  "the master mesh is more than 8 times coarser than the slave mesh; refine " +
+                  pair.master);
             }
           result[pair.name] = one;
         }
@@ -342,25 +345,25 @@ namespace Signorini
       Json result = Json::array();
       for (unsigned int i = 0; i < surfaces.size(); ++i)
         if (surfaces[i].is_apart)
-          result.push_back("pair " + decisions.pairs[i].name +
-                           (surfaces[i].sees_nothing ?
-                              ": its surfaces do not see each other" :
-                              ": its surfaces are farther apart than bodies should move") +
-                           " (checked after each solution)");
+          result.push_back(
+            "pair " + decisions.pairs[i].name +
+            (surfaces[i].sees_nothing ?
+               ": its surfaces do not face each other" :
+               ": the initial gap is larger than the expected motion of the bodies") +
+            " (checked after each solution)");
       if (contact.empty())
-        result.push_back(
-          decisions.finite_strain ?
-            "contact: nothing can touch" :
-            "contact: nothing can touch, the scene is one linear problem a load step");
+        result.push_back(decisions.finite_strain ?
+                           "contact: no candidates" :
+                           "contact: no candidates, each load step is a linear problem");
       else
-        result.push_back("friction: contact slides freely, nothing tangential is stored or solved");
+        result.push_back("friction: contact is frictionless");
       for (const Obstacle<dim> &obstacle : decisions.scene.obstacles)
         {
           unsigned int n_free = 0;
           for (unsigned int d = 0; d < RigidBody<dim>::n_dofs; ++d)
             n_free += obstacle.body.is_free(d);
           result.push_back("mesh of the rigid " + obstacle.name + ": " +
-                           (n_free > 0 ? std::to_string(n_free) + " unknown motions instead" :
+                           (n_free > 0 ? std::to_string(n_free) + " rigid-body unknowns instead" :
                                          "it has no unknowns"));
         }
       return result;
@@ -381,13 +384,13 @@ namespace Signorini
             continue;
           if (p == 1)
             warnings.push_back("body " + body.name +
-                               ": nearly incompressible, where degree 1 is too stiff; set " +
+                               ": nearly incompressible bodies of degree 1 lock; set " +
                                (wants_bars ? "Degree = 2, or none" :
                                              "Formulation = mixed, with Degree = 2 or none"));
           else if (!wants_bars && scene.solver.preconditioner != "direct")
             warnings.push_back(
               "body " + body.name +
-              ": nearly incompressible, where displacements alone take hundreds of "
+              ": for nearly incompressible bodies the displacement formulation needs hundreds of "
               "iterations; set Formulation = mixed");
         }
     }
@@ -415,8 +418,8 @@ namespace Signorini
             if (alpha * rise > small)
               warnings.push_back(
                 "body " + name +
-                ": thermal strains beyond 5 %, but strains are small in this "
-                "theory; are the units of Thermal expansion and Temperature right?");
+                ": thermal strains exceed 5 %, but thermal expansion is limited to small strains; "
+                "check the units of Thermal expansion and Temperature");
           }
     }
   } // namespace
@@ -447,9 +450,9 @@ namespace Signorini
       {"operator",
        word_of(stiffness_forms(),
                choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity))},
-      {"held_by_contact_alone", elasticity.free_motion_names()},
+      {"modes_constrained_by_contact", elasticity.free_motion_names()},
       {"pairs", pairs(decisions, elasticity, surfaces, warnings)},
-      {"left_out", left_out(decisions, surfaces, contact)},
+      {"skipped", left_out(decisions, surfaces, contact)},
       {"warnings", warnings},
       {"predicted",
        {{"seconds", prediction.seconds},

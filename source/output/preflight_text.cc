@@ -109,23 +109,24 @@ namespace Signorini
       }
     for (const auto &[name, pair] : report["pairs"].items())
       print_pair(name, pair, out);
-    for (const auto &motion : report["held_by_contact_alone"])
-      out << "  stopped by contact alone: " << motion.get<std::string>() << "\n";
+    for (const auto &motion : report["modes_constrained_by_contact"])
+      out << "  constrained by contact alone: " << motion.get<std::string>() << "\n";
     if (report["operator"] != "assembled")
-      out << "  products with the stiffness: " << report["operator"].get<std::string>() << "\n";
-    for (const auto &what : report["left_out"])
-      out << "  left out: " << what.get<std::string>() << "\n";
+      out << "  stiffness operator: " << report["operator"].get<std::string>() << "\n";
+    for (const auto &what : report["skipped"])
+      out << "  skipped: " << what.get<std::string>() << "\n";
     for (const auto &warning : report["warnings"])
       out << "  WARNING: " << warning.get<std::string>() << "\n";
     const double seconds = report["predicted"]["seconds"],
                  memory  = report["predicted"]["memory_mb"];
     if (!std::isfinite(seconds))
       {
-        out << "  expected: "
-            << (std::isfinite(memory) ?
-                  "the load steps and Newton steps of large deformation are not predicted; " :
-                  "what a direct solver takes is not predicted; in 3D seconds grow with the square "
-                  "of the unknowns");
+        out
+          << "  expected: "
+          << (std::isfinite(memory) ?
+                "the time of finite-strain solutions cannot be predicted; " :
+                "time and memory of a direct solver cannot be predicted; in 3D the time grows with "
+                "the square of the number of unknowns");
         if (std::isfinite(memory))
           out << std::setprecision(3) << memory << " MB a rank";
         out << "\n" << std::flush;

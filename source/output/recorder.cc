@@ -3,6 +3,7 @@
 #include "output/summary.h"
 #include "verdict/checks.h"
 #include <signorini/parameters/section.h>
+#include "scene/former_entries.h"
 
 #include <algorithm>
 #include <sstream>
@@ -14,7 +15,7 @@ namespace Signorini
 
   namespace
   {
-    constexpr char unfinished[] = "unfinished: the run goes on, or was ended from outside";
+    constexpr char unfinished[] = "unfinished: the run is in progress, or was terminated";
 
     template <int dim>
     std::string
@@ -56,7 +57,7 @@ namespace Signorini
         one["errors"]["energy"]       = deviation.energy;
       }
     if (!scene.known.bulk_stress.empty())
-      one["errors"]["bulk_stress"] = deviation.bulk_stress;
+      one["errors"]["volumetric_stress"] = deviation.bulk_stress;
     if (!scene.known.pressure.empty())
       {
         one["errors"]["pressure"]           = deviation.pressure;
@@ -267,13 +268,13 @@ namespace Signorini
     Json result = {{"newton_iterations", krylov.size()},
                    {"active_points", report.steps.back().active},
                    {"residual", report.steps.back().residual},
-                   {"definite", !report.curves_down},
-                   {"jump", report.jump},
+                   {"tangent_positive_definite", !report.curves_down},
+                   {"snap_through_ratio", report.jump},
                    {"krylov_iterations", krylov},
                    {"newton_iterations_before_augmentations", augmentations}};
     if (!report.undetermined.empty())
-      result["held_motions"] = {{"names", report.undetermined},
-                                {"largest_force", report.holding_force}};
+      result["stabilised_modes"] = {{"names", report.undetermined},
+                                    {"largest_force", report.holding_force}};
     return result;
   }
 
@@ -347,8 +348,8 @@ namespace Signorini
                                     word_of(near_null_spaces(), linear.near_null_space)},
                                    {"contact_seconds", seconds},
                                    {"contact_multigrid_cycles", cycles},
-                                   {"R", seconds / linear.seconds()},
-                                   {"W", cycles / linear.iterations}};
+                                   {"time_ratio", seconds / linear.seconds()},
+                                   {"cycle_ratio", cycles / linear.iterations}};
   }
 
 
@@ -366,7 +367,7 @@ namespace Signorini
       results["degrees"][scene.bodies[body].name] = decisions.degrees[body];
     results["multiplier_dofs"] =
       scene.contact.chosen().has_multipliers() ? contact.n_components() * contact.weight.size() : 0;
-    results["left_out"] = left_out;
+    results["skipped"] = left_out;
     unsigned int faces = 0, candidates = 0;
     for (const ContactSurface<dim> &surface : surfaces)
       {
@@ -376,7 +377,7 @@ namespace Signorini
     results["contact_faces"]      = Utilities::MPI::sum(faces, comm);
     results["contact_candidates"] = Utilities::MPI::sum(candidates, comm);
     results["contact_bytes"]      = Utilities::MPI::sum(contact.memory(), comm);
-    results["shares_of_ranks"]    = shares_of_ranks(elasticity, surfaces);
+    results["partition"]          = shares_of_ranks(elasticity, surfaces);
   }
 
 
@@ -402,8 +403,10 @@ namespace Signorini
   {
     if (Utilities::MPI::this_mpi_process(comm) != 0)
       return;
-    const double before = clock.wall_time();
-    replace_file(path + "/results.json", results.dump(2) + "\n");
+    const double before      = clock.wall_time();
+    Json         with_former = results;
+    add_former_entries(with_former);
+    replace_file(path + "/results.json", with_former.dump(2) + "\n");
     written_at    = clock.wall_time();
     writing_takes = written_at - before;
   }

@@ -203,7 +203,7 @@ namespace Signorini
           {"complementarity", sums.complementarity},
           {"at_points", conditions_at_points(snapshot, pair)}};
         if (!snapshot.pairs[pair].directions.empty())
-          result[snapshot.pairs[pair].name]["contact_along"] =
+          result[snapshot.pairs[pair].name]["contact_extents"] =
             extents(snapshot.pairs[pair], sums.patch);
       }
     return result;

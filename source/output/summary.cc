@@ -46,8 +46,8 @@ namespace Signorini
           << pair["normal_force"].get<double>() << ", area " << pair["area"].get<double>()
           << "\n    largest pressure " << pair["max_pressure"].get<double>()
           << (pair["separates"].get<bool>() ? "\n    largest violations: penetration, tension, " :
-                                              "\n    never separates: largest distance, tension, ")
-          << "|pressure x gap|\n      as the method samples them " << violations(pair)
+                                              "\n    no separation: largest distance, tension, ")
+          << "|pressure x gap|\n      at the sampling points      " << violations(pair)
           << "\n      at the contact points       " << violations(pair["at_points"]) << "\n";
     for (const auto &[name, support] : step["supports"].items())
       out << "  support " << name << ":  force " << numbers(support["reaction"]) << "\n";
@@ -55,11 +55,11 @@ namespace Signorini
       out << "  obstacle " << name << ":  moved by " << numbers(obstacle["displacement"])
           << ", rotated by " << numbers(obstacle["rotation"]) << ", force "
           << numbers(obstacle["force"]) << ", moment " << numbers(obstacle["moment"]) << "\n";
-    if (step.contains("held_motions"))
-      for (const auto &name : step["held_motions"]["names"])
-        out << "  nothing determines " << name.get<std::string>()
-            << ": held, by a force of at most "
-            << step["held_motions"]["largest_force"].get<double>() << "\n";
+    if (step.contains("stabilised_modes"))
+      for (const auto &name : step["stabilised_modes"]["names"])
+        out << "  unconstrained mode: " << name.get<std::string>()
+            << ", stabilised by a force of at most "
+            << step["stabilised_modes"]["largest_force"].get<double>() << "\n";
     out << "  sum of all forces / largest: " << step["force_balance"].get<double>()
         << ", of moments / (largest force times size): " << step["moment_balance"].get<double>()
         << "\n";
@@ -78,9 +78,9 @@ namespace Signorini
     if (results.contains("linear_reference"))
       {
         const Json &linear = results["linear_reference"];
-        out << "\n  against the linear solve without contact: " << std::setprecision(2)
-            << linear["R"].get<double>() << " times the seconds (R), " << linear["W"].get<double>()
-            << " times the multigrid cycles (W)";
+        out << "\n  compared with the linear solve without contact: " << std::setprecision(2)
+            << linear["time_ratio"].get<double>() << " times the seconds, "
+            << linear["cycle_ratio"].get<double>() << " times the multigrid cycles";
       }
     out << std::defaultfloat << std::setprecision(6) << "\n  peak memory per rank: ";
     for (const Json &mb : results["peak_memory_mb"])

@@ -90,11 +90,11 @@ namespace Signorini
       switch (error.GetCode())
         {
           case mu::ecUNASSIGNABLE_TOKEN:
-            return "'" + token + "' is no number, and no name that is known here";
+            return "'" + token + "' is neither a number nor a known name";
           case mu::ecEMPTY_EXPRESSION:
             return "there is nothing";
           case mu::ecINTERNAL_ERROR:
-            return "something is missing in it";
+            return "the formula is incomplete";
           default:
             return shortened(error.GetMsg());
         }

@@ -35,9 +35,9 @@ namespace Signorini
   Definitions::add(const std::string &name, const std::string &formula)
   {
     if (!is_name(name))
-      throw SceneError("a name has letters, digits and _, and no digit first");
+      throw SceneError("a name consists of letters, digits and _, and does not begin with a digit");
     if (has_meaning(name) || knows(name))
-      throw SceneError("that name has a meaning already");
+      throw SceneError("the name is already in use");
     try
       {
         CompiledFormula({formula, std::make_shared<Definitions>(*this)}, {"x", "y", "z", "t"});

@@ -41,8 +41,8 @@ namespace Signorini
     {
       constexpr std::size_t deepest = 100;
       if (depth > deepest)
-        throw SceneError(where + ": subsections stand within each other more than " +
-                         std::to_string(deepest) + " deep; is an end missing?");
+        throw SceneError(where + ": subsections are nested more than " + std::to_string(deepest) +
+                         " deep; is an end missing?");
     }
 
     class Reader
@@ -209,5 +209,13 @@ namespace Signorini
     for (unsigned int i = 0; i + 1 < parts.size(); ++i)
       section = &section->get_section(parts[i], where);
     section->set_value(parts.back(), value, where);
+  }
+
+
+
+  bool
+  is_override(const std::string &where)
+  {
+    return where.find("--set") == 0;
   }
 } // namespace Signorini

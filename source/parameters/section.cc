@@ -136,6 +136,15 @@ namespace Signorini
 
 
 
+  template <typename T>
+  std::string
+  Section::text_of(const T &value)
+  {
+    return to_text(value);
+  }
+
+
+
   void
   Section::add_choice(const std::string              &key,
                       std::string                    &value,
@@ -226,7 +235,7 @@ namespace Signorini
                          shortened(value.text) + "'" + hint(value.key, known_keys));
     const RawSection::Value *names     = raw->find_value("Names");
     const bool               is_list   = names && names->used;
-    const bool               is_chosen = is_list && names->where.find("--set") == 0;
+    const bool               is_chosen = is_list && is_override(names->where);
     for (const RawSection &section : raw->sections)
       if (!section.used && !is_chosen) // else left out on the command line
         throw SceneError(section.where + ": unknown subsection '" +
@@ -312,7 +321,8 @@ namespace Signorini
 
 
 #define INSTANTIATE(T)                                                                             \
-  template void Section::add(const std::string &, T &, const std::string &, const Range &);
+  template void        Section::add(const std::string &, T &, const std::string &, const Range &); \
+  template std::string Section::text_of(const T &);
   INSTANTIATE(double)
   INSTANTIATE(unsigned int)
   INSTANTIATE(bool)

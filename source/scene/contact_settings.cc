@@ -49,39 +49,41 @@ namespace Signorini
       "Method",
       method,
       choices,
-      "how contact is imposed; auto: what costs least for the Target error, and the "
-      "degree of bodies, if nobody sets it");
+      "how the contact constraints are enforced; auto: the method of least cost for the "
+      "Accuracy/Target error, and the polynomial degree of the bodies, if it is not set");
     section.add_choice(
       "Integration",
       integration,
       or_auto(Integration::rules()),
-      "of slave faces: auto: what suits the method; segments: exactly, on their intersections with master faces; by Gauss "
-      "points on whole faces (cheaper); at the nodes (cheapest)");
+      "numerical integration on slave faces: auto: the rule that suits the method; segments: exact, on the intersections "
+      "with master faces; quadrature: Gauss points on whole faces (cheaper); nodes: at the slave nodes (cheapest)");
     section.add(
       "Quadrature points",
       quadrature_points,
-      "a direction on a segment or face; 0: degree + 1; degree + 3 for weighted methods on whole faces, and on segments of "
-      "faces far from parallelograms, as those of divided tetrahedra; nodes have degree + 1",
+      "Gauss points per direction on a segment or face; 0: degree + 1, but degree + 3 for mortar methods on whole faces and "
+      "on segments of strongly distorted faces, as those of subdivided tetrahedra; Integration = nodes uses degree + 1",
       Range{0, 20});
     section.add_choice(
       "Pressure basis",
       pressure_basis,
       {{"dual", Basis::dual}, {"standard", Basis::standard}},
-      "of methods that weigh the gap at slave nodes: functions biorthogonal to the displacement's (fewest Newton steps), "
-      "or the displacement's own");
+      "of mortar methods: dual: multiplier functions biorthogonal to the displacement shape functions (fewest Newton "
+      "steps); standard: the displacement shape functions");
     section.add_choice(
       "Contact geometry",
       geometry,
       {{"automatic", ContactGeometry::automatic},
        {"reference", ContactGeometry::reference},
        {"updated", ContactGeometry::updated}},
-      "where gaps and normals are taken: reference: of the surfaces at rest; updated: of the surfaces as they are now, "
-      "which costs a search and a solve or two more; automatic: as they are now where that changes the pressure");
-    section.add(
-      "Geometry share",
-      geometry_share,
-      "of the pressure that automatic does not update for; it is estimated from the solution",
-      Range{0, 1, false});
+      "configuration in which gaps and normals are computed: reference: undeformed (small sliding); updated: current (large "
+      "sliding), which costs one or two more searches and solves; automatic: updated if that changes the pressure by "
+      "more than the Geometry update tolerance");
+    section.rename_key("Geometry share", "Geometry update tolerance");
+    section.add("Geometry update tolerance",
+                geometry_share,
+                "relative change of the pressure, estimated from the solution, above which "
+                "Contact geometry = automatic changes to updated",
+                Range{0, 1, false});
     for (const auto &[name, object] : methods)
       section.add_section(name, about_method(name), [&, object = object](Section &s) {
         object->declare(s);

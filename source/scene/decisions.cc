@@ -27,17 +27,15 @@ namespace Signorini
     obstacle_to_mixed(const Scene<dim> &scene, const Body<dim> &body, const Material &material)
     {
       if (model_of(scene.model) == Model::plane_stress)
-        return "a sheet, with Model = plane stress, is free to become thinner: it is for "
-               "displacement";
+        return "the mixed formulation is not available for Model = plane stress, which does not lock";
       if (body.degree == 1 || (body.degree == 0 && scene.degree_is_set && scene.degree == 1))
-        return "degree 1 has no stable bulk stress; set Degree = 2";
+        return "the pressure of degree 1 is not stable (inf-sup condition); set Degree = 2";
       if (!(material.poissons_ratio > 0))
-        return "needs a Poisson's ratio above 0";
+        return "requires a Poisson's ratio above 0";
       if (scene.deformation != Deformation::small && material.law == "Saint Venant-Kirchhoff")
-        return "Law = Saint Venant-Kirchhoff has no volumetric part; take neo-Hooke";
+        return "Law = Saint Venant-Kirchhoff has no volumetric part; set Law = neo-Hooke";
       if (!scene.goals.quantities.empty() || scene.goals.has_targets())
-        return "errors of the bulk stress are not estimated; take Accuracy/Quantity and Target "
-               "error out";
+        return "errors of the volumetric stress are not estimated; remove Accuracy/Quantity and Target error";
       return {};
     }
 
@@ -58,9 +56,9 @@ namespace Signorini
                           (material.formulation == Formulation::automatic &&
                            material.poissons_ratio >= nearly_incompressible && obstacle.empty());
       if (!result && material.poissons_ratio == 0.5)
-        throw SceneError(place + "/Poisson's ratio = 0.5 is for Formulation = mixed" +
+        throw SceneError(place + "/Poisson's ratio = 0.5 requires Formulation = mixed" +
                          (obstacle.empty() ? "" : ", but " + obstacle) +
-                         "; or take a Poisson's ratio below 0.5");
+                         "; or set a Poisson's ratio below 0.5");
       return result;
     }
 
@@ -104,10 +102,10 @@ namespace Signorini
       }
     if (!scene.contact.is_automatic())
       return;
-    reason = scene.contact.chosen_name() + ", which needs no parameter and leaves no gap";
+    reason = scene.contact.chosen_name() + ", which has no parameter and no penetration";
     if (!scene.degree_is_set)
       reason += scene.goals.has_targets() ?
-                  "; degree 1, or 2 where bodies are far from the target" :
+                  "; degree 1, or degree 2 for bodies whose errors are far above the target" :
                   "; degree 1, since there is no Target error";
   }
 
@@ -210,7 +208,7 @@ namespace Signorini
         if (integration.rule == Rule::segments && scene.contact.quadrature_points > 7)
           throw SceneError("Contact method/Quadrature points = " +
                            std::to_string(scene.contact.quadrature_points) +
-                           ": on segments there are rules with up to 7");
+                           ": with Integration = segments at most 7 are available; set 7 or less");
       }
     if (finite_strain)
       check_finite_strain();
@@ -225,22 +223,26 @@ namespace Signorini
   Decisions<dim>::check_finite_strain() const
   {
     const auto refuse = [](const std::string &key, const std::string &why) {
-      throw SceneError(key + ": " + why + " with Deformation = finite");
+      throw SceneError(key + ": " + why + "; set Deformation = small, or change that key");
     };
     if (scene.contact.geometry == ContactGeometry::reference)
-      refuse("Contact method/Contact geometry = reference", "surfaces are not where they were");
+      refuse("Contact method/Contact geometry = reference",
+             "is not possible with Deformation = finite, which requires "
+             "the current configuration");
     for (const Load<dim> &load : scene.loads)
       if (model_of(scene.model) == Model::plane_stress && !load.pressure.is_zero())
         refuse(
           "Loads/" + load.name + "/Pressure = " + load.pressure.formula(),
-          "is not there for Model = plane stress, whose edges become thinner: take a Traction,");
+          "is not available for Model = plane stress with Deformation = finite; use a Traction instead");
     for (const Body<dim> &body : scene.bodies)
       if (body.expansion.given())
-        refuse("Bodies/" + body.name + "/Thermal expansion", "is not there");
+        refuse("Bodies/" + body.name + "/Thermal expansion",
+               "is not available with Deformation = finite");
     if (!scene.goals.quantities.empty())
-      refuse("Accuracy/Quantity = " + scene.goals.quantities.front(), "errors are not estimated");
+      refuse("Accuracy/Quantity = " + scene.goals.quantities.front(),
+             "error estimation is not available with Deformation = finite");
     if (scene.output.linear_reference)
-      refuse("Output/Linear reference = yes", "nothing is linear");
+      refuse("Output/Linear reference = yes", "is not available with Deformation = finite");
   }
 
 

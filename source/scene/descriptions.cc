@@ -30,10 +30,10 @@ namespace Signorini
       {"box",
        "A rectangle or cuboid along the axes, with cells that may grow geometrically along each axis."},
       {"disc", "A disc, or a half or a quarter of it, with an exact arc."},
-      {"ring",
-       "The space between two circles, in 3D a tube along z, or a half or a quarter of it, with exact arcs."},
+      {"ring", "An annulus, in 3D a tube along z, or a half or a quarter of it, with exact arcs."},
       {"sphere", "A ball, its lower half or a quarter of that, with an exact sphere."},
-      {"shell", "The space between two concentric spheres, its lower half or a quarter of that."},
+      {"shell",
+       "A spherical shell between two concentric spheres, its lower half or a quarter of that."},
       {"file",
        "A mesh file of Gmsh, Abaqus, CalculiX or VTK, or a part of it; see meshes/README.md."}};
     return sentence(sentences, generator);
@@ -45,9 +45,9 @@ namespace Signorini
   about_shape(const std::string &obstacle)
   {
     static const Sentences sentences = {
-      {"plane", "All that lies behind a plane."},
-      {"sphere", "A ball (in 2D a circular cylinder), or the seat of one."},
-      {"cylinder", "A circular cylinder about an axis (in 2D about z), or a bore."},
+      {"plane", "A rigid half-space."},
+      {"sphere", "A ball (in 2D a circular cylinder), or a spherical seat (Hollow = yes)."},
+      {"cylinder", "A circular cylinder about an axis (in 2D about z), or a bore (Hollow = yes)."},
       {"paraboloid",
        "A paraboloid of revolution (in 2D a parabola), with the gap measured along its axis as in Hertz' theory."},
       {"punch", "A flat circular face (in 2D a strip) with rounded edges at the end of a shaft."},
@@ -63,17 +63,17 @@ namespace Signorini
   about_method(const std::string &method)
   {
     static const Sentences sentences = {
-      {"penalty", "Bodies penetrate by pressure over stiffness: p = max(0, -eps g)."},
+      {"penalty", "The pressure is proportional to the penetration: p = max(0, -eps g)."},
       {"augmented Lagrangian",
-       "Penalties whose penetration is taken away by augmentations; the result is that of Lagrange multipliers."},
+       "Penalty method with multiplier updates (augmentations) that remove the penetration; the result is that of Lagrange multipliers."},
       {"perturbed Lagrangian",
-       "The pressure is an unknown, and contact is elastic: g + p/eps = 0 where it acts."},
+       "The pressure is an unknown, and contact is compliant: g + p/eps = 0 where it is active."},
       {"Lagrange multiplier",
-       "The pressure is an unknown, and the gap weighted at the slave nodes is zero where it acts."},
+       "The pressure is an unknown, and the weighted gap of each active slave node is zero (mortar method)."},
       {"direct elimination",
-       "Slave nodes that touch are put on the master surface, one by one; exact where nodes match."},
+       "The displacement of active slave nodes normal to the master surface is eliminated (node to surface); exact where nodes match."},
       {"Nitsche",
-       "The pressure is the normal stress of the bodies, with a penalty that is chosen by the program."}};
+       "The pressure is the normal stress of the bodies plus a stabilising penalty term, which is chosen by the program."}};
     return sentence(sentences, method);
   }
 
@@ -83,7 +83,7 @@ namespace Signorini
   about_integration(const std::string &rule)
   {
     static const Sentences sentences = {
-      {"auto", "what suits the method"},
+      {"auto", "the rule that suits the method"},
       {"segments", "exactly, on the intersections of slave faces with master faces"},
       {"quadrature", "by Gauss points on whole slave faces: cheaper"},
       {"nodes", "at the slave nodes: cheapest, and exact where nodes match"}};
@@ -96,12 +96,13 @@ namespace Signorini
   about_preconditioner(const std::string &name)
   {
     static const Sentences sentences = {
-      {"contact filter",
-       "exact on the contact zone, multigrid elsewhere: iterations depend neither on the penalty nor on the mesh"},
+      {"interface multigrid",
+       "multigrid with an exact solve on the contact interface: iterations depend neither on the penalty nor on the mesh"},
       {"block diagonal", "for systems with multipliers: multigrid, and a Schur complement"},
       {"block triangular",
-       "likewise, and the multipliers see what the displacement has found already"},
-      {"SIMPLE", "likewise, and then the displacement sees the multipliers, through its diagonal"},
+       "multiplicative: the residual of the multipliers includes the update of the displacement"},
+      {"SIMPLE",
+       "block triangular with a correction of the displacement through the diagonal of the stiffness"},
       {"direct",
        "a factorisation of the whole system: for small problems, and for nearly incompressible bodies"}};
     return sentence(sentences, name);
@@ -114,8 +115,8 @@ namespace Signorini
   {
     static const Sentences sentences = {{"diagonal", "from the diagonal of the stiffness"},
                                         {"mass", "the mass of the multipliers, scaled"},
-                                        {"zone",
-                                         "from the stiffness of the contact zone, factorised"},
+                                        {"interface",
+                                         "from the stiffness of the contact interface, factorised"},
                                         {"multigrid", "by inner iterations with multigrid"}};
     return sentence(sentences, name);
   }

@@ -1,6 +1,7 @@
 #include "parameters/compiled_formula.h"
 #include <signorini/parameters/section.h>
 #include <signorini/scene/expected_result.h>
+#include "scene/former_entries.h"
 
 #include <nlohmann/json.hpp>
 
@@ -31,7 +32,8 @@ namespace Signorini
   {
     section.add("Quantities",
                 quantities,
-                "NAME = PATH, ...: where results.json has the number, from the last load step on");
+                "NAME = PATH, ...: path of the number in results.json, or in its last load step");
+    place = section.place_of("Quantities");
     section.add("Value", value, "formula in these names");
     section.add("Reference", reference, "formula in these names");
     section.add("Tolerance", tolerance, "relative", non_negative);
@@ -39,7 +41,7 @@ namespace Signorini
                 absolute_tolerance,
                 "for references that may be zero",
                 non_negative);
-    section.add("Source", source, "where the reference comes from");
+    section.add("Source", source, "source of the reference value");
     if (section.reading() && (quantities.empty() || value.empty()))
       section.fail(value.empty() ? "Value" : "Quantities", "is needed");
     std::vector<std::string> names;
@@ -66,8 +68,27 @@ namespace Signorini
     };
     compile("Value", value);
     if (is_zero(*compile("Reference", reference)) && absolute_tolerance == 0)
-      section.fail("Reference",
-                   "is zero, of which a relative Tolerance allows nothing; set Absolute tolerance");
+      section.fail(
+        "Reference",
+        "is zero, for which a relative Tolerance is meaningless; set Absolute tolerance");
+  }
+
+
+
+  void
+  ExpectedResult::use_present_paths(Section &section, const unsigned int dim)
+  {
+    for (std::string &quantity : quantities)
+      {
+        const auto        parts = split(quantity, '=');
+        const std::string path  = present_path(parts[1], dim);
+        if (path == parts[1])
+          continue;
+        section.add_note(place,
+                         "'" + parts[1] + "' is now called '" + path +
+                           "'; the former name is accepted until the next release");
+        quantity = parts[0] + " = " + path;
+      }
   }
 
 
@@ -115,7 +136,7 @@ namespace Signorini
     is_open(const std::string &first, const std::vector<std::string> &whole)
     {
       for (const char *name :
-           {"krylov_iterations", "newton_iterations_before_augmentations", "held_motions"})
+           {"krylov_iterations", "newton_iterations_before_augmentations", "stabilised_modes"})
         if (first == name)
           return true;
       return std::find(whole.begin(), whole.end(), first) != whole.end();

@@ -18,7 +18,7 @@ namespace Signorini
         const std::string kind  = one.substr(0, colon);
         if (colon == std::string::npos ||
             std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-          throw SceneError("Left out = ... " + one + ": each part begins with one of " +
+          throw SceneError("Not imported = ... " + one + ": each part begins with one of " +
                            join(kinds) + ", and a colon");
         result.push_back({kind, trim(one.substr(colon + 1))});
       }

@@ -42,23 +42,27 @@ namespace Signorini
   void
   LoadSteps::declare(Section &section)
   {
-    section.add("End time",
-                end_time,
-                "t runs from 0 to this; supports, loads and obstacles depend on it",
-                positive);
+    section.add(
+      "End time",
+      end_time,
+      "end of the load history, which starts at t = 0; supports, loads and obstacles depend on t",
+      positive);
     Formula steps = is_automatic ? "automatic" : to_text(number);
     section.add(
       "Number",
       steps,
-      "of equal steps, [1, 1000000]; automatic: the whole load at once, and where that cannot be solved in "
-      "steps that shrink and grow with the iterations that they take");
+      "number of equal load steps, [1, 1000000]; automatic: one step, and if it does not converge, "
+      "steps whose size is controlled by the number of iterations");
     if (section.reading())
       read_number(section, steps);
-    section.add("Times", times, "ends of the steps, instead of End time and Number; increasing");
+    section.add("Times",
+                times,
+                "end times of the load steps, increasing, instead of End time and Number");
     section.add(
       "Cut-backs",
       cut_backs,
-      "how often a step that cannot be solved is halved; it grows again afterwards; automatic steps: at least 10 times",
+      "number of times that a load step may be halved if it does not converge; later steps grow "
+      "again; at least 10 for Number = automatic",
       Range{0, 20});
     for (unsigned int i = 0; i < times.size(); ++i)
       if (times[i] <= (i > 0 ? times[i - 1] : 0))

@@ -7,36 +7,41 @@ namespace Signorini
   void
   OutputSettings<dim>::declare(Section &section)
   {
-    section.add("Directory", directory, "where files go; empty: output/NAME-OF-THE-SCENE");
+    section.add("Directory", directory, "output directory; empty: output/NAME-OF-THE-SCENE");
     section.add("VTU",
                 vtu,
                 "yes or no: write solution.pvd (bodies) and contact.pvd (contact surfaces)");
-    section.add("Linear reference",
-                linear_reference,
-                "yes or no: solve without contact too, and compare: R of the seconds, W of the "
-                "multigrid cycles");
+    section.add(
+      "Linear reference",
+      linear_reference,
+      "yes or no: solve the bodies without contact too, and report the ratios of the seconds and "
+      "of the multigrid cycles");
     section.add(
       "Strict",
       strict,
-      "yes or no: what the verdict on the answer warns of ends the run with exit code 3, as --strict does");
+      "yes or no: warnings of the verdict end the run with exit code 3, as with --strict");
+    section.rename_key("Checkpoint every steps", "Steps between checkpoints");
+    section.add("Steps between checkpoints",
+                checkpoint_steps,
+                "number of load steps between checkpoints, which are also written after each "
+                "refinement; 0: not by number of steps");
+    section.rename_key("Checkpoint every minutes", "Minutes between checkpoints");
     section.add(
-      "Checkpoint every steps",
-      checkpoint_steps,
-      "a checkpoint after so many load steps, and after each refinement; 0: not by steps");
-    section.add("Checkpoint every minutes",
-                checkpoint_minutes,
-                "a checkpoint after the load step that ends so long after the last one; 0: not by "
-                "time [minutes of wall time]",
-                non_negative);
-    section.add("Time limit",
-                time_limit,
-                "the run ends before this, with a checkpoint and exit code 5; 0: none [minutes of "
-                "wall time since the program was started]",
-                non_negative);
+      "Minutes between checkpoints",
+      checkpoint_minutes,
+      "least time between checkpoints, which are written at the end of a load step; 0: not "
+      "by time [minutes of wall time]",
+      non_negative);
+    section.add(
+      "Time limit",
+      time_limit,
+      "the run ends before this time with a checkpoint and exit code 5; 0: none [minutes of "
+      "wall time since the program was started]",
+      non_negative);
     section.add_named(
       "Probes",
       probes,
-      "Points, or lines of points, whose values are reported: displacement and stress in bodies, pressure and gap on pairs.");
+      "Points, or lines of points, at which displacement and stress in bodies, or pressure and gap on contact pairs are reported.");
   }
 
 

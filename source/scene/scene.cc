@@ -13,7 +13,7 @@ namespace Signorini
   void
   MaterialOfCells::declare(Section &section)
   {
-    section.add_required("Cells", cells, "name in the mesh file of the set of cells");
+    section.add_required("Cells", cells, "name of the cell set in the mesh file");
     material.declare(section);
     section.add("Thermal expansion",
                 expansion,
@@ -38,16 +38,18 @@ namespace Signorini
                 Range{0, 2});
     material.declare(section);
     expansion.declare(section, mesh.generator->has_temperature());
-    section.add_named("Materials",
-                      others,
-                      "Of sets of cells of a Mesh = file, instead of that of the body.");
+    section.add_named(
+      "Materials",
+      others,
+      "Materials of cell sets of a Mesh = file, instead of the material of the body.");
     mesh.cells_of_materials.clear();
     for (const MaterialOfCells &one : others)
       {
         if (!one.expansion.empty() && !expansion.given())
-          section.fail("Thermal expansion",
-                       "is needed where one of the Materials has one: 0, if the rest of the body "
-                       "does not expand");
+          section.fail(
+            "Thermal expansion",
+            "is required, because one of the Materials sets it; set 0 if the rest of the body "
+            "does not expand");
         mesh.cells_of_materials.push_back(one.cells);
       }
   }
@@ -61,7 +63,7 @@ namespace Signorini
     const std::vector<std::string> sets = mesh.generator->cell_sets();
     for (const MaterialOfCells &one : others)
       if (std::find(sets.begin(), sets.end(), one.cells) == sets.end())
-        throw SceneError(one.place + ": there is no such set of cells; there are: " + join(sets));
+        throw SceneError(one.place + ": the mesh has no cell set of that name; it has: " + join(sets));
   }
 
 
@@ -78,6 +80,24 @@ namespace Signorini
 
 
 
+  namespace
+  {
+    void
+    declare_expected(Section                     &section,
+                     std::vector<ExpectedResult> &expected,
+                     const unsigned int           dim)
+    {
+      section.add_named("Expected results",
+                        expected,
+                        "Reference values that the results are compared with.");
+      if (section.reading())
+        for (ExpectedResult &one : expected)
+          one.use_present_paths(section, dim);
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   Scene<dim>::declare(Section &section)
@@ -90,27 +110,30 @@ namespace Signorini
       model_names<dim>(),
       dim == 2 ? "axisymmetric: x is the radius, y the axis, and forces are those of the whole "
                  "circumference; else forces are per thickness" :
-                 "what the mesh stands for");
+                 "three-dimensional solid");
     section.add_choice(
       "Deformation",
       deformation,
       {{"small", Deformation::small},
        {"finite", Deformation::finite},
        {"automatic", Deformation::automatic}},
-      "of bodies: strains and rotations are small beside one; or of any amount, with the Law of each body, "
-      "and contact on the surfaces as they are now; automatic: small, until a solution shows that this neglects too much");
+      "small: small strains and rotations; finite: finite strain with the Law of each body, and contact in the current "
+      "configuration (large sliding); automatic: small, and finite as soon as the work error of a small-strain solution "
+      "exceeds the Finite-strain tolerance");
+    section.rename_key("Deformation share", "Finite-strain tolerance");
     section.add(
-      "Deformation share",
+      "Finite-strain tolerance",
       deformation_share,
-      "of the work of the stresses that automatic does not become finite for; a Target error, if there is one "
-      "that is smaller",
+      "relative work error of the small-strain solution above which Deformation = automatic changes to finite; "
+      "a smaller Accuracy/Target error takes precedence",
       Range{0, 1, false});
     section.add("Title", title, "");
+    section.rename_key("Left out", "Not imported");
     section.add(
-      "Left out",
+      "Not imported",
       left_out,
-      "what an import could not say, separated by ;   each KIND: what, where. It is printed; that a load, "
-      "support, motion, pair, body or material is left out is a warning of the verdict, and a failure if nothing acts "
+      "features of an imported deck that are not supported, separated by ;   each KIND: what, where. They are printed; "
+      "the verdict warns if a load, support, motion, pair, body or material is missing, and fails if nothing is loaded "
       "without it");
     if (section.reading())
       left_out_of(left_out);
@@ -125,7 +148,7 @@ namespace Signorini
     section.add_named("Loads", loads, "Tractions, pressures, body forces.");
     section.add_named("Contact pairs",
                       pairs,
-                      "Surfaces that may touch. Names = auto finds those that see each other.");
+                      "Surfaces that may touch. Names = auto finds facing surfaces.");
     auto_pairs = pairs.size() == 1 && pairs[0].name == "auto" && pairs[0].slave.empty() &&
                  pairs[0].master.empty();
     if (section.reading() && !auto_pairs)
@@ -133,10 +156,10 @@ namespace Signorini
         if (pair.slave.empty() || pair.master.empty())
           throw SceneError(
             "Contact pairs/" + pair.name +
-            ": a pair needs a Slave and a Master; Names = auto stands alone, and finds both");
+            ": Slave and Master are required; to find all pairs automatically, set Contact pairs/Names = auto as the only name");
     section.add_section(
       "Mesh",
-      "What is done to the meshes of all bodies before the first solution.",
+      "Refinement, partitioning and polynomial degree of the meshes of all bodies.",
       [&](Section &s) {
         mesh.declare(s);
         if (s.reading())
@@ -144,33 +167,33 @@ namespace Signorini
         s.add(
           "Degree",
           degree,
-          "polynomial degree of the displacement, of bodies that do not set theirs; 0: 1, and 2 for those for which "
-          "an Accuracy/Target error makes that pay",
+          "polynomial degree of the displacement of bodies without a Degree of their own; 0: degree 1, and degree 2 for "
+          "those for which that is cheaper for the Accuracy/Target error",
           Range{0, 2});
       });
-    section.add_section("Contact method",
-                        "One line switches the method; the others' sections are ignored.",
-                        [&](Section &s) { contact.declare(s); });
+    section.add_section(
+      "Contact method",
+      "Method chooses the contact method; the sections of the other methods are ignored.",
+      [&](Section &s) { contact.declare(s); });
     section.add_section("Accuracy",
-                        "What is wanted, how accurately, and adaptive refinement for it.",
+                        "Quantities of interest, their error bounds, and adaptive refinement.",
                         [&](Section &s) {
                           goals.declare(s);
                           refinement.declare(s);
                         });
-    section.add_section("Load steps", "The history of loading.", [&](Section &s) {
-      load_steps.declare(s);
-    });
+    section.add_section("Load steps", "Load history.", [&](Section &s) { load_steps.declare(s); });
     if (section.reading())
       end_steps_where_supports_change();
-    section.add_section("Newton", "The nonlinear iteration.", [&](Section &s) {
-      newton.declare(s);
+    section.add_section("Newton", "Nonlinear solver.", [&](Section &s) { newton.declare(s); });
+    section.add_section("Solver", "Linear solver.", [&](Section &s) { solver.declare(s); });
+    section.add_section("Output", "Files that are written.", [&](Section &s) {
+      output.declare(s);
     });
-    section.add_section("Solver", "The linear systems.", [&](Section &s) { solver.declare(s); });
-    section.add_section("Output", "What is written.", [&](Section &s) { output.declare(s); });
-    section.add_section("Known solution",
-                        "Formulas that the computed solution is compared with.",
-                        [&](Section &s) { known.declare(s); });
-    section.add_named("Expected results", expected, "What is known about the answer.");
+    section.add_section(
+      "Known solution",
+      "Exact solution, as formulas; the errors of the computed solution are reported.",
+      [&](Section &s) { known.declare(s); });
+    declare_expected(section, expected, dim);
   }
 
 
@@ -183,10 +206,11 @@ namespace Signorini
     for (const Support<dim> &support : supports)
       {
         if (support.from >= load_steps.end_time)
-          throw SceneError("Supports/" + support.name + "/From = " + short_text(support.from) +
-                           ": the scene ends at t = " + short_text(load_steps.end_time) +
-                           ", so that this support never holds; set an earlier time, or take it "
-                           "out");
+          throw SceneError("Supports/" + support.name +
+                           "/Start time = " + short_text(support.from) +
+                           ": the load history ends at t = " + short_text(load_steps.end_time) +
+                           ", so that this support is never active; set an earlier time, or remove "
+                           "the support");
         for (const double t : {support.from, support.until})
           if (t > 0)
             load_steps.changes.push_back(t);

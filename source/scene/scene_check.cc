@@ -67,7 +67,7 @@ namespace Signorini
       if (stiff->first > largest * soft->first)
         throw SceneError("Bodies/" + stiff->second +
                          "/Young's modulus: more than 1e8 times that of '" + soft->second +
-                         "', beyond what rounding allows; take an obstacle for a rigid body");
+                         "', too much for double precision; model a rigid body as an obstacle");
     }
 
     /// What keeps the symmetry about the axis: motions and forces along it.
@@ -83,9 +83,10 @@ namespace Signorini
           const bool            sideways =
             body.displacement.given() && (body.is_free(0) || !body.displacement.is_zero(0));
           if (sideways || body.rotation.given())
-            throw SceneError("Obstacles/" + obstacle.name +
-                             ": with Model = axisymmetric an obstacle moves along the axis only; "
-                             "write Displacement = 0; ... and no Rotation");
+            throw SceneError(
+              "Obstacles/" + obstacle.name +
+              ": with Model = axisymmetric an obstacle can move along the axis only; "
+              "set Displacement = 0; ... and no Rotation");
         }
     }
 
@@ -116,7 +117,7 @@ namespace Signorini
           if ((pairs[i].slave == pairs[j].slave && pairs[i].master == pairs[j].master) ||
               (pairs[i].slave == pairs[j].master && pairs[i].master == pairs[j].slave))
             throw SceneError(pairs[i].slave_place + ": pairs '" + pairs[j].name + "' and '" +
-                             pairs[i].name + "' are of the same surfaces; remove one");
+                             pairs[i].name + "' have the same surfaces; remove one");
     }
 
     /// The surface is free of itself at rest, and nothing holds its parts together.
@@ -124,12 +125,12 @@ namespace Signorini
     void
     check_self(const ContactPair<dim> &pair)
     {
-      const std::string place = pair.master_place + ": a surface that touches itself ";
+      const std::string place = pair.master_place + ": self-contact ";
       if (pair.gap_is_given() || pair.closed_up_to >= 0)
-        throw SceneError(place +
-                         "has the gaps of its geometry; take Initial gap out, and Closed up to");
+        throw SceneError(
+          place + "requires the gaps of the geometry; remove Initial gap and Closure tolerance");
       if (!pair.separates)
-        throw SceneError(place + "may separate from itself; take Separates out");
+        throw SceneError(place + "requires Separation = allowed; remove Separation");
     }
 
     void
@@ -145,9 +146,10 @@ namespace Signorini
             const std::string close = nearest(name, existing);
             if (what == "boundary" &&
                 std::find(node_sets.begin(), node_sets.end(), name) != node_sets.end())
-              throw SceneError(place + ": '" + name +
-                               "' is a set of nodes without all corners of any face; supports and "
-                               "loads take it by the key Nodes");
+              throw SceneError(
+                place + ": '" + name +
+                "' is a node set that contains no complete face; use the key Nodes of "
+                "supports and loads");
             throw SceneError(place + ": there is no " + what + " '" + name + "'" +
                              (close.empty() ? "." : "; did you mean '" + close + "'?") +
                              " There are: " + join(existing) + ".");
@@ -211,11 +213,12 @@ namespace Signorini
     check_contrast(bodies);
     Decisions<dim>(*this).check();
     if (mesh.distribution == Distribution::METIS && most_cycles() > 0)
-      throw SceneError("Mesh/Distribution = METIS has a fixed mesh, but " +
-                       (goals.has_targets() ?
-                          "there is an Accuracy/Target error" :
-                          "Accuracy/Refinement cycles = " + std::to_string(refinement.cycles)) +
-                       "; take p4est, or refine by Mesh/Refinements, Contact refinements, Zones");
+      throw SceneError(
+        "Mesh/Distribution = METIS cannot refine the mesh, but " +
+        (goals.has_targets() ?
+           "Accuracy/Target error is set" :
+           "Accuracy/Refinement cycles = " + std::to_string(refinement.cycles)) +
+        "; set p4est, or use Mesh/Refinements, Contact refinements, Refinement regions");
   }
 
 

@@ -61,10 +61,10 @@ subsection Contact pairs
   end
 end
 subsection Mesh
-  subsection Zones
+  subsection Refinement regions
     set Names = foot
     subsection foot
-      set Where = 0.1 - )" +
+      set Inside = 0.1 - )" +
              (dim == 2 ? "y" : "z") + R"(
     end
   end

@@ -14,7 +14,7 @@ namespace Signorini
                 point,
                 what + " at a point of a body: its coordinates x,y" + (dim == 3 ? ",z" : "") +
                   "; empty: none [length]");
-    section.add("Point body", body, "that has the point; empty: the only one there");
+    section.add("Point body", body, "body that contains the point; empty: the only one there");
     if (!section.reading())
       return;
     sets_place  = section.place_of("Nodes");
@@ -22,7 +22,7 @@ namespace Signorini
     if (!point.empty() && point.size() != dim)
       section.fail("Point", "needs " + std::to_string(dim) + " coordinates, separated by commas");
     if (!body.empty() && point.empty())
-      section.fail("Point body", "belongs to a Point");
+      section.fail("Point body", "requires a Point");
   }
 
 
@@ -39,48 +39,53 @@ namespace Signorini
       {{"displacement", SupportType::displacement},
        {"symmetry", SupportType::symmetry},
        {"roller", SupportType::roller}},
-      "prescribed components; a plane of symmetry (plane faces, any direction); or held along one direction alone");
+      "displacement: prescribed components; symmetry: plane of symmetry (plane faces of any "
+      "orientation); roller: constrained in one direction");
     section.add(
       "Displacement",
       displacement,
       "one formula in x,y,z,t a component, separated by ';'; 'free' for a component that is free [length]");
-    section.add("Normal displacement",
-                normal_displacement,
-                "of a roller, outwards or along its Direction: formula in x,y,z,t [length]");
+    section.add(
+      "Normal displacement",
+      normal_displacement,
+      "displacement of a roller, outwards or along its Direction: formula in x,y,z,t [length]");
     section.add("Direction",
                 direction,
-                "in which a roller holds; 0: normal to the faces; any length");
-    section.add("From",
-                from,
-                "the support begins to hold right after this time, at which a load step ends; 0: "
-                "it holds from the start",
-                non_negative);
-    section.add("Until",
+                "direction that a roller constrains, of any length; 0: normal to the faces");
+    section.rename_key("From", "Start time");
+    section.add(
+      "Start time",
+      from,
+      "the support is active after this time, at which a load step ends; 0: from the start",
+      non_negative);
+    section.rename_key("Until", "End time");
+    section.add("End time",
                 until,
-                "the support holds up to this time, at which a load step ends, and then no more; "
-                "0: to the end",
+                "the support is removed after this time, at which a load step ends; 0: never",
                 non_negative);
     if (!section.reading())
       return;
     place = section.place_of("Boundaries");
     if (until > 0 && until <= from)
-      section.fail("Until", "must be later than From, or 0 for a support that holds to the end");
+      section.fail("End time",
+                   "must be later than Start time, or 0 for a support that is never removed");
     if (boundaries.empty() && nodes.empty())
       section.fail("Boundaries", "a support needs at least one boundary, or Nodes, or a Point");
     const bool has_normal = nodes.empty() || direction.norm() > 0;
     if (type == SupportType::symmetry && !nodes.empty())
       section.fail("Type", "nodes and points have no normal; prescribe components there");
     if (type == SupportType::roller && !has_normal)
-      section.fail("Direction", "is needed: nodes and points have no normal");
+      section.fail("Direction",
+                   "is required for a roller at nodes or a point, which have no normal");
     if (type == SupportType::displacement && displacement.empty())
       section.fail("Displacement", "a support must prescribe at least one component");
     if (type != SupportType::displacement && displacement.given())
       section.fail("Displacement",
-                   "belongs to Type = displacement; a roller has its Normal displacement");
+                   "requires Type = displacement; for a roller set Normal displacement");
     if (type != SupportType::roller && !normal_displacement.is_zero())
-      section.fail("Normal displacement", "belongs to Type = roller");
+      section.fail("Normal displacement", "requires Type = roller");
     if (type != SupportType::roller && direction.norm() > 0)
-      section.fail("Direction", "belongs to Type = roller");
+      section.fail("Direction", "requires Type = roller");
   }
 
 
@@ -131,26 +136,27 @@ namespace Signorini
                    "a load needs Boundaries (for a traction, pressure or total force), Nodes or a "
                    "Point (for a force) or Bodies (for a body force)");
     if (nodes.empty() && force.given())
-      section.fail("Force", "needs Nodes or a Point; on Boundaries there is a Total force");
+      section.fail("Force", "requires Nodes or a Point; on Boundaries set Total force");
     if (!nodes.empty() && !force.given() && !total_force.given())
-      section.fail("Force", "is needed where Nodes or a Point are named");
+      section.fail("Force", "is required with Nodes or a Point");
     if (force.given() && total_force.given())
-      section.fail("Total force", "and a Force exclude each other; make two loads of them");
+      section.fail("Total force", "is set together with Force; define two loads");
     if (total_force.given() && !nodes.point.empty())
-      section.fail("Total force", "belongs to Boundaries or Nodes; at a Point there is a Force");
+      section.fail("Total force", "requires Boundaries or Nodes; at a Point set Force");
     if (total_force.given() && !boundaries.empty() && !nodes.empty())
-      section.fail("Total force", "acts on Boundaries or on Nodes; make two loads of them");
+      section.fail("Total force", "is set with both Boundaries and Nodes; define two loads");
     if (total_force.given() && boundaries.empty() && nodes.empty())
-      section.fail("Total force", "needs Boundaries or Nodes");
+      section.fail("Total force", "requires Boundaries or Nodes");
     if (total_force.depends_on_place())
-      section.fail("Total force", "is one for all; it depends on t alone");
+      section.fail("Total force", "must not depend on x, y or z; use a formula in t alone");
     if (!bodies.empty() && body_force.empty())
-      section.fail("Body force", "is needed where Bodies are named");
+      section.fail("Body force", "is required with Bodies");
     if (bodies.empty() && !body_force.empty())
-      section.fail("Bodies", "are needed where a Body force is given");
+      section.fail("Bodies", "is required with a Body force");
     const bool acts = !traction.empty() || section.is_set("Pressure") || total_force.given();
     if (!boundaries.empty() && !acts)
-      section.fail("Traction", "Pressure or Total force is needed where Boundaries are named");
+      section.fail("Traction",
+                   "one of Traction, Pressure or Total force is required with Boundaries");
   }
 
 

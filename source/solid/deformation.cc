@@ -66,7 +66,8 @@ namespace Signorini
             break;
           C[2][2] *= std::exp(std::min(longest, std::max(-longest, -state.stress[2][2] / slope)));
         }
-      throw std::domain_error("the sheet has no thickness that leaves it free of stress across");
+      throw std::domain_error("plane stress: there is no thickness stretch with zero transverse "
+                              "stress; use smaller load steps");
     }
   } // namespace
 

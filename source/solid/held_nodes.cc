@@ -136,10 +136,10 @@ namespace Signorini
                     visit(*node);
             }
         if (const unsigned int n = listed.n_missing(mesh.communicator()); n > 0)
-          throw SceneError(place + ": " + std::to_string(n) + " nodes of '" + name +
-                           "' in the middle of edges or faces are no nodes of the mesh that is "
-                           "solved; refine it, take Degree = 2 for this body, or a set with the "
-                           "corners");
+          throw SceneError(
+            place + ": " + std::to_string(n) + " nodes of '" + name +
+            "' at mid-sides are not nodes of the finite-element mesh; refine it, set "
+            "Degree = 2 for this body, or use a set that contains the corners");
       }
 
       /// Calls visit(node) for the node at a point; throws if there is none, or if it is not clear
@@ -304,8 +304,8 @@ namespace Signorini
       for (unsigned int d = 0; d < dim; ++d)
         if (box.side_length(d) > 1e-6)
           throw SceneError(support.place + ": '" + boundary +
-                           "' is not plane, so that it cannot be a plane of symmetry; "
-                           "take Type = roller for a curved surface that holds along its normal");
+                           "' is not plane, so that it cannot be a plane of symmetry; set Type = "
+                           "roller to constrain a curved surface in normal direction");
     }
 
     template <int dim>

@@ -85,9 +85,9 @@ namespace Signorini
       const std::string what =
         support.place + ": what the support '" + support.name + "' prescribes contradicts ";
       if (!node.holds.front().support)
-        return what + "the axis of symmetry, on which nothing moves sideways";
-      return what + "that of a support before it, at nodes that they share at t = " +
-             Utilities::to_string(t) + "; leave a component free in one of them";
+        return what + "the axis of symmetry, on which the radial displacement is zero";
+      return what + "an earlier support at shared nodes at t = " + Utilities::to_string(t) +
+             "; set that component of one of them to 'free'";
     }
   } // namespace
 

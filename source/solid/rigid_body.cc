@@ -40,33 +40,37 @@ namespace Signorini
       "Displacement",
       displacement,
       "motion, one formula in t a component, separated by ';'; 'free' where a Force drives it; empty: at rest [length]");
-    section.add(
-      "Force",
-      force,
-      "on the obstacle, and by it on the bodies, in free components; formulas in t [force]");
+    section.add("Force",
+                force,
+                "external force on the obstacle in its free components: formulas in t [force]");
     section.add(
       "Rotation",
       rotation,
       dim == 2 ?
-        "rotation, counterclockwise: formula in t, or free; empty: none. Gaps follow large ones where Contact geometry is updated [radian]" :
-        "rotation vector x; y; z: formulas in t, or free; empty: none. Gaps follow large ones where Contact geometry is updated [radian]");
+        "rotation, counterclockwise: formula in t, or free; empty: none. Large rotations require "
+        "Contact geometry = updated [radian]" :
+        "rotation vector x; y; z: formulas in t, or free; empty: none. Large rotations require "
+        "Contact geometry = updated [radian]");
     section.add(
       "Moment",
       moment,
-      "on the obstacle about the Reference point, in free components of the Rotation; formulas in t [force*length]");
-    section.add("Reference point", reference, "what the Rotation is about [length]");
+      "external moment on the obstacle about the Reference point in free components of the Rotation: "
+      "formulas in t [force*length]");
+    section.add("Reference point", reference, "center of the Rotation [length]");
     if (!section.reading())
       return;
     if (displacement.depends_on_place())
       section.fail("Displacement",
-                   "depends on the place, but an obstacle is rigid; write it in t alone");
+                   "depends on x, y or z, but an obstacle is rigid; use formulas in t alone");
     if (rotation.depends_on_place())
       section.fail("Rotation",
-                   "depends on the place, but an obstacle is rigid; write it in t alone");
+                   "depends on x, y or z, but an obstacle is rigid; use formulas in t alone");
     if (force.depends_on_place())
-      section.fail("Force", "depends on the place, but an obstacle is rigid; write it in t alone");
+      section.fail("Force",
+                   "depends on x, y or z, but an obstacle is rigid; use formulas in t alone");
     if (moment.depends_on_place())
-      section.fail("Moment", "depends on the place, but an obstacle is rigid; write it in t alone");
+      section.fail("Moment",
+                   "depends on x, y or z, but an obstacle is rigid; use formulas in t alone");
     check_driven(section, "Force", force, "Displacement", displacement);
     check_driven(section, "Moment", moment, "Rotation", rotation);
   }

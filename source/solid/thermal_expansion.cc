@@ -37,22 +37,22 @@ namespace Signorini
       "formula in x,y,z,t, and in `field`, the Temperature field of the mesh; empty: that field");
     section.add("Reference temperature",
                 reference,
-                "at which the body is free of thermal strain [temperature]");
+                "temperature of zero thermal strain [temperature]");
     if (!section.reading())
       return;
     place = section.place_of("Temperature");
     if (!given())
       {
         if (!temperature.empty())
-          section.fail("Temperature", "acts by the Thermal expansion of the body; set that too");
+          section.fail("Temperature", "requires Thermal expansion of the body");
         if (with_field)
-          section.fail("Thermal expansion", "is needed where there is a Temperature field");
+          section.fail("Thermal expansion", "is required with a Temperature field");
         return;
       }
     if (coefficients.size() != 1 && coefficients.size() != 3)
       section.fail("Thermal expansion", "needs one number, or three along x, y, z");
     if (temperature.empty() && !with_field)
-      section.fail("Thermal expansion", "acts by the Temperature of the body; set that too");
+      section.fail("Thermal expansion", "requires Temperature of the body");
     if (with_field && section.defines("field"))
       section.fail("Temperature",
                    "'field' is the Temperature field of the mesh here, and one of the Definitions; "

@@ -344,6 +344,6 @@ namespace Signorini
       return "";
     return "; the active set keeps changing at " + std::to_string(n) +
            " contact points, among them" + places +
-           ". Refine there, lower the penalty, or take another method";
+           ". Refine there, reduce the penalty, or choose another method";
   }
 } // namespace Signorini

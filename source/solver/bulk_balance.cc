@@ -197,8 +197,8 @@ namespace Signorini
         if (of_constant.linfty_norm() <= rounding * of_rough.linfty_norm())
           throw SceneError(
             "Bodies/" + mesh.body_name(body) +
-            "/Poisson's ratio = 0.5: supports hold the whole surface, so that nothing "
-            "determines the pressure inside; leave a part free, or take 0.4999");
+            "/Poisson's ratio = 0.5: the displacement of the whole surface is prescribed, so that "
+            "the pressure is not unique; leave a part of the surface free, or set 0.4999");
       }
   }
 

@@ -217,7 +217,7 @@ namespace Signorini
         if (Utilities::MPI::max(folds ? 1 : 0, elasticity.mesh().communicator()) == 0)
           return step;
       }
-    throw SolverFailure("cells would fold, however short the step; load in smaller steps");
+    throw SolverFailure("cells would be inverted for any step length; use smaller load steps");
   }
 
 

@@ -15,6 +15,6 @@ namespace Signorini
   {
     for (const std::string &body : dealii::Utilities::MPI::all_gather(comm, body_here))
       if (!body.empty())
-        throw SolverFailure("cells of " + body + " would fold; load in smaller steps");
+        throw SolverFailure("cells of " + body + " would be inverted; use smaller load steps");
   }
 } // namespace Signorini

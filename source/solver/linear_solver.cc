@@ -27,7 +27,8 @@ namespace Signorini
     {
       const bool has_mumps = LA::DirectSolver::is_available(LA::DirectLibrary::MUMPS);
       if (settings.direct_solver == LA::DirectLibrary::MUMPS && !has_mumps)
-        throw SceneError("Solver/Direct solver = MUMPS: this Trilinos has none; take auto or KLU");
+        throw SceneError(
+          "Solver/Direct solver = MUMPS: this Trilinos was built without MUMPS; set auto or KLU");
       if (settings.direct_solver)
         return *settings.direct_solver;
       constexpr unsigned int small = 2000;
@@ -48,7 +49,7 @@ namespace Signorini
           if (settings.krylov && *settings.krylov != Krylov::FGMRES)
             throw SceneError(
               "Solver/Krylov method = " + word_of(krylov_methods(), *settings.krylov) +
-              ": the systems of bodies with Formulation = mixed are for FGMRES, or auto");
+              ": bodies with Formulation = mixed require FGMRES; set Krylov method = FGMRES or auto");
           return Krylov::FGMRES;
         }
       // What factors lack of forces that move may make the system indefinite.
@@ -61,15 +62,15 @@ namespace Signorini
           if (settings.krylov == Krylov::CG || settings.krylov == Krylov::MINRES)
             throw SceneError(
               "Solver/Krylov method = " + word_of(krylov_methods(), *settings.krylov) +
-              " needs a symmetric system, which Nitsche's method with Theta = 0 or -1 and pressures "
-              "that follow large deformation do not have; take Krylov method = auto (FGMRES)");
+              " requires a symmetric system, but Nitsche's method with Theta = 0 or -1 and follower "
+              "pressures are not symmetric; set Krylov method = auto (FGMRES)");
           return Krylov::FGMRES;
         }
       if (!system.is_saddle_point())
         {
           if (settings.krylov == Krylov::MINRES)
             throw SceneError(
-              "Solver/Krylov method = MINRES is for saddle point systems; take CG or auto");
+              "Solver/Krylov method = MINRES is for saddle-point systems; set CG or auto");
           return settings.krylov.value_or(Krylov::CG);
         }
       if (!settings.krylov)
@@ -78,15 +79,16 @@ namespace Signorini
                                                        Krylov::FGMRES;
       if (settings.krylov == Krylov::CG && !preconditioner.keeps_constraints())
         throw SceneError(
-          "Solver/Krylov method = CG with multipliers needs a preconditioner that keeps the "
-          "constraints, but Solver/Preconditioner = " +
-          settings.preconditioner + " does not; take 'contact filter', or FGMRES");
+          "Solver/Krylov method = CG with multipliers requires a constraint preconditioner, but "
+          "Solver/Preconditioner = " +
+          settings.preconditioner +
+          " is none; set Preconditioner = interface multigrid, or Krylov method = FGMRES");
       if (settings.krylov == Krylov::MINRES && !preconditioner.is_positive_definite())
         throw SceneError(
-          "Solver/Krylov method = MINRES needs a positive definite preconditioner, but Solver/Preconditioner = " +
+          "Solver/Krylov method = MINRES requires a positive definite preconditioner, but Solver/Preconditioner = " +
           settings.preconditioner + " with Schur complement = " + settings.schur_complement +
-          " is none on a saddle point; take 'block diagonal' with another Schur complement than "
-          "'multigrid', or FGMRES");
+          " is indefinite; set Preconditioner = block diagonal with a Schur complement other than "
+          "multigrid, or Krylov method = FGMRES");
       return *settings.krylov;
     }
   } // namespace
@@ -105,8 +107,8 @@ namespace Signorini
     if (settings.preconditioner == "SIMPLE" && settings.augmentation > 0)
       throw SceneError(
         "Solver/Augmentation = " + short_text(settings.augmentation) +
-        " does not go with Preconditioner = SIMPLE, which corrects by the diagonal of "
-        "the plain stiffness; take 'block triangular'");
+        " cannot be combined with Preconditioner = SIMPLE, which uses the diagonal of the stiffness "
+        "without augmentation; set Preconditioner = block triangular");
   }
 
 
@@ -137,7 +139,7 @@ namespace Signorini
   {
     // Of a minute or so.
     const unsigned int most = hierarchies.dim() == 2 ? 400000 : 60000;
-    return settings.preconditioner == "contact filter" && system.stiffness().size() <= most;
+    return settings.preconditioner == "interface multigrid" && system.stiffness().size() <= most;
   }
 
 
@@ -156,7 +158,7 @@ namespace Signorini
   bool
   LinearSolver::lacks_turning_zone() const
   {
-    return settings.preconditioner == "contact filter" && system.turns_forces() &&
+    return settings.preconditioner == "interface multigrid" && system.turns_forces() &&
            !system.gap_operator().at_rest() && !hierarchies.zones_turn();
   }
 
@@ -306,7 +308,7 @@ namespace Signorini
       {
         solver.solve(system, x, rhs, *preconditioner);
         if (curvature == NegativeCurvature::refuses && chosen.last_value() > chosen.tolerance())
-          throw IndefiniteSystem("the system is as good as indefinite");
+          throw IndefiniteSystem("the system is nearly indefinite");
         judge(chosen.last_step(), chosen.initial_value(), chosen.last_value());
         return chosen.last_step();
       }
@@ -387,9 +389,9 @@ namespace Signorini
           " iterations with residual " + short_text(stop.last_residual / rhs.l2_norm()) +
           " of the start; " +
           (settings.preconditioner == "direct" ?
-             "the system is as good as singular: look at supports, and for nodes in two pairs" :
-             "choose another Solver/Preconditioner ('contact filter', 'direct'), or a smaller "
-             "Factor if the method has one"));
+             "the system is nearly singular: check the supports, and nodes that belong to two pairs" :
+             "choose another Solver/Preconditioner (interface multigrid, direct), or a smaller "
+             "Factor of the contact method"));
       }
   }
 

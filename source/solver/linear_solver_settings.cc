@@ -41,55 +41,57 @@ namespace Signorini
   void
   LinearSolverSettings::declare(Section &section)
   {
+    section.rename_choice("Preconditioner", "contact filter", "interface multigrid");
     section.add_choice(
       "Preconditioner",
       preconditioner,
       preconditioner_names(),
-      "contact filter: exact on the contact zone, multigrid elsewhere, and direct where that does not converge and the "
-      "system is not too large (400,000 unknowns in 2D, 60,000 in 3D); block ones and SIMPLE: for "
-      "multipliers, by a Schur complement; direct: small problems");
+      "interface multigrid: multigrid with an exact solve on the contact interface; falls back to a direct solver if it "
+      "does not converge and the system is small enough (400,000 unknowns in 2D, 60,000 in 3D); block diagonal, block "
+      "triangular, SIMPLE: for systems with multipliers, with a Schur complement; direct: for small problems");
     section.add_choice(
       "Operator",
       stiffness_form,
       or_auto(stiffness_forms()),
-      "products with the stiffness from a matrix, or from the cells each time (in three dimensions, degree one and "
-      "two); auto: the quicker one, which is the second with degree two, on refined meshes, and of large deformation");
+      "products with the stiffness matrix: assembled: sparse matrix; matrix-free: cell by cell (3D, degrees 1 and 2); "
+      "auto: the faster one, which is matrix-free for degree 2, on refined meshes, and for finite strain");
     section.add_choice(
       "Coarsening",
       coarsening,
       coarsenings(),
-      "levels of multigrid. geometric: where bodies have a higher degree, degree one on the same mesh; in three dimensions "
-      "then coarser meshes, as far as cells have been refined; at last aggregates of nodes. degree: without coarser meshes. "
-      "algebraic: aggregates alone");
+      "levels of multigrid. geometric: degree 1 on the same mesh for bodies of higher degree; then, in 3D, the coarser "
+      "meshes of the refinement; then smoothed aggregation. degree: without coarser meshes. algebraic: smoothed "
+      "aggregation only");
     section.add_choice(
       "Krylov method",
       krylov,
       or_auto(krylov_methods()),
       "auto: CG; with multipliers and block diagonal MINRES, with block triangular and SIMPLE FGMRES");
+    section.rename_choice("Schur complement", "zone", "interface");
     section.add_choice(
       "Schur complement",
       schur_complement,
       SchurComplement::names(),
-      "of block preconditioners: from the diagonal of the stiffness; multiplier "
-      "mass; from the stiffness of the contact zone; by inner iterations with multigrid");
+      "approximation of the Schur complement in block preconditioners: from the diagonal of the stiffness; the "
+      "scaled multiplier mass; from the stiffness of the contact interface; by inner iterations with multigrid");
     section.add(
       "Augmentation",
       augmentation,
-      "of block preconditioners: penalty in units of E/h added to the displacement's block, "
-      "which then takes a contact filter; 0: none",
+      "of block preconditioners: penalty in units of E/h that is added to the displacement block, "
+      "which is then solved by interface multigrid; 0: none",
       Range{0, 1e12});
     section.add_choice(
       "Direct solver",
       direct_solver,
       or_auto<LA::DirectLibrary>(
         {{"KLU", LA::DirectLibrary::KLU}, {"MUMPS", LA::DirectLibrary::MUMPS}}),
-      "of the contact zone or the whole system; auto: the quicker one that is there, KLU for contact zones and "
-      "small systems on one rank, else MUMPS");
+      "library for direct solves on the contact interface and of the whole system; auto: the faster one that is installed, "
+      "KLU for interfaces and small systems on one rank, else MUMPS");
     section.add_choice(
       "Near null space",
       near_null_space,
       near_null_spaces(),
-      "what the multigrid method knows of elasticity; translations alone: less memory, half as many iterations again");
+      "near null space of smoothed aggregation; translations: less memory, but 50 % more iterations");
     section.add("Maximum iterations", maximum_iterations, "of one linear solve", positive);
   }
 } // namespace Signorini

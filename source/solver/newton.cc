@@ -158,7 +158,8 @@ namespace Signorini
              std::max(step.residual, step.gap_residual) <= 1e-3 && goal.is_enough();
     };
     if (!std::isfinite(step.residual + step.gap_residual))
-      report.reason = "the residual is not a number: loads, supports or the mesh are invalid";
+      report.reason =
+        "the residual is not a finite number: loads, supports or the mesh are invalid";
     else if (stays && (n >= goal.enough_steps || is_enough()))
       report.converged = true;
     else if (!report.converged && n == settings.maximum_steps)
@@ -177,8 +178,8 @@ namespace Signorini
       return;
     report.converged = false;
     report.is_loose  = true;
-    report.reason    = "nothing determines " + join(report.undetermined) +
-                    ": no force drives it, but neither supports nor contact hold it; " +
+    report.reason    = "unconstrained rigid-body mode: " + join(report.undetermined) +
+                    ": neither supports nor contact constrain it, although it is not loaded; " +
                     NewtonSettings::how_to_hold();
   }
 
@@ -222,15 +223,15 @@ namespace Signorini
     if (!driven.empty() && !system.free_motions().close(u, r))
       {
         report.is_loose = true;
-        report.reason   = "nothing stops " + join(driven) +
-                        ": no support, and no contact within reach in that direction";
+        report.reason   = "unconstrained rigid-body mode under load: " + join(driven) +
+                        ": neither supports nor contact within the search distance constrain it";
       }
     if (contact.tied)
       bodies.constraints().distribute(u);
     if (n > 0 && step.changes == 0 && step.krylov_iterations == 0 &&
         step.residual == report.steps.back().residual && !step.withholds && report.reason.empty())
       report.reason = "Newton's method stagnates above its tolerance: the linear solver cannot "
-                      "reduce the residual further; loosen Newton/Tolerance";
+                      "reduce the residual further; set a larger Newton/Tolerance";
   }
 
 

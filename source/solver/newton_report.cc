@@ -13,7 +13,7 @@ namespace Signorini
     out << "    step   active  changes    residual         gap  damping  iterations" << std::endl;
     return [&out, number = 0u](const NewtonStep &step) mutable {
       if (step.gives_up)
-        out << "    the iterative solver does not converge: the system is factorised from here on"
+        out << "    the iterative solver does not converge: a direct solver is used from here on"
             << std::endl;
       std::ostringstream row;
       row << std::setw(8) << number++ << std::setw(9) << step.active << std::setw(9) << step.changes

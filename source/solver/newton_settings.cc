@@ -9,29 +9,35 @@ namespace Signorini
     section.add("Maximum steps", maximum_steps, "of Newton's method in one load step", positive);
     section.add("Tolerance",
                 tolerance,
-                "of the nonlinear residual, relative to the forces at work",
-                Range{0, 1e-3, false});
-    section.add("Geometry tolerance",
-                of_geometry,
-                "of that residual on surfaces as they are now, where Contact geometry is updated",
+                "of the nonlinear residual, relative to the acting forces",
                 Range{0, 1e-3, false});
     section.add(
-      "Reduction",
+      "Geometry tolerance",
+      of_geometry,
+      "of the nonlinear residual between updates of the contact geometry (Contact geometry = updated)",
+      Range{0, 1e-3, false});
+    section.rename_key("Reduction", "Forcing term");
+    section.add(
+      "Forcing term",
       reduction,
-      "of the residual by linear solves while the active set changes, relative to the loads (at most 1e-6 "
-      "once a set has come up again, or after ten changes); the last one goes down to the Tolerance",
+      "relative tolerance of the linear solves while the active set changes (inexact Newton method; at most 1e-6 "
+      "if the active set cycles, or after ten changes); the last one satisfies the Tolerance",
       Range{0, 1, false, false});
     section.add(
       "Stabilisation",
       stabilisation,
-      "of motions that contact alone stops, in units of E times size, until it does; the result does not depend on it",
+      "stiffness, in units of E times size, of rigid-body modes that are constrained by contact alone, as long as contact is "
+      "open; the result does not depend on it",
       positive);
+    section.rename_key("Undetermined motions", "Unconstrained modes");
+    section.rename_choice("Unconstrained modes", "refuse", "error");
+    section.rename_choice("Unconstrained modes", "hold", "stabilise");
     section.add_choice(
-      "Undetermined motions",
+      "Unconstrained modes",
       undetermined,
-      {{"refuse", Undetermined::refuse}, {"hold", Undetermined::hold}},
-      "of bodies that neither supports nor contact hold, as the rotation of a pin: refuse them, or hold them "
-      "where that takes less than 1 % of the contact force");
+      {{"error", Undetermined::refuse}, {"stabilise", Undetermined::hold}},
+      "rigid-body modes that neither supports nor contact constrain, as the rotation of a pin: error; or stabilise "
+      "them, if that takes less than 1 % of the contact force");
   }
 
 
@@ -39,7 +45,7 @@ namespace Signorini
   std::string
   NewtonSettings::how_to_hold()
   {
-    return "prescribe a displacement that does, or set Newton/Undetermined motions = hold, which "
-           "holds it and reports the force that this takes";
+    return "prescribe a displacement that constrains it, or set Newton/Unconstrained modes = stabilise, "
+           "which adds a stabilisation and reports its force";
   }
 } // namespace Signorini

@@ -33,7 +33,7 @@ namespace Signorini
 
     // The registry: one line a preconditioner.
     const std::vector<std::pair<std::string, Maker>> registry = {
-      {"contact filter",
+      {"interface multigrid",
        [](const Settings      &settings,
           const ContactSystem &system,
           const Hierarchy     *hierarchy,

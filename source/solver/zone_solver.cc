@@ -299,8 +299,8 @@ namespace Signorini
 
     if (const int error = solver.factorise(matrix); error != 0)
       throw SolverFailure(LA::name_of(library) + " cannot factorise " +
-                          std::to_string(owned.size()) + " unknowns of the contact zone (error " +
-                          std::to_string(error) +
+                          std::to_string(owned.size()) +
+                          " unknowns of the contact interface (error " + std::to_string(error) +
                           "); try another Solver/Direct solver, or a penalty method");
   }
 

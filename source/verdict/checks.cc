@@ -31,8 +31,8 @@ namespace Signorini
     const double         largest = results["largest_force"];
     std::vector<Finding> findings;
     for (const auto &[check, key, warned, failed] :
-         {Bounds{"balance of forces", "force_balance", small, 0.1},
-          Bounds{"balance of moments", "moment_balance", std::max(small, 1e-3), 0.1}})
+         {Bounds{"force balance", "force_balance", small, 0.1},
+          Bounds{"moment balance", "moment_balance", std::max(small, 1e-3), 0.1}})
       {
         Finding finding;
         finding.check = check;
@@ -48,9 +48,9 @@ namespace Signorini
                           finding.value <= failed ? Outcome::warned :
                                                     Outcome::failed;
         finding.what =
-          "what acts on the body is not in balance, by that share of the largest force";
+          "the forces or moments on the body are not in balance; the value is relative to the largest force";
         finding.cure =
-          "take a smaller Newton/Tolerance or Solver/Preconditioner = direct; of moments: a finer mesh";
+          "set a smaller Newton/Tolerance or Solver/Preconditioner = direct; for moments, refine the mesh";
         findings.push_back(finding);
       }
     return findings;
@@ -75,7 +75,7 @@ namespace Signorini
             square += component * component;
           const double normal = pair["normal_force"], force = std::sqrt(square);
           Finding      finding;
-          finding.check   = "force / normal force";
+          finding.check   = "contact force / normal force";
           finding.where   = "pair " + name;
           finding.value   = !counts(force, scale) ? 0. : normal > 0 ? force / normal : 2 * none;
           finding.limit   = exact;
@@ -83,7 +83,7 @@ namespace Signorini
                             finding.value <= none  ? Outcome::warned :
                                                      Outcome::failed;
           finding.what =
-            "the force is larger than the sum of pressures times areas, which no pressures can do: faces are too coarse for this contact, or hardly covered";
+            "the resultant contact force exceeds the integral of the pressure, which is impossible: faces are too coarse for this contact, or hardly covered by the master";
           finding.cure = "refine the slave, or exchange Slave and Master";
           findings.push_back(finding);
         }
@@ -98,7 +98,7 @@ namespace Signorini
       for (const auto &[name, pair] : results["pairs"].items())
         {
           Finding finding;
-          finding.check = "sharpness of the peak";
+          finding.check = "pressure peak resolution";
           finding.where = "pair " + name;
           finding.value =
             counts(pair["normal_force"], scale) ? pair["sharpness_of_peak"].get<double>() : 0.;
@@ -106,10 +106,10 @@ namespace Signorini
           finding.over    = Finding::Over::last;
           finding.outcome = finding.value <= finding.limit ? Outcome::passed : Outcome::warned;
           finding.what =
-            "the largest pressure stands out by that share from what its neighbours lead to: it may "
-            "be off by so much, and at an edge, where it has no bound, by any";
+            "the largest pressure differs by that fraction from the extrapolation of its neighbours: its "
+            "error may be as large, and is unbounded at a sharp edge, where the pressure is singular";
           finding.cure =
-            "refine there (Mesh/Contact refinements, Zones), round the edge, or go by forces";
+            "refine there (Mesh/Contact refinements, Refinement regions), round the edge, or use forces only";
           findings.push_back(finding);
         }
       return findings;
@@ -120,14 +120,14 @@ namespace Signorini
     check_stability(const nlohmann::ordered_json &results)
     {
       Finding finding;
-      finding.check   = "definiteness";
-      finding.value   = results["definite"] ? 0 : 1;
+      finding.check   = "tangent definiteness";
+      finding.value   = results["tangent_positive_definite"] ? 0 : 1;
       finding.limit   = 0;
-      finding.outcome = results["definite"] ? Outcome::passed : Outcome::warned;
+      finding.outcome = results["tangent_positive_definite"] ? Outcome::passed : Outcome::warned;
       finding.what =
-        "the tangent is not positive definite: the bodies may leave this solution for another one, as a column that buckles";
+        "the tangent stiffness is not positive definite: this equilibrium may be unstable (buckling)";
       finding.cure =
-        "take smaller load steps to see at which load that begins; it is beyond what loads can hold there";
+        "use smaller load steps to find the critical load; beyond it no stable equilibrium exists under load control";
       return finding;
     }
 
@@ -136,15 +136,15 @@ namespace Signorini
     check_jump(const nlohmann::ordered_json &results)
     {
       Finding finding;
-      finding.check   = "jump";
-      finding.value   = results["jump"];
+      finding.check   = "snap-through ratio";
+      finding.value   = results["snap_through_ratio"];
       finding.limit   = 3;
       finding.outcome = finding.value == 0 ? Outcome::passed : Outcome::warned;
       finding.what =
-        "in this load step the bodies have moved that many times as far per time as before, through "
-        "states whose tangent is not positive definite: they have probably snapped through";
+        "in this load step the displacement rate is that many times the rate of the load step before, and "
+        "the tangent stiffness is not positive definite half-way: the bodies have probably snapped through";
       finding.cure =
-        "prescribe displacements instead of forces to see the way there; what is dynamic about it is not in these equations";
+        "use displacement control to follow the path; the dynamic jump itself is not modelled (quasi-static equations)";
       return finding;
     }
 
@@ -162,17 +162,18 @@ namespace Signorini
       if (offset < far * size || strain == 0)
         return {};
       Finding finding;
-      finding.check   = "rounding of coordinates";
+      finding.check   = "coordinate round-off";
       finding.value   = 4 * std::numeric_limits<double>::epsilon() * offset / (strain * size);
       finding.limit   = 1e-3;
       finding.outcome = finding.value <= finding.limit ? Outcome::passed :
                         finding.value <= 0.1           ? Outcome::warned :
                                                          Outcome::failed;
       finding.what =
-        "the scene lies so far from the origin that the rounding of coordinates, and so of "
-        "gaps, is that share of how far its bodies deform";
-      finding.cure = "shift the scene to the origin: Corners or Center of bodies and obstacles, or "
-                     "Transformation = x - ...; of files, and the formulas of x, y, z with them";
+        "the model lies so far from the origin that the round-off of coordinates, and thus of "
+        "gaps, is that fraction of the deformation";
+      finding.cure =
+        "shift the model to the origin: Corners or Center of bodies and obstacles, or for mesh files "
+        "Transformation = x - ...; and formulas in x, y, z accordingly";
       return {finding};
     }
 
@@ -219,14 +220,15 @@ namespace Signorini
       const bool acts = acts_on_bodies || now.displacement.linfty_norm() >
                                             least_motion * now.elasticity.mesh().size();
       Finding finding;
-      finding.check   = "something acts";
+      finding.check   = "loading";
       finding.value   = acts;
       finding.limit   = 1;
       finding.over    = Finding::Over::best;
       finding.outcome = acts || !scene.expected.empty() ? Outcome::passed : Outcome::failed;
-      finding.what    = "no force acts, and nothing moves: what drives the scene is missing";
+      finding.what =
+        "no force acts and nothing moves: loads or prescribed displacements are missing";
       finding.cure =
-        "look at Loads, Supports and what was left out; if this is meant, say so in Expected results";
+        "check Loads, Supports and Not imported; if this is intended, add Expected results";
       return finding;
     }
 

@@ -8,7 +8,7 @@ namespace Signorini
   check_left_out(const Scene<dim> &scene, const bool acts)
   {
     Finding finding;
-    finding.check = "left out";
+    finding.check = "not imported";
     finding.over  = Finding::Over::best; // a history may begin with nothing
     std::string acting;
     for (const LeftOut &one : left_out_of(scene.left_out))
@@ -20,12 +20,12 @@ namespace Signorini
     if (finding.value == 0)
       return {};
     finding.outcome = acts ? Outcome::warned : Outcome::failed;
-    finding.what =
-      (acts ? "the scene was imported without " :
-              "nothing moves and nothing acts in this scene, which was imported without ") +
-      acting;
-    finding.cure = "say it in the scene, as a Support, a Load, an Obstacle or a pair, and take it "
-                   "out of Left out";
+    finding.what    = (acts ? "the imported model lacks " :
+                              "no force acts and nothing moves in the imported model, which lacks ") +
+                   acting;
+    finding.cure =
+      "define it in the scene as a support, load, obstacle or contact pair, and remove it "
+      "from Not imported";
     return {finding};
   }
 

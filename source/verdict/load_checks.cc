@@ -79,15 +79,17 @@ namespace Signorini
         for (Sum<dim> &sum : sums)
           sum.over_ranks(comm);
         Finding finding;
-        finding.check = "load by two rules";
+        finding.check = "load quadrature error";
         finding.where = "load " + load.name;
         finding.value =
           sums[1].size > 0 ? (sums[0].force - sums[1].force).norm() / sums[1].size : 0.;
         finding.limit   = small;
         finding.outcome = finding.value <= small ? Outcome::passed : Outcome::warned;
-        finding.what = "its formula varies within faces by so much that the total is off by about "
-                       "that share; does it jump there?";
-        finding.cure = "let faces end where it jumps, refine there, or give a Total force";
+        finding.what =
+          "the formula of the load varies so much within faces that the relative error of "
+          "the resultant is about that value; it may be discontinuous there";
+        finding.cure =
+          "align element edges with the discontinuity, refine there, or use Total force";
         findings.push_back(finding);
       }
     return findings;

@@ -132,7 +132,7 @@ namespace Signorini
     if (now.elasticity.model() == Model::plane_stress)
       return {};
     Finding finding;
-    finding.check       = "locking";
+    finding.check       = "volumetric locking";
     finding.limit       = 0.01;
     const auto energies = energies_of_bodies(now, least_ratio);
     for (unsigned int body = 0; body < energies.size(); ++body)
@@ -148,11 +148,10 @@ namespace Signorini
     finding.outcome = finding.value > finding.limit ? Outcome::warned : Outcome::passed;
     finding.what =
       "'" + finding.what +
-      "' is nearly incompressible and too stiff on this mesh, as that share of its energy "
-      "goes into changes of volume inside of cells: forces may be too large by about "
-      "that, pressures by three times it";
+      "' is nearly incompressible and locks on this mesh: that fraction of its energy is spurious volumetric "
+      "energy within cells. The relative error of forces is about that value, that of pressures three times as large";
     finding.cure = scene.goals.quantities.empty() ?
-                     "set Formulation = mixed with Degree = 2, or take a finer mesh" :
+                     "set Formulation = mixed with Degree = 2, or use a finer mesh" :
                      "set Degree = 2 (errors of Formulation = mixed are not estimated)";
     return {finding};
   }

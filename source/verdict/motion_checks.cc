@@ -86,12 +86,11 @@ namespace Signorini
     constexpr double small = 0.1; // the squares that are neglected are half of that, relative
 
     Finding motion = worst(now, largest, &Extremes::motion, now.elasticity.mesh().size());
-    motion.check   = "motion / size of the scene";
+    motion.check   = "displacement / model size";
     motion.limit   = now.elasticity.is_finite() ? 20 : 1; // turns and slides are no mistakes there
     motion.outcome = motion.value > motion.limit ? Outcome::failed : Outcome::passed;
-    motion.what    = "'" + motion.what + "' moves farther than the scene is large";
-    motion.cure =
-      "look at its supports, at what holds it by contact, and at the pairs' initial gaps";
+    motion.what    = "'" + motion.what + "' moves farther than the size of the model";
+    motion.cure = "check its supports, the contact pairs that constrain it, and their initial gaps";
 
     if (now.elasticity.is_finite())
       return {motion};
@@ -101,11 +100,11 @@ namespace Signorini
     strain.limit   = small;
     strain.outcome = strain.value > strain.limit ? Outcome::warned : Outcome::passed;
     strain.what =
-      "strains or rotations of '" + strain.what + "', which turns by up to " +
+      "strains or rotations of '" + strain.what + "', which rotates by up to " +
       short_text(worst(now, largest, &Extremes::turn, numbers::PI / 180).value, 2) +
-      " degrees, are not small: the theory neglects terms half as large, relative to its strains";
+      " degrees, are not small: small-strain theory neglects terms of half that size, relative to the strains";
     strain.cure =
-      "take Deformation = automatic or finite, or forces and pressures for estimates with that error";
+      "set Deformation = automatic or finite, or accept forces and pressures with that error";
     return {motion, strain};
   }
 

@@ -118,13 +118,13 @@ namespace Signorini
     acts(const std::string &name, const Zone &zone)
     {
       Finding finding =
-        finding_of("acts",
+        finding_of("inactive pair",
                    name,
                    zone.active > 0,
                    1,
-                   "its surfaces never touch",
-                   "look at the gaps that --check prints, at signs of loads and supports, and at "
-                   "Slave and Master");
+                   "the surfaces of this pair never touch",
+                   "check the initial gaps that --check prints, the signs of loads and supports, "
+                   "and Slave and Master of the pair");
       finding.over    = Finding::Over::best;
       finding.outcome = zone.active > 0 ? Outcome::passed : Outcome::warned;
       return finding;
@@ -213,12 +213,12 @@ namespace Signorini
     {
       const double depth   = std::max(0., tip.depth - facets);
       Finding      finding = finding_of(
-        "overlap without pressure / face",
+        "penetration without pressure / face size",
         name,
         zone.active > 0 || tip.face == 0 ? 0. : depth / tip.face,
         3e-3,
-        "the surfaces overlap by up to " + short_text(depth, 2) +
-          " within faces that carry no pressure: the slave is too coarse to see its master",
+        "the surfaces penetrate each other by up to " + short_text(depth, 2) +
+          " within faces that carry no pressure, because the slave mesh does not resolve the master",
         "refine the slave, or exchange Slave and Master");
       finding.over = Finding::Over::last;
       if (finding.outcome == Outcome::warned)
@@ -230,14 +230,14 @@ namespace Signorini
     stands(const std::string &name, const Sides &sides)
     {
       return finding_of(
-        "sides",
+        "slave choice",
         name,
         sides.risk(),
         10,
         "the slave is so much stiffer or finer than the master (" + short_text(sides.modulus, 2) +
           " times as stiff, faces " + short_text(sides.size, 2) +
-          " times as large) that its pressure may oscillate by percents",
-        "refine the master, or name the softer side as slave (Sides = automatic does if it can)");
+          " times as large) that its pressure may oscillate by a few percent",
+        "refine the master, or choose the softer body as Slave (Slave choice = automatic does so if possible)");
     }
 
     /// The initial positions are where contact was looked for.
@@ -249,14 +249,14 @@ namespace Signorini
           const std::vector<double> &displacements)
     {
       return finding_of(
-        "motion of the surfaces / size",
+        "surface motion / model size",
         pair.name,
         largest_approach(s.elasticity, pair, obstacle, s.displacement, displacements) /
           s.elasticity.mesh().size(),
         0.1,
-        "displacements are small in this theory and contact is that of the initial positions: what "
-        "slides or turns that far is wrong",
-        "take Contact method/Contact geometry = updated, or begin with bodies that nearly touch");
+        "gaps and normals are those of the reference configuration (small sliding), which is wrong for "
+        "sliding or rotation of this size",
+        "set Contact method/Contact geometry = updated, or start with bodies that nearly touch");
     }
 
     /// The pressure under waves as high and long as facets, beside the largest one.
@@ -272,14 +272,14 @@ namespace Signorini
       if (std::min(slave.height, master.height) > 0)
         steeper.height =
           std::min(height, std::max(0., zone.largest_rest_gap - zone.least_rest_gap));
-      return finding_of("facets",
+      return finding_of("faceting error",
                         s.pairs[pair].name,
                         zone.pressure > 0 ? steeper.slope() * zone.modulus / zone.pressure : 0.,
                         0.1,
-                        "flat facets stand for a curved surface: their heights of up to " +
-                          short_text(height, 2) + " disturb the pressure by about that share",
-                        "make the facets smaller, name the surface in Curved boundaries, or take "
-                        "elements of second order with curved sides");
+                        "flat facets approximate a curved surface: their height of up to " +
+                          short_text(height, 2) + " perturbs the pressure by about that fraction",
+                        "use smaller facets, name the surface in Curved boundaries, or use "
+                        "second-order elements with curved sides");
     }
 
     /// 1 at nodes that have neighbours all around, 0 at those of the edge of the surface: on
@@ -362,13 +362,13 @@ namespace Signorini
             counts[1] += 1;
           }
       Utilities::MPI::sum(counts, s.elasticity.mesh().communicator(), counts);
-      return finding_of("alternating pressure",
+      return finding_of("pressure oscillation",
                         s.pairs[pair].name,
                         counts_at_all && counts[1] >= few ? counts[0] / counts[1] : 0.,
                         1. / 3,
-                        "at that share of its nodes the pressure alternates by more than 2 % "
-                        "of the largest one",
-                        "exchange Slave and Master, refine the master, or take another method");
+                        "the pressure oscillates from node to node by more than 2 % of its "
+                        "largest value at that fraction of the nodes",
+                        "exchange Slave and Master, refine the master, or choose another method");
     }
 
     /// Of methods whose pressure is the gap times a stiffness.
@@ -378,13 +378,13 @@ namespace Signorini
     {
       const double rounding =
         zone.epsilon * s.displacement.linfty_norm() * std::numeric_limits<double>::epsilon();
-      return finding_of("rounding / pressure",
+      return finding_of("penalty round-off / pressure",
                         s.pairs[pair].name,
                         zone.pressure > 0 ? rounding / zone.pressure : 0.,
                         1e-6,
-                        "the factor of the method is so large that the rounding of displacements "
-                        "is seen in the pressure",
-                        "take a smaller Factor");
+                        "the penalty is so large that round-off of the displacements is visible in "
+                        "the pressure",
+                        "set a smaller Factor");
     }
 
     /// Of methods that let bodies go through each other: beside what the strain changes over the
@@ -407,9 +407,9 @@ namespace Signorini
                         zone.penetration > 0 ? 1. :
                                                0.,
                         0.05,
-                        "the bodies go through each other by a depth that counts beside their "
-                        "deformation: pressures are off by about that share",
-                        "take a larger Factor, or a method with multipliers");
+                        "the penetration is not small compared with the deformation of the bodies: "
+                        "the relative error of pressures is about that value",
+                        "set a larger Factor, or choose a method with multipliers");
     }
 
     /// Unless all that may touch does: then its edges are those of the surfaces.
@@ -419,7 +419,7 @@ namespace Signorini
     {
       constexpr double few = 5, whole = 0.95;
       Finding          finding;
-      finding.check = "faces across the contact zone";
+      finding.check = "faces across the contact area";
       finding.where = "pair " + name;
       finding.over  = Finding::Over::last;
       finding.limit = few;
@@ -430,11 +430,12 @@ namespace Signorini
       finding.value       = degree * across;
       const bool is_whole = zone.active >= whole * zone.candidates;
       finding.outcome     = finding.value < few && !is_whole ? Outcome::warned : Outcome::passed;
-      finding.what        = finding.value < 2 ?
-                              "contact lies within a face: forces and pressures may be off by a multiple" :
-                              "too few: the largest pressure may be off by tens of percent";
+      finding.what =
+        finding.value < 2 ?
+          "the contact area lies within one face: errors of forces and pressures may exceed 100 %" :
+          "the mesh does not resolve the contact area: the error of the largest pressure may be tens of percent";
       finding.cure =
-        "refine there (Mesh/Contact refinements, Zones) to 5 faces or more, nodes with degree 2";
+        "refine there (Mesh/Contact refinements, Refinement regions) to 5 or more faces (degree 2: nodes) across the contact area";
       return finding;
     }
 
@@ -445,16 +446,16 @@ namespace Signorini
     {
       constexpr unsigned int few = 4; // then the number of faces tells
       Finding                finding;
-      finding.check   = "contact / faces in contact";
+      finding.check   = "contact area / area of contact faces";
       finding.where   = "pair " + name;
       finding.over    = Finding::Over::last;
       finding.value   = zone.n_touched > few ? zone.active / zone.touched_faces : 1.;
       finding.limit   = 0.5;
       finding.outcome = finding.value < finding.limit ? Outcome::warned : Outcome::passed;
       finding.what =
-        "contact is in patches within faces: areas and largest pressures may be off by a multiple";
+        "most faces are only partly in contact: errors of areas and of the largest pressure may exceed 100 %";
       finding.cure =
-        "refine there, take Degree = 2, exchange Slave and Master, or take another method";
+        "refine there, set Degree = 2, exchange Slave and Master, or choose another method";
       return finding;
     }
   } // namespace
@@ -498,19 +499,20 @@ namespace Signorini
           findings.push_back(stays(now, pair, obstacle, displacements));
         findings.push_back(resolved<dim>(pair.name, decisions.degree_of(pair.slave), zone));
         findings.push_back(is_patchy(pair.name, zone));
-        findings.push_back(finding_of("overlap / face",
-                                      pair.name,
-                                      std::max(0., -zone.smallest_rest_gap) / surface.face_size,
-                                      1,
-                                      "the surfaces overlap at the start by more than a face",
-                                      "refine the slave, or ramp it: Interference = t"));
         findings.push_back(
-          finding_of("angle from opposite",
+          finding_of("initial overlap / face size",
                      pair.name,
-                     std::acos(std::min(1., zone.smallest_facing)) * 180 / numbers::PI,
-                     60,
-                     "normals of surfaces that touch are far from opposite",
-                     "refine there, or divide the boundary"));
+                     std::max(0., -zone.smallest_rest_gap) / surface.face_size,
+                     1,
+                     "the initial overlap is larger than a face of the slave",
+                     "refine the slave, or apply the overlap gradually: Interference ramp = t"));
+        findings.push_back(finding_of(
+          "normal misalignment",
+          pair.name,
+          std::acos(std::min(1., zone.smallest_facing)) * 180 / numbers::PI,
+          60,
+          "the angle between the slave normal and the opposite of the master normal is too large where the surfaces touch",
+          "refine there, or split the boundary"));
         findings.push_back(smooth(now, i, zone));
         // Of quadratic functions it is the recovered pressure that is reported.
         if (now.contact.origin.regions.has_nodes() && decisions.degree_of(pair.slave) == 1)
@@ -523,13 +525,14 @@ namespace Signorini
           continue;
         findings.push_back(stands(pair.name, surface.sides));
         if (decisions.scene.contact.chosen_name() == "direct elimination")
-          findings.push_back(finding_of("partners off nodes",
-                                        pair.name,
-                                        surface.off_nodes,
-                                        0.01,
-                                        "direct elimination holds nodes: where these do not face "
-                                        "nodes, pressures are off by 10 % and more",
-                                        "match the meshes, or take another method"));
+          findings.push_back(
+            finding_of("non-matching nodes",
+                       pair.name,
+                       surface.off_nodes,
+                       0.01,
+                       "direct elimination is a node-to-surface method: where slave nodes "
+                       "do not coincide with master nodes, errors of the pressure exceed 10 %",
+                       "use matching meshes, or choose another method"));
       }
     return findings;
   }

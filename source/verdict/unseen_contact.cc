@@ -479,17 +479,17 @@ namespace Signorini
       }
     largest = largest_of(largest, mesh.communicator());
     Finding finding;
-    finding.check           = "unseen contact";
+    finding.check           = "undetected contact";
     finding.value           = largest.share;
     finding.limit           = small;
     finding.outcome         = largest.fails()        ? Outcome::failed :
                               largest.share <= small ? Outcome::passed :
                                                        Outcome::warned;
-    const std::string name  = "'" + watched.name(largest.surface) + "' goes through ",
+    const std::string name  = "'" + watched.name(largest.surface) + "' penetrates ",
                       depth = " by up to " + short_text(largest.depth, 2);
     const auto pair         = [&](const std::string &master) {
       return "add a pair with Slave = " + watched.name(largest.surface) + ", Master = " + master +
-             " to Contact pairs, if these may touch";
+             " to Contact pairs if these surfaces can touch";
     };
     switch (largest.through)
       {
@@ -497,44 +497,43 @@ namespace Signorini
           finding.what =
             "'" + watched.name(largest.surface) + "' is inside of '" +
             mesh.body_name(largest.what) + "', by up to " + short_text(largest.depth, 2) +
-            (largest.at_start ? ", from the start, where no pair looks for contact" : "");
+            (largest.at_start ? ", already at the start, where no pair detects contact" : "");
           finding.cure =
             largest.at_start ?
               "add a pair of their surfaces to Contact pairs, or move the bodies apart" :
-              "load in smaller steps, and add a pair to Contact pairs, if there is none";
+              "use smaller load steps, and add a pair to Contact pairs if there is none";
           break;
         case Through::other:
           finding.what = name + "'" + watched.name(largest.what) + "'" + depth +
-                         ", where no pair looks for contact";
+                         ", where no pair detects contact";
           finding.cure = pair(watched.name(largest.what));
           break;
         case Through::itself:
           finding.what =
             name + "itself" + depth +
-            ": where it touches, normals point in so many directions that slaves and masters cannot be told apart";
-          finding.cure =
-            "divide the boundary there, and name its parts as slaves and masters of pairs";
+            ": the normals there vary so much that slave and master cannot be assigned";
+          finding.cure = "split the boundary there, and define a contact pair of its parts";
           break;
         case Through::obstacle:
           finding.what = name + "the obstacle '" + scene.obstacles[largest.what].name + "'" +
                          depth + (largest.at_start ? ", from the start" : "") +
-                         ", where no pair looks for contact";
+                         ", where no pair detects contact";
           finding.cure = pair(scene.obstacles[largest.what].name);
           break;
         case Through::symmetry:
           finding.what = name + "the plane of symmetry '" + planes[largest.what].boundary + "'" +
-                         depth + ", where it would meet its other half";
+                         depth + ", where it would touch its mirror image";
           finding.cure =
-            "add that plane to Obstacles, and a pair with it, if it is one of symmetry";
+            "if it is a plane of symmetry, add the plane to Obstacles and a contact pair with it";
           break;
       }
     if (largest.is_idle)
       {
-        const std::string words = ", where no pair looks for contact";
+        const std::string words = ", where no pair detects contact";
         finding.what.replace(finding.what.find(words),
                              words.size(),
-                             ", and their pair did not see it");
-        finding.cure = "load in smaller steps, or set a Search distance of the pair";
+                             ", and their contact pair did not detect it");
+        finding.cure = "use smaller load steps, or set Search distance of the pair";
       }
     return finding;
   }

@@ -87,8 +87,8 @@ namespace Signorini
                           {"limit", finding.limit},
                           {"outcome", name(finding.outcome)},
                           {"time", time},
-                          {"what", passed ? "" : finding.what},
-                          {"cure", passed ? "" : finding.cure}});
+                          {"message", passed ? "" : finding.what},
+                          {"advice", passed ? "" : finding.cure}});
       }
     return {{"outcome", name(outcome())}, {"checks", checks}};
   }
@@ -109,8 +109,8 @@ namespace Signorini
                         check.at("where"),
                         number(check.at("value")),
                         number(check.at("limit"))};
-        finding.what = check.at("what");
-        finding.cure = check.at("cure");
+        finding.what = check.at("message");
+        finding.cure = check.at("advice");
         for (const Outcome outcome : {Outcome::passed, Outcome::warned, Outcome::failed})
           if (check.at("outcome") == name(outcome))
             finding.outcome = outcome;

@@ -47,7 +47,8 @@ namespace Signorini
     outcome() const;
 
     /// {"outcome": "warned", "checks": [{"check", "where", "value", "limit", "outcome", "time",
-    /// "what", "cure"}]}, in the order in which they were asked; the last two are empty if passed.
+    /// "message", "advice"}]}, in the order in which they were asked; the last two are empty if
+    /// passed.
     nlohmann::ordered_json
     json() const;
 

@@ -134,7 +134,7 @@ namespace Fuzz
       };
       set("Mesh", {"file"});
       set("File", {file});
-      set("Coinciding nodes", {"refuse", "merge", "keep"});
+      set("Coinciding nodes", {"error", "merge", "keep"});
       set("Feature angle", {"", "30", "180"});
       set("Mid-side nodes", {"yes", "yes", "no"});
       set("Curved boundaries", {"", "automatic", "none"});

@@ -10,9 +10,9 @@ METHODS = {
     "multiplier": method("Lagrange multiplier"),
     "multiplier-standard": method("Lagrange multiplier") + ["Contact method/Pressure basis=standard"],
     "augmented": method("augmented Lagrangian"),
-    "augmented-newton": method("augmented Lagrangian", Loop="Newton"),
+    "augmented-newton": method("augmented Lagrangian", Scheme="Newton"),
     "perturbed": method("perturbed Lagrangian"),
-    "perturbed-condensed": method("perturbed Lagrangian", Form="condensed"),
+    "perturbed-condensed": method("perturbed Lagrangian", System="condensed"),
     "penalty": method("penalty"),
     "penalty-1e6": method("penalty", Factor="1e6"),
     "penalty-pointwise": method("penalty", Weighting="pointwise", Factor=10),
@@ -68,7 +68,7 @@ def settles(scene, sets, force):
 def back_to_touching(sets):
     """Blocks that overlap less and less, until they touch and nothing is left of the force."""
     def body(test):
-        history = ["Contact pairs/joint/Interference=1-t", "Load steps/Number=2"]
+        history = ["Contact pairs/joint/Interference ramp=1-t", "Load steps/Number=2"]
         results = test.results(VARIED / "small-overlap.prm", [*sets, *history])
         first, *_, last = (step["pairs"]["joint"]["max_pressure"] for step in results["load_steps"])
         test.check(abs(first * 4000 - 1) <= 1e-3, f"{first:.6g} instead of 2.5e-4")

@@ -13,8 +13,8 @@ CHOICES = {"multiplier": "Method=Lagrange multiplier", "standard": "Pressure bas
 BALL = PRM / "ball-on-block.prm"
 EXACT = ["Newton/Tolerance=1e-12", "Newton/Geometry tolerance=1e-12"]
 ONE_MESH = ["Accuracy/Refinement cycles=0"]
-NOTHING_HANGS = ["Mesh/Geometry degree=1", "Mesh/Zones/wide/Where=1", "Mesh/Zones/near/Where=1", "Mesh/Zones/near/Times=1",
-                 "Mesh/Zones/contact/Times=0"]
+NOTHING_HANGS = ["Mesh/Geometry degree=1", "Mesh/Refinement regions/wide/Inside=1", "Mesh/Refinement regions/near/Inside=1", "Mesh/Refinement regions/near/Levels=1",
+                 "Mesh/Refinement regions/contact/Levels=0"]
 
 
 def balanced(scene, sets, most_moment, most_force=1e-9):

@@ -106,7 +106,7 @@ def polynomials():
                for basis in ("standard", "dual")}
     methods.update({f"nitsche-theta={theta}": method("Nitsche", Theta=theta) for theta in (1, 0, -1)})
     methods.update({"augmented": method("augmented Lagrangian"), "elimination": method("direct elimination"),
-                    "growing-penalty": method("penalty", Factor=10, Growth=1)})
+                    "growing-penalty": method("penalty", **{"Factor": 10, "Mesh size exponent": 1})})
     for scene, degree, quantity, least in (("polynomial", 1, "energy", 0.9), ("polynomial", 1, "pressure", 1.4),
                                            ("polynomial", 2, "energy", 1.4), ("polynomial", 2, "pressure", 1.4),
                                            ("polynomial-smooth", 2, "energy", 1.9)):

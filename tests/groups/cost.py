@@ -54,7 +54,7 @@ def cases():
     yield case("nested", "Lagrange multiplier", 4, 10, NESTED)
     yield case("block", "Lagrange multiplier", 3, 17, BLOCK)
     yield case("block", "augmented Lagrangian", 7, 28, BLOCK)
-    yield case("block", "perturbed Lagrangian", 4, 20, BLOCK, "Contact method/perturbed Lagrangian/Form=condensed")
+    yield case("block", "perturbed Lagrangian", 4, 20, BLOCK, "Contact method/perturbed Lagrangian/System=condensed")
     # Regression: 13 in each refinement of the closed state; 12, 14, 15 in those of the half-open one.
     yield Case("cost/iterations", "closed", mesh_independent("closed", 1.2), labels={"full"})
     yield Case("cost/iterations", "half-open", mesh_independent("0.02*(x/10)^2", 1.3), labels={"full"})

@@ -16,7 +16,7 @@ LENGTH, STRESS = 2**-10, 2**20
 LENGTHS = {"Corners", "Inner radius", "Outer radius", "Radius", "Height", "Center", "Point", "Apex", "Search distance",
            "Edge radius", "Reference point"}
 LENGTH_FORMULAS = {"Displacement", "Normal displacement", "Gap", "Initial gap"}
-POSITION_FORMULAS = {"Where", "Temperature"}
+POSITION_FORMULAS = {"Inside", "Temperature"}
 STRESSES = {"Young's modulus"}
 STRESS_FORMULAS = {"Pressure", "Traction"}
 FORCE_FORMULAS = {"Force"}

@@ -53,7 +53,7 @@ def exact_methods():
         yield f"multiplier-{basis}", multiplier
         yield f"multiplier-{basis}-swapped", multiplier + SWAPPED
     yield "augmented", method("augmented Lagrangian")
-    yield "augmented-newton", method("augmented Lagrangian", Loop="Newton")
+    yield "augmented-newton", method("augmented Lagrangian", Scheme="Newton")
     for theta in (1, 0, -1):
         yield f"nitsche-theta={theta}", method("Nitsche", Theta=theta)
     yield "nitsche-swapped", method("Nitsche") + SWAPPED
@@ -95,7 +95,7 @@ def penalties_and_elimination():
     for scene, pressure, matching in (("patch-2d", 115.6817661, "4,3"), ("patch-3d", 103.6518778, "4,3,2")):
         for degree in (1, 2):
             for name, sets in (("penalty", method("penalty")), ("perturbed", method("perturbed Lagrangian")),
-                               ("perturbed-condensed", method("perturbed Lagrangian", Form="condensed"))):
+                               ("perturbed-condensed", method("perturbed Lagrangian", System="condensed"))):
                 yield Case("patch/exact", f"{scene}/degree-{degree}/{name}",
                            uniform(scene, sets + [f"Mesh/Degree={degree}"], pressure, exact=2e-8, penetrates=True))
             # Where nodes match, elimination is exact too.
@@ -144,7 +144,7 @@ def solvers():
     def solved(name, *sets):
         return Case("patch/solver", name, uniform("patch-3d", list(sets), EXACT["patch-3d"], ranks=2), ranks=2)
 
-    for one in ("contact filter:CG", "contact filter:FGMRES", "block diagonal:MINRES", "block diagonal:FGMRES",
+    for one in ("interface multigrid:CG", "interface multigrid:FGMRES", "block diagonal:MINRES", "block diagonal:FGMRES",
                 "block triangular:FGMRES", "SIMPLE:FGMRES", "direct:auto"):
         preconditioner, krylov = one.split(":")
         yield solved(one, f"Solver/Preconditioner={preconditioner}", f"Solver/Krylov method={krylov}")

@@ -95,7 +95,7 @@ def time_limit(test):
     folder, whole = folder_of(test), folder_of(test) / "whole"
     ends(test, [*WAVY, "--set", f"Output/Directory={whole}"], 0)
     ends(test, [*WAVY, "--set", f"Output/Directory={folder}", "--set", "Output/Time limit=1e-6"], 5,
-         "nothing was reached that a restart could start from")
+         "there is no checkpoint to restart from")
     # The reserve for a checkpoint is a second.
     limit = ["--set", f"Output/Time limit={1.6 / 60}"]
     code, runs = 5, 0
@@ -103,7 +103,7 @@ def time_limit(test):
         process = start(test, ["--restart", folder, *limit])
         test.print(process.communicate(timeout=60)[0])
         code, runs = process.returncode, runs + 1
-        if "nothing was reached" in results_in(folder)["reason"]:  # a slow machine
+        if "there is no checkpoint" in results_in(folder)["reason"]:  # a slow machine
             limit = ["--set", f"Output/Time limit={2 ** runs / 60}"]
     test.check(code == 0, f"exit code {code} after {runs} restarts")
     check_same(test, folder, whole)
@@ -113,15 +113,15 @@ def refused(test):
     folder = folder_of(test)
     folder.mkdir(parents=True, exist_ok=True)
     ends(test, ["--restart"], 2, "--restart needs the output directory of a run")
-    ends(test, ["--restart", folder], 2, "no run has begun there")
+    ends(test, ["--restart", folder], 2, "has no file restart.scene")
     scene = [str(TESTS / "failures" / "missed-result.prm"), "--set", f"Output/Directory={folder}"]
     ends(test, scene, 4)
     ends(test, ["--restart", folder], 4, "is finished, with exit code 4: nothing was done")
-    ends(test, ["--restart", folder, scene[0]], 2, "knows its scene")
-    ends(test, ["--restart", folder, "--set", "Load steps/Number=7"], 2, "would change what is solved")
+    ends(test, ["--restart", folder, scene[0]], 2, "continues the scene of that directory")
+    ends(test, ["--restart", folder, "--set", "Load steps/Number=7"], 2, "would change the problem")
     origin = folder / "restart.scene"
     origin.write_bytes(origin.read_bytes()[:-1])
-    ends(test, ["--restart", folder], 2, "has not the length that it says")
+    ends(test, ["--restart", folder], 2, "does not have the length that it records")
 
 
 def failed_step(test):

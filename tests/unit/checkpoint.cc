@@ -265,13 +265,13 @@ TEST_CASE("a run knows its scene and its files again")
       }
     return std::string();
   };
-  CHECK(refusal().find("no run has begun there") != std::string::npos);
+  CHECK(refusal().find("has no file restart.scene") != std::string::npos);
   write_origin(directory,
                origin_of("scene", "subsection Bodies\n  set File = " + mesh + "\nend\n"));
   CHECK(refusal().empty());
   CHECK(read_origin(directory).name == "scene");
   write(mesh, "other nodes\n");
-  CHECK(refusal().find("is not what it was when the run began") != std::string::npos);
+  CHECK(refusal().find("has changed since the run began") != std::string::npos);
   fs::remove(mesh);
   CHECK(refusal().find("is gone") != std::string::npos);
 

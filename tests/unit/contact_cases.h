@@ -81,9 +81,9 @@ namespace TestScene
                      "Contact pairs/pair/Initial gap=0.01*cos(3*x)"}},
             {"hanging nodes",
              boxes("0,0 : 1,1", "3,2", "0,1 : 1,2", "2,2") + base +
-               Lines{"Mesh/Zones/Names=near",
-                     "Mesh/Zones/near/Where=min(0.4 - x, 0.3 - abs(y - 1))",
-                     "Mesh/Zones/near/Times=2"}},
+               Lines{"Mesh/Refinement regions/Names=near",
+                     "Mesh/Refinement regions/near/Inside=min(0.4 - x, 0.3 - abs(y - 1))",
+                     "Mesh/Refinement regions/near/Levels=2"}},
             {"inclined supports",
              boxes("0,0 : 1,1", "3,2", "0,1 : 1,2", "2,2") + turned +
                Lines{"Supports/Names=sides, press",
@@ -110,8 +110,8 @@ namespace TestScene
                    "Obstacles/punch/Rotation=free",
                    "Obstacles/punch/Force=0; -0.1*t",
                    "Obstacles/punch/Moment=0.02*t",
-                   "Mesh/Zones/Names=near",
-                   "Mesh/Zones/near/Where=min(0.3 - x, 0.3 + y)"} +
+                   "Mesh/Refinement regions/Names=near",
+                   "Mesh/Refinement regions/near/Inside=min(0.3 - x, 0.3 + y)"} +
                pair("block.top", "punch") + Lines{"Contact pairs/pair/Search distance=1"} +
                fixed("block.bottom", "0; 0")},
             {"a plate that never separates",
@@ -127,7 +127,7 @@ namespace TestScene
                    "Obstacles/plate/Displacement=0; free",
                    "Obstacles/plate/Rotation=free",
                    "Obstacles/plate/Force=0; 0.1*t"} +
-               pair("block.top", "plate") + Lines{"Contact pairs/pair/Separates=no"} +
+               pair("block.top", "plate") + Lines{"Contact pairs/pair/Separation=none"} +
                fixed("block.bottom", "0; 0")},
             {"axisymmetric",
              boxes("0,0 : 1,1", "3,2", "0,1 : 1,2", "4,2") +
@@ -147,58 +147,59 @@ namespace TestScene
     const Lines turned = {
       "Bodies/lower/Transformation=x*cos(0.5)-z*sin(0.5); y; x*sin(0.5)+z*cos(0.5)",
       "Bodies/upper/Transformation=x*cos(0.5)-z*sin(0.5); y; x*sin(0.5)+z*cos(0.5)"};
-    return {{"flat, matching", boxes("0,0,0 : 1,1,1", "2,2,1", "0,0,1 : 1,1,2", "2,2,1") + base},
-            {"curved, not matching",
-             materials("ball", "shell") + pair("ball.sphere", "shell.inner") +
-               Lines{"Bodies/ball/Mesh=sphere",
-                     "Bodies/ball/Radius=1",
-                     "Bodies/ball/Part=lower quarter",
-                     "Bodies/shell/Mesh=shell",
-                     "Bodies/shell/Inner radius=1.001",
-                     "Bodies/shell/Outer radius=2",
-                     "Bodies/shell/Part=lower quarter",
-                     "Bodies/shell/Cells along 45 degrees=2",
-                     "Bodies/shell/Cells through=1",
-                     "Contact pairs/pair/Search distance=0.5",
-                     "Contact pairs/pair/Initial gap=0.01*cos(3*x)",
-                     "Supports/Names=cuts, base",
-                     "Supports/cuts/Type=symmetry",
-                     "Supports/cuts/Boundaries=ball.symmetry_x, ball.symmetry_y, shell.symmetry_x, "
-                     "shell.symmetry_y",
-                     "Supports/base/Boundaries=ball.top, shell.outer",
-                     "Supports/base/Displacement=0; 0; -0.001*t"}},
-            {"hanging nodes",
-             boxes("0,0,0 : 1,1,1", "2,2,1", "0,0,1 : 1,1,2", "3,1,1") + base +
-               Lines{"Mesh/Zones/Names=near",
-                     "Mesh/Zones/near/Where=min(0.3 - x, min(0.3 - y, 0.3 - abs(z - 1)))"}},
-            {"inclined supports",
-             boxes("0,0,0 : 1,1,1", "2,1,1", "0,0,1 : 1,1,2", "1,2,1") + turned +
-               Lines{"Supports/Names=sides, press",
-                     "Supports/sides/Type=symmetry",
-                     "Supports/sides/Boundaries=lower.left, upper.left, lower.front, upper.front, "
-                     "lower.bottom",
-                     "Supports/press/Type=roller",
-                     "Supports/press/Boundaries=upper.top",
-                     "Supports/press/Normal displacement=-0.001*t",
-                     "Loads/Names=side",
-                     "Loads/side/Boundaries=upper.right",
-                     "Loads/side/Pressure=0.1*(1+t*y)"}},
-            {"a rigid ball with force and moments",
-             Lines{"Bodies/Names=block",
-                   "Bodies/block/Corners=-1,-1,-1 : 1,1,0",
-                   "Bodies/block/Subdivisions=3,3,1",
-                   "Bodies/block/Young's modulus=10",
-                   "Bodies/block/Poisson's ratio=0.3",
-                   "Obstacles/Names=punch",
-                   "Obstacles/punch/Shape=sphere",
-                   "Obstacles/punch/Center=0.1,0,3",
-                   "Obstacles/punch/Radius=3.15",
-                   "Obstacles/punch/Reference point=0.2,0.1,0.1",
-                   "Obstacles/punch/Displacement=0; 0; free",
-                   "Obstacles/punch/Rotation=free; free; 0.001*t",
-                   "Obstacles/punch/Force=0; 0; -0.1*t",
-                   "Obstacles/punch/Moment=0.02*t; 0.01*t; 0"} +
-               pair("block.top", "punch") + Lines{"Contact pairs/pair/Search distance=1"} +
-               fixed("block.bottom", "0; 0; 0")}};
+    return {
+      {"flat, matching", boxes("0,0,0 : 1,1,1", "2,2,1", "0,0,1 : 1,1,2", "2,2,1") + base},
+      {"curved, not matching",
+       materials("ball", "shell") + pair("ball.sphere", "shell.inner") +
+         Lines{"Bodies/ball/Mesh=sphere",
+               "Bodies/ball/Radius=1",
+               "Bodies/ball/Part=lower quarter",
+               "Bodies/shell/Mesh=shell",
+               "Bodies/shell/Inner radius=1.001",
+               "Bodies/shell/Outer radius=2",
+               "Bodies/shell/Part=lower quarter",
+               "Bodies/shell/Cells along 45 degrees=2",
+               "Bodies/shell/Cells through=1",
+               "Contact pairs/pair/Search distance=0.5",
+               "Contact pairs/pair/Initial gap=0.01*cos(3*x)",
+               "Supports/Names=cuts, base",
+               "Supports/cuts/Type=symmetry",
+               "Supports/cuts/Boundaries=ball.symmetry_x, ball.symmetry_y, shell.symmetry_x, "
+               "shell.symmetry_y",
+               "Supports/base/Boundaries=ball.top, shell.outer",
+               "Supports/base/Displacement=0; 0; -0.001*t"}},
+      {"hanging nodes",
+       boxes("0,0,0 : 1,1,1", "2,2,1", "0,0,1 : 1,1,2", "3,1,1") + base +
+         Lines{"Mesh/Refinement regions/Names=near",
+               "Mesh/Refinement regions/near/Inside=min(0.3 - x, min(0.3 - y, 0.3 - abs(z - 1)))"}},
+      {"inclined supports",
+       boxes("0,0,0 : 1,1,1", "2,1,1", "0,0,1 : 1,1,2", "1,2,1") + turned +
+         Lines{"Supports/Names=sides, press",
+               "Supports/sides/Type=symmetry",
+               "Supports/sides/Boundaries=lower.left, upper.left, lower.front, upper.front, "
+               "lower.bottom",
+               "Supports/press/Type=roller",
+               "Supports/press/Boundaries=upper.top",
+               "Supports/press/Normal displacement=-0.001*t",
+               "Loads/Names=side",
+               "Loads/side/Boundaries=upper.right",
+               "Loads/side/Pressure=0.1*(1+t*y)"}},
+      {"a rigid ball with force and moments",
+       Lines{"Bodies/Names=block",
+             "Bodies/block/Corners=-1,-1,-1 : 1,1,0",
+             "Bodies/block/Subdivisions=3,3,1",
+             "Bodies/block/Young's modulus=10",
+             "Bodies/block/Poisson's ratio=0.3",
+             "Obstacles/Names=punch",
+             "Obstacles/punch/Shape=sphere",
+             "Obstacles/punch/Center=0.1,0,3",
+             "Obstacles/punch/Radius=3.15",
+             "Obstacles/punch/Reference point=0.2,0.1,0.1",
+             "Obstacles/punch/Displacement=0; 0; free",
+             "Obstacles/punch/Rotation=free; free; 0.001*t",
+             "Obstacles/punch/Force=0; 0; -0.1*t",
+             "Obstacles/punch/Moment=0.02*t; 0.01*t; 0"} +
+         pair("block.top", "punch") + Lines{"Contact pairs/pair/Search distance=1"} +
+         fixed("block.bottom", "0; 0; 0")}};
   }
 } // namespace TestScene

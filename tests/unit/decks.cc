@@ -368,7 +368,7 @@ TEST_CASE("import: pieces, forces on nodes, linear contact; what is left out is 
   CHECK(scene.loads[2].nodes.sets.size() == 1);
   CHECK(scene.load_steps.ends() == std::vector<double>{2});
   says(scene.left_out, "model: *FRICTION (contact is without friction): ");
-  says(messages, "left out: model: *FRICTION");
+  says(messages, "not imported: model: *FRICTION");
 }
 
 
@@ -465,7 +465,7 @@ TEST_CASE("import: what a later step says of a place replaces, whatever names it
         CAPTURE(text);
         CHECK(std::abs(force_at(scene, t) - force) < 1e-6);
       }
-    CHECK(text.find("Left out") == std::string::npos);
+    CHECK(text.find("Not imported") == std::string::npos);
   };
   check(step("*CLOAD\ntop, 3, -10\n") + step("*CLOAD\n9, 3, -50\n"), {{1, -40}, {2, -80}});
   check(step("*CLOAD\ntop, 3, -1\n9, 3, -2\n*CLOAD\n9, 3, -4\n"), {{0.5, -5}, {1, -10}});

@@ -221,8 +221,8 @@ namespace
             "Supports/base/Boundaries=body.bottom",
             plane ? "Supports/base/Displacement=0; 0.1" : "Supports/base/Displacement=0; 0; 0.1",
             "Mesh/Distribution=p4est",
-            "Mesh/Zones/Names=corner",
-            "Mesh/Zones/corner/Where=0.8 - x"};
+            "Mesh/Refinement regions/Names=corner",
+            "Mesh/Refinement regions/corner/Inside=0.8 - x"};
   }
 
   double

@@ -653,7 +653,7 @@ TEST_CASE("cells of different sizes that do not share their nodes are refused")
       generator<2>("file", {{"File", file.path}, {"Coinciding nodes", coinciding}})->generate();
     });
   };
-  says(what("refuse"), "has a node at (1 1) on the edge of a cell");
+  says(what("error"), "has a node at (1 1) on the edge of a cell");
   CHECK(what("keep").empty());
 }
 

@@ -522,8 +522,9 @@ TEST_CASE("file: what is wrong with it is said, with its name")
   says(attempt(two_squares(), {{"Part", "three"}}), "it has one, two");
   says(attempt(two_squares("", "3 2 2 2 2 3 5 4")), "folded");
   says(attempt(two_squares("", "3 2 2 2 2 3 4 9")), "unknown node 9");
-  says(attempt(two_squares("", "10 2 2 2 2 3 4 5 1 1 1 1 1")), "mid-side nodes fold");
-  says(attempt(two_squares("3 1 \"body\"\n", "5 2 1 1 1 2 3 4 5 6 1 2")), "three dimensions");
+  says(attempt(two_squares("", "10 2 2 2 2 3 4 5 1 1 1 1 1")), "inverted by its mid-side nodes");
+  says(attempt(two_squares("3 1 \"body\"\n", "5 2 1 1 1 2 3 4 5 6 1 2")),
+       "three-dimensional cells");
   says(attempt(two_squares(), {{"Curved boundaries", "arc circle 0 0"}}), "no boundary 'arc'");
   says(attempt(two_squares(), {{"Curved boundaries", "middle sphere 0 0"}}), "NAME circle");
   says(attempt(two_squares(), {{"Curved boundaries", "middle circle 0"}}), "2 numbers");

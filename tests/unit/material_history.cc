@@ -67,7 +67,7 @@ namespace
     return materials("lower", "upper") + pair("upper.bottom", "lower.top") +
            Lines{"Dimension=" + std::to_string(dim),
                  "Mesh/Degree=" + degree,
-                 "Contact pairs/pair/Sides=as named",
+                 "Contact pairs/pair/Slave choice=as named",
                  plane ? "Bodies/lower/Corners=0,0 : 1,1" : "Bodies/lower/Corners=0,0,0 : 1,1,1",
                  plane ? "Bodies/upper/Corners=0,1 : 1,2" : "Bodies/upper/Corners=0,0,1 : 1,1,2",
                  plane ? "Bodies/lower/Subdivisions=3,2" : "Bodies/lower/Subdivisions=2,3,1",

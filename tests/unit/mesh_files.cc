@@ -186,7 +186,7 @@ TEST_CASE("coinciding nodes of cells that are not connected otherwise are kept a
   const auto reason = [&](const std::string &distance) {
     return generator<2>("file", {{"File", file.path}, {"Node distance", distance}})->needs_pair();
   };
-  CHECK(with("refuse").vertices.size() == 8);
+  CHECK(with("error").vertices.size() == 8);
   says(reason("0"), "2 pairs, the first at (1 0)");
   CHECK(with("merge").vertices.size() == 6);
   CHECK(faces_of(with("merge")) == Count{{"base", 2}, {"unnamed", 4}});
@@ -219,7 +219,7 @@ TEST_CASE("notes: nodes that no element uses, and where unnamed boundaries are")
   selection.feature_angle = 30;
   const FilePart<2> part(read_mesh_file(file.path), selection);
   REQUIRE(part.notes.size() == 5);
-  says(part.notes[0], "2 nodes that no element uses are left out, the first is at (5 5 0)");
+  says(part.notes[0], "2 nodes without elements are ignored, the first is at (5 5 0)");
   says(part.notes[2], "boundary unnamed2: 2 faces about (1 0)");
   CHECK(part.vertices.size() == 6);
 }

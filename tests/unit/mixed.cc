@@ -42,9 +42,9 @@ namespace
             "Supports/base/Boundaries=body.bottom, other.bottom",
             plane ? "Supports/base/Displacement=0; 0.01" : "Supports/base/Displacement=0; 0; 0.01",
             "Mesh/Distribution=p4est",
-            "Mesh/Zones/Names=corner",
-            "Mesh/Zones/corner/Bodies=body",
-            "Mesh/Zones/corner/Where=0.8 - x"};
+            "Mesh/Refinement regions/Names=corner",
+            "Mesh/Refinement regions/corner/Bodies=body",
+            "Mesh/Refinement regions/corner/Inside=0.8 - x"};
   }
 
   /// The same on any number of ranks, but for the numbering.

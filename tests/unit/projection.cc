@@ -21,12 +21,12 @@ namespace
   using Dim2 = std::integral_constant<int, 2>;
   using Dim3 = std::integral_constant<int, 3>;
 
-  std::mt19937 generator;
+  std::mt19937 random_numbers;
 
   double
   random_number(const double lower, const double upper)
   {
-    return std::uniform_real_distribution<double>(lower, upper)(generator);
+    return std::uniform_real_distribution<double>(lower, upper)(random_numbers);
   }
 
   template <int dim>
@@ -139,7 +139,7 @@ namespace
 TEST_CASE_TEMPLATE("unit_point follows QProjector", D, Dim2, Dim3)
 {
   constexpr int dim = D::value;
-  generator.seed(42);
+  random_numbers.seed(42);
   const Point<dim - 1>      xi = random_point<dim - 1>(0, 1);
   const Quadrature<dim - 1> quadrature(xi);
   for (const unsigned int face : GeometryInfo<dim>::face_indices())
@@ -158,7 +158,7 @@ TEST_CASE_TEMPLATE("unit_point follows QProjector", D, Dim2, Dim3)
 TEST_CASE_TEMPLATE("derivatives of a face agree with finite differences", D, Dim2, Dim3)
 {
   constexpr int dim = D::value;
-  generator.seed(42);
+  random_numbers.seed(42);
   const double h = 1e-5;
   for (unsigned int k = 1; k <= 4; ++k)
     {
@@ -187,7 +187,7 @@ TEST_CASE_TEMPLATE("derivatives of a face agree with finite differences", D, Dim
 TEST_CASE_TEMPLATE("the box of a face contains it and is tight where it is flat", D, Dim2, Dim3)
 {
   constexpr int dim = D::value;
-  generator.seed(42);
+  random_numbers.seed(42);
   for (unsigned int k = 1; k <= 4; ++k)
     {
       const FacePatch<dim> patch = random_patch<dim>(k, 1.5);
@@ -209,7 +209,7 @@ TEST_CASE_TEMPLATE("a face of a cell is the mapping's face, its normal points ou
                    Dim3)
 {
   constexpr int dim = D::value;
-  generator.seed(42);
+  random_numbers.seed(42);
   Triangulation<dim> triangulation;
   GridGenerator::hyper_shell(triangulation, Point<dim>(), 0.5, 1);
   for (unsigned int k = 1; k <= 4; ++k)
@@ -255,7 +255,7 @@ TEST_CASE("straight segment: foot of the perpendicular, or the nearer end")
 
 TEST_CASE_TEMPLATE("projection agrees with dense sampling", D, Dim2, Dim3)
 {
-  generator.seed(42);
+  random_numbers.seed(42);
   for (unsigned int k = 1; k <= 4; ++k)
     for (const double bumpiness : {0.05, 0.1, 0.2})
       for (const double height : {0.1, 2.})

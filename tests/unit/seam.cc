@@ -173,7 +173,7 @@ namespace
 TEST_CASE("bodies that stiffen: of second order, with contact, whatever solves the linear systems")
 {
   for (const std::string method : {"penalty", "Lagrange multiplier", "Nitsche"})
-    for (const std::string preconditioner : {"contact filter", "direct"})
+    for (const std::string preconditioner : {"interface multigrid", "direct"})
       {
         CAPTURE(method);
         CAPTURE(preconditioner);
@@ -264,7 +264,7 @@ TEST_CASE("a law with two components a point is another law, not another solver"
         }
     }
   for (const double lower : {1., -1.}) // also without symmetry
-    for (const std::string preconditioner : {"contact filter", "direct"})
+    for (const std::string preconditioner : {"interface multigrid", "direct"})
       {
         CAPTURE(lower);
         CAPTURE(preconditioner);

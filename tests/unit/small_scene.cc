@@ -213,17 +213,17 @@ namespace TestScene
   all_methods()
   {
     static const std::vector<Lines> methods = {
-      {"Method=penalty", "penalty/Factor=5", "penalty/Growth=1"},
+      {"Method=penalty", "penalty/Factor=5", "penalty/Mesh size exponent=1"},
       {"Method=penalty", "penalty/Factor=5", "Pressure basis=standard"},
       {"Method=penalty", "penalty/Factor=5", "penalty/Weighting=pointwise"},
       {"Method=Lagrange multiplier", "Lagrange multiplier/Complementarity factor=3"},
       {"Method=Lagrange multiplier", "Pressure basis=standard"},
       {"Method=augmented Lagrangian", "augmented Lagrangian/Factor=7"},
-      {"Method=augmented Lagrangian", "augmented Lagrangian/Loop=Newton"},
+      {"Method=augmented Lagrangian", "augmented Lagrangian/Scheme=Newton"},
       {"Method=perturbed Lagrangian", "perturbed Lagrangian/Factor=7"},
       {"Method=perturbed Lagrangian",
        "perturbed Lagrangian/Factor=7",
-       "perturbed Lagrangian/Form=condensed"},
+       "perturbed Lagrangian/System=condensed"},
       {"Method=Nitsche", "Nitsche/Theta=1"},
       {"Method=Nitsche", "Nitsche/Theta=0"},
       {"Method=Nitsche", "Nitsche/Theta=-1"},

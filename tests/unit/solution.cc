@@ -150,7 +150,7 @@ namespace
       {
         scene.use({"Method=perturbed Lagrangian",
                    "perturbed Lagrangian/Factor=7",
-                   "perturbed Lagrangian/Form=" + form});
+                   "perturbed Lagrangian/System=" + form});
         const NormalContact law(scene.method(), scene.gap_operator());
         const LA::Vector    gap = scene.gap_operator().gap(u), none = scene.gap_operator().zero(),
                          active = law.status(law.trial({{gap}, {none}, {none}, {}})),
@@ -223,9 +223,9 @@ namespace
             "Contact pairs/joint/Slave=block.bottom",
             "Contact pairs/joint/Master=base.top",
             "Contact pairs/joint/Initial gap=0.001*L*cos(3*x/L)",
-            "Mesh/Zones/Names=near",
-            "Mesh/Zones/near/Where=min(0.1*L - x, 0.1*L + z)",
-            "Newton/Undetermined motions=hold"};
+            "Mesh/Refinement regions/Names=near",
+            "Mesh/Refinement regions/near/Inside=min(0.1*L - x, 0.1*L + z)",
+            "Newton/Unconstrained modes=stabilise"};
   }
 } // namespace
 

@@ -49,10 +49,10 @@ TEST_CASE("of several load steps the worst, the last or the best counts")
   CHECK(checks[0]["value"] == 3);
   CHECK(checks[0]["time"] == 2);
   CHECK(checks[0]["outcome"] == "warned");
-  CHECK(checks[0]["what"] == "what of worst");
+  CHECK(checks[0]["message"] == "what of worst");
   CHECK(checks[1]["time"] == 4);
   CHECK(checks[1]["outcome"] == "passed");
-  CHECK(checks[1]["what"] == "");
+  CHECK(checks[1]["message"] == "");
   CHECK(checks[2]["time"] == 1);
   CHECK(verdict.outcome() == warned);
   CHECK(verdict.json()["outcome"] == "warned");

@@ -245,7 +245,7 @@ TEST_CASE("Schur complements are those of their definitions")
       const std::vector<std::pair<std::string, Eigen::MatrixXd>> definitions = {
         {"diagonal", diagonal + I},
         {"mass", mass},
-        {"zone", AB * in_zone.inverse() * AB.transpose() + I}};
+        {"interface", AB * in_zone.inverse() * AB.transpose() + I}};
       LinearSolverSettings settings;
       settings.direct_solver      = direct_solver();
       const Eigen::VectorXd r     = rough(n_q);

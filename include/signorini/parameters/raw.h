@@ -52,4 +52,8 @@ namespace Signorini
   /// Read a scene from a stream; `name` stands for the file in messages.
   RawSection
   read_raw(std::istream &in, const std::string &name);
+
+  /// True if a value or section comes from the command line, by its `where`.
+  bool
+  is_override(const std::string &where);
 } // namespace Signorini

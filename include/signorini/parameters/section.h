@@ -71,12 +71,49 @@ namespace Signorini
         fail(key, "is required (" + help + ")");
     }
 
+    /// A key whose default a scene should not rely on: where it is not set, a note says what is
+    /// used.
+    template <typename T>
+    void
+    add_noted(const std::string &key, T &value, const std::string &help)
+    {
+      add(key, value, help);
+      if (reading() && !is_set(key))
+        note_default(key, text_of(value));
+    }
+
     /// Reading: true if the scene says something about that key.
     bool
     is_set(const std::string &key) const
     {
       return raw && raw->find_value(key);
     }
+
+    /// The key had another name in the last release. A scene that uses it is read as if it had the
+    /// new one, and a note says so; a scene that sets both is refused, but a command line overrides
+    /// a file. To be called before the key is added.
+    void
+    rename_key(const std::string &former, const std::string &key);
+
+    /// Likewise a subsection.
+    void
+    rename_section(const std::string &former, const std::string &name);
+
+    /// Likewise a choice of a key.
+    void
+    rename_choice(const std::string &key, const std::string &former, const std::string &choice);
+
+    /// Reading: remarks for the user so far, of this section and of those in it; each is there
+    /// once.
+    const std::vector<std::string> &
+    notes() const
+    {
+      return *my_notes;
+    }
+
+    /// Reading: add a remark. @param where file and line, which may differ for equal remarks
+    void
+    add_note(const std::string &where, const std::string &text);
 
     /// A word out of a list.
     void
@@ -109,6 +146,7 @@ namespace Signorini
           RawSection *child = open(name);
           Section     section(child ? *child : nothing, path_of(name));
           section.definitions = definitions;
+          section.my_notes    = my_notes;
           body(section);
           section.close();
         }
@@ -199,6 +237,11 @@ namespace Signorini
     end();
     void
     check_names(const std::vector<std::string> &names) const;
+    template <typename T>
+    static std::string
+    text_of(const T &value);
+    void
+    note_default(const std::string &key, const std::string &value);
     std::string
     as_given(const std::string &key, const std::string &otherwise) const;
     void
@@ -207,6 +250,9 @@ namespace Signorini
     RawSection                        *raw = nullptr;
     std::string                        my_path;
     std::shared_ptr<const Definitions> definitions = std::make_shared<Definitions>();
+
+    std::shared_ptr<std::vector<std::string>> my_notes =
+      std::make_shared<std::vector<std::string>>();
 
     std::ostream     *out         = nullptr;
     const RawSection *given       = nullptr;

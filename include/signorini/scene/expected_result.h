@@ -21,9 +21,14 @@ namespace Signorini
     Formula                  value, reference = "0";
     double                   tolerance = 0.01, absolute_tolerance = 0;
     std::string              source;
+    std::string              place; ///< where the quantities are set
 
     void
     declare(Section &section);
+
+    /// Former names of entries of results.json become present ones, with a note.
+    void
+    use_present_paths(Section &section, unsigned int dim);
   };
 
   /// Throws SceneError where a quantity cannot exist.

@@ -48,9 +48,9 @@ namespace Signorini
   {
     std::optional<StiffnessForm>     stiffness_form; ///< none: the quicker one
     Coarsening                       coarsening     = Coarsening::geometric;
-    std::string                      preconditioner = "contact filter";
+    std::string                      preconditioner = "interface multigrid";
     std::optional<Krylov>            krylov; ///< none: what suits system and preconditioner
-    std::string                      schur_complement = "zone";
+    std::string                      schur_complement = "interface";
     double                           augmentation     = 0;
     std::optional<LA::DirectLibrary> direct_solver; ///< none: the quicker one
     NearNullSpace                    near_null_space    = NearNullSpace::rigid_body_modes;
@@ -63,7 +63,7 @@ namespace Signorini
     bool
     needs_matrix() const
     {
-      return preconditioner != "contact filter";
+      return preconditioner != "interface multigrid";
     }
   };
 } // namespace Signorini

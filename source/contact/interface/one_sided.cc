@@ -48,7 +48,8 @@ namespace Signorini
       });
       if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
         throw SceneError(pair.slave_place + ": Initial gap = " + pair.initial_gap.text +
-                         " is not a number somewhere on '" + pair.slave + "'; correct the formula");
+                         " is not a finite number at some points of '" + pair.slave +
+                         "'; correct the formula");
     }
 
     /// Folded cells have no stress. Throws SolverFailure. Collective.
@@ -60,7 +61,7 @@ namespace Signorini
         return std::isnan(point.stress_offset);
       });
       if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
-        throw SolverFailure("cells at a contact surface are folded; load in smaller steps");
+        throw SolverFailure("cells at a contact surface are inverted; use smaller load steps");
     }
 
     template <int dim>
@@ -79,10 +80,11 @@ namespace Signorini
     check_search_distance(const double overlap, const ContactPair<dim> &pair)
     {
       if (pair.search_distance > 0 && overlap > pair.search_distance)
-        throw SceneError(
-          pair.slave_place + ": '" + pair.slave + "' lies up to " + short_text(overlap, 4) +
-          " deep in '" + pair.master + "' at the start, deeper than its Search distance of " +
-          short_text(pair.search_distance, 4) + "; enlarge that, or move the bodies apart");
+        throw SceneError(pair.slave_place + ": '" + pair.slave + "' lies up to " +
+                         short_text(overlap, 4) + " deep in '" + pair.master +
+                         "' at the start, deeper than its Search distance of " +
+                         short_text(pair.search_distance, 4) +
+                         "; set a larger Search distance, or move the bodies apart");
     }
 
     template <int dim>
@@ -102,9 +104,9 @@ namespace Signorini
       if (Utilities::MPI::max(bad ? 1 : 0, configuration.elasticity().mesh().communicator()) > 0)
         throw SceneError(
           pair.master_place + ": the Gap of '" + obstacle.name +
-          "' does not rise by 1 along its Normal: that is the gap of a surface at rest, and nobody "
-          "knows where the obstacle is beside it; write the formula for every place, as in y - "
-          "x^2/20 for Normal = 0, 1, or take Contact method/Contact geometry = reference");
+          "' does not increase by 1 per unit length along its Normal, so that it defines the gap on "
+          "the undeformed surface only; use a formula that is valid at all points, such as y - "
+          "x^2/20 for Normal = 0, 1, or set Contact method/Contact geometry = reference");
     }
 
     /// So that the gap is true where the surfaces are: less row() . u.
@@ -351,8 +353,9 @@ namespace Signorini
         if (some_prescribed && (!obstacle || !some_free))
           throw SceneError(
             pair.slave_place + ": the displacement of faces of '" + pair.slave +
-            "' is prescribed along the normal at all their nodes, so that they cannot carry an "
-            "unknown pressure; exchange Slave and Master, or take Contact method/Method = penalty");
+            "' is prescribed in normal direction at all nodes (over-constrained), so that they "
+            "cannot carry a multiplier; exchange Slave and Master, or set Contact method/Method = "
+            "penalty");
         return functions;
       }
 

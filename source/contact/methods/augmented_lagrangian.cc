@@ -9,11 +9,12 @@ namespace Signorini
   {
     penalty_factor.declare(
       section,
-      "penalty in units of E/h: larger needs fewer augmentations, the result does not depend on it");
+      "penalty parameter in units of E/h; a larger one needs fewer augmentations, the result does not depend on it");
+    section.rename_key("Loop", "Scheme");
     section.add_choice(
-      "Loop",
+      "Scheme",
       loop,
       {{"Uzawa", Loop::Uzawa}, {"Newton", Loop::Newton}},
-      "penalty solutions one after the other; or displacement and pressure at once");
+      "Uzawa: a sequence of penalty solutions with updates of the multiplier; Newton: displacement and multiplier are solved simultaneously");
   }
 } // namespace Signorini

@@ -16,8 +16,7 @@ namespace Signorini
     if (integration.rule != Rule::nodes)
       throw SceneError(
         "Contact method/Integration = " + word_of(Integration::rules(), integration.rule) +
-        " does not go with Method = direct elimination, which eliminates the "
-        "displacement of single nodes; take Integration = nodes, or Method = "
-        "Lagrange multiplier");
+        " cannot be combined with Method = direct elimination, which is a node-to-surface method; "
+        "set Integration = nodes, or Method = Lagrange multiplier");
   }
 } // namespace Signorini

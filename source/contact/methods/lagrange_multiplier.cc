@@ -10,7 +10,8 @@ namespace Signorini
     section.add(
       "Complementarity factor",
       complementarity_factor,
-      "weight of the gap, in units of E/h, where the active set is decided; the result does not depend on it",
+      "factor of the gap, in units of E/h, in the complementarity function p - c g of the active-set "
+      "strategy; the result does not depend on it",
       positive);
   }
 } // namespace Signorini

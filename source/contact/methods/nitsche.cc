@@ -16,12 +16,12 @@ namespace Signorini
     section.add(
       "Factor",
       safety_factor,
-      "of the smallest parameter that is stable, which follows from an eigenvalue problem "
-      "on each face",
+      "stabilisation parameter, in units of the smallest stable one, which follows from an "
+      "eigenvalue problem on each face",
       positive);
     section.add("Unbiased",
                 two_sided,
-                "treat both surfaces of a pair alike: either is slave to the other, by half");
+                "unbiased (two-pass) formulation: both surfaces are integrated with weight 1/2");
   }
 
 
@@ -31,15 +31,16 @@ namespace Signorini
   {
     if (integration.rule == Rule::nodes)
       throw SceneError(
-        "Contact method/Integration = nodes does not go with Method = Nitsche, whose parameter "
-        "bounds the mean stress of faces, not that of their corners; take Integration = quadrature");
+        "Contact method/Integration = nodes cannot be combined with Method = Nitsche, whose "
+        "stabilisation bounds the mean stress of faces, not nodal stresses; set Integration = "
+        "quadrature");
     // K - theta S^T W/eps S and so on are bounded from below by (1 - (1 + theta)^2/(4 Factor)) K.
     const double smallest = (1 + theta()) * (1 + theta()) / 4;
     if (safety_factor > smallest || theta() == -1)
       return;
     std::ostringstream text;
     text << "Contact method/Nitsche/Factor = " << safety_factor
-         << " with Theta = " << weight_of_stress << " is not stable; take one above " << smallest
+         << " with Theta = " << weight_of_stress << " is not stable; set one above " << smallest
          << " (2 is usual), or Theta = -1";
     throw SceneError(text.str());
   }

@@ -10,20 +10,23 @@ namespace Signorini
   Penalty::declare(Section &section)
   {
     penalty_factor.declare(
-      section,
-      "penalty in units of E/h: larger is more exact, the penetration is p h / (Factor E)");
+      section, "penalty parameter in units of E/h; the penetration is p h / (Factor E)");
+    section.rename_key("Growth", "Mesh size exponent");
     section.add(
-      "Growth",
+      "Mesh size exponent",
       growth,
-      "times (L/h)^Growth, L the size of the scene: 1 keeps the order of degree 2 when the "
-      "mesh is refined, -1 is a penalty that does not depend on the mesh",
+      "exponent a of the factor (L/h)^a of the penalty, L is the size of the model: 1 keeps the convergence "
+      "order of degree 2, -1 makes the penalty independent of the mesh",
       Range{-2, 3});
-    section.add_choice("Weighting",
-                       weighting,
-                       {{"mortar", Weighting::mortar}, {"pointwise", Weighting::pointwise}},
-                       "penalise the gap weighted at the slave nodes, or at each quadrature point");
+    section.add_choice(
+      "Weighting",
+      weighting,
+      {{"mortar", Weighting::mortar}, {"pointwise", Weighting::pointwise}},
+      "mortar: penalise the weighted gap of each slave node; pointwise: penalise the gap at each quadrature point");
     if (section.reading() && penalty_factor.is_absolute() && growth != 0)
-      section.fail("Growth", "belongs to a Factor; a Stiffness does not change with the mesh");
+      section.fail("Mesh size exponent",
+                   "has no effect on a Stiffness, which does not depend on the mesh; set Factor "
+                   "instead of Stiffness, or remove this key");
   }
 
 
@@ -46,8 +49,7 @@ namespace Signorini
       throw SceneError(
         "Contact method/Integration = " + word_of(Integration::rules(), integration.rule) +
         (segments ? "" : ", Quadrature points = " + std::to_string(integration.n_points)) +
-        " penalises more points of a face than the displacement can follow: with a Factor above 10 or "
-        "a Stiffness the pressure would oscillate; take Weighting = mortar, or Integration = quadrature with "
-        "Quadrature points = 0");
+        " with Weighting = pointwise over-constrains the faces: with a Factor above 10 or a Stiffness the "
+        "pressure would oscillate; set Weighting = mortar, or Integration = quadrature with Quadrature points = 0");
   }
 } // namespace Signorini

@@ -21,10 +21,10 @@ namespace Signorini
     section.add(
       "Stiffness",
       stiffness,
-      "pressure over penetration, instead of a Factor; the result does not depend on the "
-      "mesh then, as with contact stiffnesses of other programs; 0: none [force/length^3]",
+      "penalty parameter (pressure over penetration) instead of a Factor; the result does not "
+      "depend on the mesh then, as with contact stiffnesses of other programs; 0: none [force/length^3]",
       non_negative);
     if (section.reading() && is_set && is_absolute())
-      section.fail("Stiffness", "and a Factor exclude each other; set one of them");
+      section.fail("Stiffness", "is set together with Factor; set one of them");
   }
 } // namespace Signorini

@@ -8,10 +8,13 @@ namespace Signorini
   PerturbedLagrangian::declare(Section &section)
   {
     penalty_factor.declare(
-      section, "stiffness of the contact in units of E/h: the penetration is p h / (Factor E)");
-    section.add_choice("Form",
+      section,
+      "penalty parameter (contact stiffness) in units of E/h; the penetration is p h / (Factor E)");
+    section.rename_key("Form", "System");
+    section.rename_choice("System", "block", "saddle point");
+    section.add_choice("System",
                        form,
-                       {{"block", Form::block}, {"condensed", Form::condensed}},
-                       "keep the pressure as an unknown, or eliminate it");
+                       {{"saddle point", Form::block}, {"condensed", Form::condensed}},
+                       "saddle point: the pressure is an unknown; condensed: it is eliminated");
   }
 } // namespace Signorini

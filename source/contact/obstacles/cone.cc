@@ -24,12 +24,12 @@ namespace Signorini
       declare(Section &section) override
       {
         section.add("Apex", apex, "[length]");
-        section.add_required("Normal",
-                             normal,
-                             "axis, out of the obstacle at the apex, towards the body; any length");
+        section.add_noted("Normal",
+                          normal,
+                          "axis, out of the obstacle at the apex, towards the body; any length");
         section.add("Angle",
                     angle,
-                    "of the flank against the plane across the axis [degrees]",
+                    "between the flank and the plane normal to the axis [degrees]",
                     Range{0, 89, false});
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");

@@ -25,9 +25,9 @@ namespace Signorini
       void
       declare(Section &section) override
       {
-        section.add_required("Normal",
-                             normal,
-                             "direction in which the gap opens, out of the obstacle; any length");
+        section.add_noted("Normal",
+                          normal,
+                          "direction in which the gap opens, out of the obstacle; any length");
         section.add("Gap", gap, "formula in x,y,z of the slave point, and t [length]");
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");

@@ -24,10 +24,10 @@ namespace Signorini
       void
       declare(Section &section) override
       {
-        section.add("Apex", apex, "the point that sticks out most [length]");
-        section.add_required("Normal",
-                             normal,
-                             "axis at the apex, out of the obstacle, towards the body; any length");
+        section.add("Apex", apex, "vertex of the paraboloid [length]");
+        section.add_noted("Normal",
+                          normal,
+                          "axis at the apex, out of the obstacle, towards the body; any length");
         section.add("Radius", radius, "of curvature at the apex [length]", positive);
         if (normal.norm() == 0)
           section.fail("Normal", "must not be zero");

@@ -22,9 +22,9 @@ namespace Signorini
       declare(Section &section) override
       {
         section.add("Center", center, "of the flat face [length]");
-        section.add_required("Normal",
-                             normal,
-                             "of the flat face, out of the obstacle, towards the body; any length");
+        section.add_noted("Normal",
+                          normal,
+                          "of the flat face, out of the obstacle, towards the body; any length");
         section.add("Radius",
                     radius,
                     dim == 2 ? "half the width of the flat face [length]" :

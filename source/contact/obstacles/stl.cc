@@ -20,13 +20,13 @@ namespace Signorini
       {
         section.add("File", file, "STL file, text or binary, beside the scene; 3D only");
         section.add("Scale", scale, "factor of the file's coordinates", positive);
-        section.add("Offset", offset, "added to them after that [length]");
+        section.add("Offset", offset, "translation after scaling [length]");
         if (!section.reading())
           return;
         if (dim == 2)
           section.fail("Shape", "a surface of triangles needs Dimension = 3");
         if (file.empty())
-          section.fail("File", "an obstacle from a file needs its name");
+          section.fail("File", "is required for Shape = STL");
         place = section.place_of("File");
       }
 

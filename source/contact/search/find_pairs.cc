@@ -269,8 +269,8 @@ namespace Signorini
         for (const types::boundary_id id : mesh.boundary_ids(pair.slave))
           if (const auto &name = name_of.insert({id, pair.slave}).first->second; name != pair.slave)
             throw SceneError("Contact pairs/Names = auto: '" + name + "' and '" + pair.slave +
-                             "' are names of the same faces; list the pairs by their names, or the "
-                             "boundaries that count by the key 'Boundaries' of the body");
+                             "' name the same faces; define the pairs explicitly, or restrict the "
+                             "boundaries by the key 'Boundaries' of the body");
     }
 
     bool

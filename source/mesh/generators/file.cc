@@ -51,7 +51,7 @@ namespace Signorini
         names.push_back(group.name);
       for (const std::string &name : wanted)
         if (std::find(names.begin(), names.end(), name) == names.end())
-          throw SceneError("has nothing that is called '" + name + "'; it has " +
+          throw SceneError("has no face set '" + name + "'; it has " +
                            (names.empty() ? "no names" : join(names)));
     }
 
@@ -82,7 +82,7 @@ namespace Signorini
               throw SceneError(
                 "folds element " +
                 std::to_string(part.elements[cell->active_cell_index()]->number) +
-                ", which is too large for the curve; make the elements there smaller");
+                ", which is too large for the curvature; use smaller elements there");
         }
     }
 
@@ -101,7 +101,7 @@ namespace Signorini
           std::vector<std::string> names;
           for (const auto &field : file.fields)
             names.push_back(field.first);
-          throw SceneError("has no numbers at its nodes that are called so; it has " +
+          throw SceneError("has no nodal data of that name; it has " +
                            (names.empty() ? "none" : join(names)));
         }
       std::vector<double> result;
@@ -169,7 +169,7 @@ namespace Signorini
         node =
           across_y ? Point<3>(node[0], node[2], -node[1]) : Point<3>(node[1], node[2], node[0]);
       return {"the cells lie in the plane of " + std::string(across_y ? "x and z" : "y and z") +
-              " of the file, which are x and y of the scene"};
+              " of the file, which become x and y of the model"};
     }
 
 
@@ -209,68 +209,70 @@ namespace Signorini
   {
     section.add("File",
                 file,
-                "mesh file, beside the scene; its extension says the format: " + mesh_formats());
+                "mesh file, relative to the scene; the format follows from the extension: " +
+                  mesh_formats());
     section.add(
       "Part",
       selection.part,
       std::string("physical ") + (dim == 2 ? "surface" : "volume") +
-        " (Gmsh), instance or element set (Abaqus) or ARRAY VALUE of cell data (VTK) that "
-        "is the body, with nodes of its own; or piece1, piece2, ...: cells that are "
-        "connected, where no set is just that; empty: all cells");
+        " (Gmsh), instance or element set (Abaqus) or ARRAY VALUE of cell data (VTK) of the body, "
+        "with separate nodes; or piece1, piece2, ...: connected components that are no set; empty: "
+        "all cells");
     section.add("Boundaries",
                 selection.boundaries,
-                "names in the file that are boundaries, separated by commas; of several that "
-                "contain a face the first wins; empty: all, and a face may have several names");
+                "names in the file that are boundaries, separated by commas; a face belongs to the "
+                "first that contains it; empty: all, and a face may have several names");
     section.add("Feature angle",
                 selection.feature_angle,
-                "faces without a name are divided where they meet at more than this angle into "
-                "unnamed1, unnamed2, ... by the x, then y, then z of their centers; 0: one "
-                "boundary unnamed [degrees]",
+                "faces without a name are split at edges of more than this angle into unnamed1, "
+                "unnamed2, ... by the x, then y, then z of their centers; 0: one boundary unnamed "
+                "[degrees]",
                 Range{0, 180});
+    section.rename_choice("Coinciding nodes", "refuse", "error");
     section.add_choice(
       "Coinciding nodes",
       selection.coinciding_nodes,
-      {{"refuse", AtOnePlace::refuse}, {"merge", AtOnePlace::merge}, {"keep", AtOnePlace::keep}},
-      "what is done with nodes at one place, where cells are not connected; pieces "
-      "that are not connected anywhere stay apart, if a contact pair of the body "
-      "joins them");
+      {{"error", AtOnePlace::refuse}, {"merge", AtOnePlace::merge}, {"keep", AtOnePlace::keep}},
+      "treatment of coinciding nodes of cells that are not connected; disconnected pieces "
+      "of the body stay separate if a contact pair joins them");
     section.add("Node distance",
                 selection.node_distance,
-                "up to which nodes coincide; 0: 1e-3 of the shortest edge [length]",
+                "tolerance of coinciding nodes; 0: 1e-3 of the shortest edge [length]",
                 non_negative);
-    section.add("Mid-side nodes",
-                mid_side_nodes,
-                "yes: cells of second order are as curved as their nodes say; no: they are "
-                "taken for cells of first order");
+    section.add(
+      "Mid-side nodes",
+      mid_side_nodes,
+      "yes: second-order cells are curved according to their mid-side nodes; no: they are first-order cells");
     section.add(
       "Curved boundaries",
       curved_text,
       dim == 2 ?
-        "automatic: facets with their corners on circles, or on any smooth curve, are taken for these; none: facets stay facets; or "
-        "boundaries on circles, separated by ;   NAME circle cx cy" :
-        "automatic: facets with their corners on spheres, cylinders, cones, or on any smooth surface, are taken for these; none: facets stay "
-        "facets; or boundaries on spheres (center) or cylinders (point and direction of the axis), "
-        "separated by ;   NAME sphere cx cy cz   NAME cylinder px py pz ax ay az");
+        "automatic: facets with corners on circles, or on any smooth curve, are curved; none: facets "
+        "remain straight; or boundaries on circles, separated by ;   NAME circle cx cy" :
+        "automatic: facets with corners on spheres, cylinders, cones, or on any smooth surface, are "
+        "curved; none: facets remain plane; or boundaries on spheres (center) or cylinders (point "
+        "and direction of the axis), separated by ;   NAME sphere cx cy cz   NAME cylinder px py pz "
+        "ax ay az");
     section.add("Temperature field",
                 temperature_field,
                 "name in the file of temperatures at the nodes, linear between those of corners; "
                 "empty: none");
     section.add("Node sets",
                 node_set_text,
-                "sets of nodes beside those of the file, by its numbers: NAME: 1, 4-7; NAME: ...; "
+                "additional node sets by the node numbers of the file: NAME: 1, 4-7; NAME: ...; "
                 "numbers of an instance as INSTANCE.4-7");
     section.add("Face sets",
                 face_set_text,
-                "boundaries beside those of the file: faces of elements of the part by their "
-                "numbers and labels as Abaqus has them, NAME: 3.S2, 5-8.S1; NAME: ...");
-    section.add("Cell sets",
-                cell_set_text,
-                "sets of elements of the part beside those of the file, by its numbers: NAME: 3, "
-                "5-8; NAME: ...");
+                "additional boundaries: element faces of the part by element number and face label "
+                "of Abaqus, NAME: 3.S2, 5-8.S1; NAME: ...");
+    section.add(
+      "Cell sets",
+      cell_set_text,
+      "additional element sets of the part by the element numbers of the file: NAME: 3, 5-8; NAME: ...");
     if (!section.reading())
       return;
     if (file.empty())
-      section.fail("File", "a mesh from a file needs its name");
+      section.fail("File", "is required for Mesh = file");
     surfaces = read_curved_boundaries<dim>(curved_text, section);
     for (const char *key : {"File",
                             "Part",

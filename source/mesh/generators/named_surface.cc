@@ -33,8 +33,8 @@ namespace Signorini
     // Squares of lengths must be numbers, and coordinates of neighbours different ones.
     if (!(size > 1e-100 && reach < 1e100 && reach < 1e7 * size))
       section.fail(key,
-                   "is too small, too large or too far from the origin for what numbers can tell "
-                   "apart; take other units, or shift the scene");
+                   "is too small, too large or too far from the origin for double precision; use "
+                   "other units, or shift the model");
   }
 
 

@@ -89,10 +89,7 @@ namespace Signorini
     section.add("Inner radius", inner_radius, "radius of the boundary `inner` [length]", positive);
     section.add("Outer radius", outer_radius, "radius of the boundary `outer` [length]", positive);
     section.add_choice("Part", part, ball_parts, ball_part_help);
-    section.add("Cells along 45 degrees",
-                cells_around,
-                "coarse cells along an eighth of a circle",
-                {1});
+    section.add("Cells along 45 degrees", cells_around, "coarse cells per 45 degrees of arc", {1});
     section.add("Cells through", cells_through, "coarse cells through the thickness", {1});
     if (!section.reading())
       return;

@@ -112,7 +112,7 @@ namespace Signorini
               items.push_back({names.unlike(as_name(pair.slave) + " on " + as_name(pair.master)),
                                {{"Slave", slave}, {"Master", master}}});
               if (stays)
-                items.back().keys.emplace_back("Separates", "no");
+                items.back().keys.emplace_back("Separation", "none");
               const auto clearance =
                 std::find_if(model.clearances.begin(),
                              model.clearances.end(),

@@ -86,9 +86,9 @@ namespace Signorini
             if (span.first > 0)
               late_supports.emplace_back(at.name, span.first);
             if (span.first > 0)
-              item.keys.emplace_back("From", text_of_time(span.first));
+              item.keys.emplace_back("Start time", text_of_time(span.first));
             if (!model.steps.empty() && span.second < model.steps.back().end)
-              item.keys.emplace_back("Until", text_of_time(span.second));
+              item.keys.emplace_back("End time", text_of_time(span.second));
             add_at_nodes(items, names, is_a_node(at), item);
           }
       }

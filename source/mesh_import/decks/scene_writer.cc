@@ -153,9 +153,9 @@ namespace Signorini
   {
     return std::string("\nsubsection Newton\n  # ") +
            (model.lacks_restraint ?
-              "What was left out may have held bodies. Look at the forces that this takes." :
-              "Motions that nothing stops are held, as CalculiX does; the run tells which.") +
-           "\n  set Undetermined motions = hold\nend\n";
+              "Features that were not imported may have constrained bodies: check the stabilisation forces." :
+              "Unconstrained rigid-body modes are stabilised, similar to CalculiX; results.json lists them.") +
+           "\n  set Unconstrained modes = stabilise\nend\n";
   }
 
 
@@ -237,7 +237,7 @@ namespace Signorini
       scene << "set Deformation = finite\n";
     scene << "set Title     = " << std::filesystem::path(file).stem().string() << "\n";
     if (const auto lines = left_out(); !lines.empty())
-      scene << "set Left out  = \\\n  " << join(lines, "; \\\n  ") << "\n";
+      scene << "set Not imported = \\\n  " << join(lines, "; \\\n  ") << "\n";
     scene << body;
   }
 
@@ -249,6 +249,6 @@ namespace Signorini
     SceneWriter writer(read_deck_model(file), file);
     writer.write(out);
     for (const std::string &line : writer.left_out())
-      messages << "warning: " << file << ": left out: " << line << "\n";
+      messages << "warning: " << file << ": not imported: " << line << "\n";
   }
 } // namespace Signorini

@@ -90,7 +90,7 @@ namespace Signorini
                       "has a quadrilateral face of " + name(e) + " at " +
                       text_of(file.nodes[around[i]]) +
                       " where the cells beside it have triangles, so that they are not connected; "
-                      "put pyramids between them, or take the cells as bodies with a contact pair");
+                      "insert pyramids, or use two bodies with a contact pair");
               }
       }
 
@@ -176,8 +176,7 @@ namespace Signorini
         std::string text = join(counts) + " divided into " + std::to_string(n_children) +
                            (dim == 2 ? " quadrilaterals" : " hexahedra");
         if (n_pyramids > 0)
-          text += "; pyramids have no division into hexahedra that their neighbours can follow: "
-                  "they" +
+          text += "; pyramids cannot be subdivided into hexahedra conformingly: they" +
                   (n_cut > 0 ? " and " + std::to_string(n_cut) +
                                  " cells connected with them by quadrilaterals" :
                                "") +

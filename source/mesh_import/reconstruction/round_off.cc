@@ -164,7 +164,7 @@ namespace Signorini
       if (some.empty())
         return {};
       return {std::to_string(some.size()) + " facets of " + names_of(some, part) +
-              " are taken for smooth surfaces, which their corners tell up to about " +
+              " are reconstructed as smooth surfaces, with an accuracy of about " +
               short_text(doubt, 1) + "; Curved boundaries = none keeps the facets"};
     }
 

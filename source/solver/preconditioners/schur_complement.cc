@@ -268,7 +268,7 @@ namespace Signorini
          [](const auto &, const auto &system, const AMG &) -> Pointer {
            return std::make_unique<Mass>(system);
          }},
-        {"zone",
+        {"interface",
          [](const auto &settings, const auto &system, const AMG &) -> Pointer {
            return std::make_unique<Zone>(system, settings.direct_solver.value());
          }},
