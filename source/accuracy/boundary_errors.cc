@@ -75,9 +75,9 @@ namespace Signorini
       }
       /// u_D - u_h where that is prescribed, at each point.
       std::vector<Tensor<1, dim>>
-      unmet(const std::vector<const Support<dim> *> &supports,
-            const AtFace<dim>                       &u,
-            const FEFaceValues<dim>                 &at) const;
+      boundary_residual(const std::vector<const Support<dim> *> &supports,
+                        const AtFace<dim>                       &u,
+                        const FEFaceValues<dim>                 &at) const;
 
       const Elasticity<dim>                                          &elasticity;
       const LA::Vector                                                displacement; ///< with ghosts
@@ -187,9 +187,9 @@ namespace Signorini
 
     template <int dim>
     std::vector<Tensor<1, dim>>
-    Boundaries<dim>::unmet(const std::vector<const Support<dim> *> &of_face,
-                           const AtFace<dim>                       &u,
-                           const FEFaceValues<dim>                 &at) const
+    Boundaries<dim>::boundary_residual(const std::vector<const Support<dim> *> &of_face,
+                                       const AtFace<dim>                       &u,
+                                       const FEFaceValues<dim>                 &at) const
     {
       std::vector<Tensor<1, dim>> result(at.n_quadrature_points);
       const double                t = elasticity.time();
@@ -282,7 +282,7 @@ namespace Signorini
         return;
       const FEFaceValues<dim>          &at      = reinit(cell, face);
       const AtFace<dim>                 u       = values_of(displacement, cell, at);
-      const std::vector<Tensor<1, dim>> lacking = unmet(of_face->second, u, at);
+      const std::vector<Tensor<1, dim>> lacking = boundary_residual(of_face->second, u, at);
       for (unsigned int k = 0; k < duals.size(); ++k)
         {
           const AtFace<dim> z = values_of(duals[k], cell, at);

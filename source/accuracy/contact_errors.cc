@@ -1,6 +1,6 @@
 #include "accuracy/contact_errors.h"
 
-#include "contact/constraints/openings.h"
+#include "contact/constraints/gap_increments.h"
 #include "fields/nodal_fields.h"
 #include "fields/point_values.h"
 #include "fields/recovered_pressure.h"
@@ -100,12 +100,12 @@ namespace Signorini
     /// One at nodes that are held or stand for these, with ghosts.
     template <int dim>
     LA::Vector
-    about_held_nodes(const Snapshot<dim> &s, const unsigned int pair)
+    about_dirichlet_nodes(const Snapshot<dim> &s, const unsigned int pair)
     {
       LA::Vector result = s.elasticity.zero_vector();
       for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
         for (unsigned int i = 0; i < face.nodes.size(); ++i)
-          if (face.held[i])
+          if (face.without_pressure[i])
             for (const unsigned int near : nearest_free(face, i))
               {
                 result(face.nodes[i]) += 1;
@@ -117,14 +117,14 @@ namespace Signorini
 
     template <int dim>
     void
-    add_held_contact(const Snapshot<dim> &s,
-                     const Functional    &functional,
-                     const LA::Vector    &z,
-                     const unsigned int   pair,
-                     std::vector<double> &of_cells)
+    add_dirichlet_contact(const Snapshot<dim> &s,
+                          const Functional    &functional,
+                          const LA::Vector    &z,
+                          const unsigned int   pair,
+                          std::vector<double> &of_cells)
     {
       const ContactSurface<dim>             &surface = s.surfaces[pair];
-      const LA::Vector                       near    = about_held_nodes(s, pair);
+      const LA::Vector                       near    = about_dirichlet_nodes(s, pair);
       std::vector<const ContactPoint<dim> *> points;
       for (const ContactPoint<dim> &point : surface.points)
         {
@@ -132,7 +132,7 @@ namespace Signorini
           if (std::any_of(nodes.begin(), nodes.end(), [&](const auto n) { return near(n) > 0; }))
             points.push_back(&point);
         }
-      const std::vector<double> opened  = openings(points, z);
+      const std::vector<double> opened  = gap_increments(points, z);
       const LA::Vector          density = by_pressure(s, functional, pair),
                        pressure         = s.elasticity.with_ghosts(recovered_pressure(s, pair));
       auto opening                      = opened.begin();
@@ -159,11 +159,11 @@ namespace Signorini
 
     template <int dim>
     void
-    add_unresolved_contact(const Snapshot<dim> &s,
-                           const Functional    &functional,
-                           const LA::Vector    &z,
-                           const unsigned int   pair,
-                           std::vector<double> &of_cells)
+    add_unresolved_contact_error(const Snapshot<dim> &s,
+                                 const Functional    &functional,
+                                 const LA::Vector    &z,
+                                 const unsigned int   pair,
+                                 std::vector<double> &of_cells)
     {
       // Half of the standard deviation of a place that may be anywhere on a face.
       const double share = 0.5 / std::sqrt(12.);
@@ -179,7 +179,7 @@ namespace Signorini
             points.push_back(&surface.points[q]);
             pressure.push_back(all_pressures[q]);
           }
-      const std::vector<double> opened  = openings(points, z);
+      const std::vector<double> opened  = gap_increments(points, z);
       const LA::Vector          density = by_pressure(s, functional, pair);
       for (unsigned int first = 0, last = 0; first < points.size(); first = last)
         {
@@ -207,7 +207,7 @@ namespace Signorini
     std::vector<double> result(s.elasticity.mesh().triangulation().n_active_cells(), 0.);
     if (!s.contact.empty())
       for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
-        add_unresolved_contact(s, functional, z, pair, result);
+        add_unresolved_contact_error(s, functional, z, pair, result);
     return result;
   }
 
@@ -215,13 +215,15 @@ namespace Signorini
 
   template <int dim>
   std::vector<double>
-  held_contact_errors(const Snapshot<dim> &s, const Functional &functional, const LA::Vector &z)
+  dirichlet_contact_errors(const Snapshot<dim> &s,
+                           const Functional    &functional,
+                           const LA::Vector    &z)
   {
     std::vector<double> result(s.elasticity.mesh().triangulation().n_active_cells(), 0.);
     if (!s.contact.empty() && samples_nodes(s.contact))
       for (unsigned int pair = 0; pair < s.pairs.size(); ++pair)
-        if (s.surfaces[pair].has_held)
-          add_held_contact(s, functional, z, pair, result);
+        if (s.surfaces[pair].has_dirichlet_nodes)
+          add_dirichlet_contact(s, functional, z, pair, result);
     return result;
   }
 
@@ -232,9 +234,9 @@ namespace Signorini
   template std::vector<double>
   unresolved_contact(const Snapshot<3> &, const Functional &, const LA::Vector &);
   template std::vector<double>
-  held_contact_errors(const Snapshot<2> &, const Functional &, const LA::Vector &);
+  dirichlet_contact_errors(const Snapshot<2> &, const Functional &, const LA::Vector &);
   template std::vector<double>
-  held_contact_errors(const Snapshot<3> &, const Functional &, const LA::Vector &);
+  dirichlet_contact_errors(const Snapshot<3> &, const Functional &, const LA::Vector &);
   template double
   undetermined_contact(const Snapshot<2> &, const Functional &, const LA::Vector &);
   template double

@@ -32,7 +32,7 @@ namespace Signorini
   /// methods that sample at points: zero. Collective.
   template <int dim>
   std::vector<double>
-  held_contact_errors(const Snapshot<dim> &snapshot,
-                      const Functional    &functional,
-                      const LA::Vector    &dual_displacement);
+  dirichlet_contact_errors(const Snapshot<dim> &snapshot,
+                           const Functional    &functional,
+                           const LA::Vector    &dual_displacement);
 } // namespace Signorini

@@ -56,7 +56,7 @@ namespace Signorini
 
 
   double
-  ErrorControl::aim(const unsigned int i) const
+  ErrorControl::target_error(const unsigned int i) const
   {
     return 0.98 * allowed(i);
   }
@@ -71,7 +71,7 @@ namespace Signorini
         ErrorHistory history = histories[i];
         if (without_solver)
           history = history.without_solver();
-        if (history.last_with_bar().bar > (without_solver ? aim(i) : allowed(i)))
+        if (history.last_bounded().error_bound > (without_solver ? target_error(i) : allowed(i)))
           return false;
       }
     return goals.has_targets();
@@ -84,7 +84,7 @@ namespace Signorini
   {
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
-        if (histories[i].last_with_bar().bar <= allowed(i))
+        if (histories[i].last_bounded().error_bound <= allowed(i))
           continue;
         const std::string &name = goals.quantities[i];
         if (histories[i].diverges())
@@ -117,7 +117,7 @@ namespace Signorini
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
         ErrorHistory history = histories[i].without_solver().without_enforcement();
-        if (history.last_with_bar().bar > aim(i))
+        if (history.last_bounded().error_bound > target_error(i))
           return true;
       }
     return !goals.has_targets();
@@ -143,14 +143,14 @@ namespace Signorini
       add(cells.energy, 1.);
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
-        const ValueWithBar bar = histories[i].last_with_bar();
-        if (goals.has_targets() && bar.bar <= aim(i))
+        const BoundedValue error_bound = histories[i].last_bounded();
+        if (goals.has_targets() && error_bound.error_bound <= target_error(i))
           continue;
         const double sum = sum_of(cells.products[i]), energy = sum_of(cells.energy);
         if (sum <= 0)
           continue;
         const double unit =
-          goals.has_targets() ? std::max(allowed(i), 1e-3 * sum) : std::abs(bar.value);
+          goals.has_targets() ? std::max(allowed(i), 1e-3 * sum) : std::abs(error_bound.value);
         const double weight = unit > 0 ? 1 / unit : 1 / sum;
         // What is regularised does not tell all.
         const double of_energy = histories[i].last().is_regularised ? 0.5 : 0.;
@@ -180,14 +180,14 @@ namespace Signorini
 
 
   double
-  ErrorControl::excess() const
+  ErrorControl::excess_error() const
   {
     double result = 0;
     for (unsigned int i = 0; i < histories.size(); ++i)
       {
-        const double bar =
-          histories[i].last_with_bar().bar - std::abs(histories[i].last().parts.model);
-        result = std::max(result, bar / allowed_of_mesh(i));
+        const double error_bound =
+          histories[i].last_bounded().error_bound - std::abs(histories[i].last().parts.model);
+        result = std::max(result, error_bound / allowed_of_mesh(i));
       }
     return result;
   }
@@ -198,7 +198,7 @@ namespace Signorini
   ErrorControl::share() const
   {
     constexpr double least = 0.1, most = 0.75, reserve = 0.8;
-    return std::clamp((1 - reserve / excess()) / (1 - left), least, most);
+    return std::clamp((1 - reserve / excess_error()) / (1 - left), least, most);
   }
 
 

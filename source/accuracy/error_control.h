@@ -57,7 +57,7 @@ namespace Signorini
 
     /// The largest bar of what finer meshes help, over what the target leaves for it.
     double
-    excess() const;
+    excess_error() const;
 
     /// By what the errors of the mesh should fall if it is refined by that share.
     double
@@ -82,7 +82,7 @@ namespace Signorini
 
     /// A bit less, before the last solution, which may change the bar.
     double
-    aim(unsigned int i) const;
+    target_error(unsigned int i) const;
     double
     allowed_of_mesh(unsigned int i) const;
 

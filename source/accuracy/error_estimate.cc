@@ -34,7 +34,7 @@ namespace Signorini
       s.contact.B.vmult(opening, z);
       double sum = 0;
       for (const auto i : opening.locally_owned_elements())
-        if (s.pressure(i) < 0 && s.contact.coefficients.permanent(i) == 0)
+        if (s.pressure(i) < 0 && s.contact.coefficients.bilateral(i) == 0)
           sum -= opening(i) * s.contact.weight(i) * s.pressure(i);
       return Utilities::MPI::sum(sum, opening.get_mpi_communicator());
     }
@@ -74,11 +74,12 @@ namespace Signorini
       {
         double               sum = 0, absolute = 0, geometry = 0, edges = 0;
         std::vector<double> &of_cells = result.cells.products[i];
-        const auto of_held  = held_contact_errors(snapshot, functionals[i], displacements[i]);
+        const auto           of_dirichlet =
+          dirichlet_contact_errors(snapshot, functionals[i], displacements[i]);
         const auto of_edges = unresolved_contact(snapshot, functionals[i], displacements[i]);
         for (unsigned int cell = 0; cell < of_cells.size(); ++cell)
           {
-            of_cells[cell] += boundaries.of_supports[i][cell] + of_held[cell];
+            of_cells[cell] += boundaries.of_supports[i][cell] + of_dirichlet[cell];
             sum += of_cells[cell];
             absolute += std::abs(of_cells[cell]);
             of_cells[cell] += boundaries.of_geometry[i][cell];
@@ -91,8 +92,8 @@ namespace Signorini
         one.is_regularised = functionals[i].is_regularised;
         one.unresolved     = functionals[i].unresolved + Utilities::MPI::sum(edges, comm) +
                          undetermined_contact(snapshot, functionals[i], displacements[i]);
-        one.energy = result.energy;
-        one.most   = std::sqrt(energy * result.cells.energies_of_duals[i]);
+        one.energy               = result.energy;
+        one.cauchy_schwarz_bound = std::sqrt(energy * result.cells.energies_of_duals[i]);
         one.parts.discretisation =
           Utilities::MPI::sum(sum, comm) + (functionals[i].is_quadratic ? -energy / 2 : 0.);
         one.absolute       = Utilities::MPI::sum(absolute, comm);

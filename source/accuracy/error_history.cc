@@ -8,10 +8,11 @@ namespace Signorini
   double
   ErrorHistory::reduction() const
   {
-    constexpr double   least = 0.3, most = 0.85;
+    constexpr double   least = 0.3, cauchy_schwarz_bound = 0.85;
     const unsigned int n      = size();
     const double       before = n < 2 ? 0. : meshes[n - 2].absolute;
-    return before > 0 ? std::clamp(meshes[n - 1].absolute / before, least, most) : most;
+    return before > 0 ? std::clamp(meshes[n - 1].absolute / before, least, cauchy_schwarz_bound) :
+                        cauchy_schwarz_bound;
   }
 
 
@@ -34,8 +35,8 @@ namespace Signorini
 
   // With the factors, about 19 of 20 bars are true (scripts/accuracy, which tells how they were
   // fitted).
-  ValueWithBar
-  ErrorHistory::last_with_bar() const
+  BoundedValue
+  ErrorHistory::last_bounded() const
   {
     constexpr double        rounding = 1e-9;
     const QuantityEstimate &now      = last();
@@ -44,22 +45,24 @@ namespace Signorini
                         std::abs(now.parts.nonlinear);
     const double correction = std::abs(now.parts.correction());
     // Penalties and meshes often err in opposite directions, which is no reason to trust soft ones.
-    double bar = 1.3 * correction + 0.2 * now.absolute + 0.5 * std::abs(now.parts.enforcement);
+    double error_bound =
+      1.3 * correction + 0.2 * now.absolute + 0.5 * std::abs(now.parts.enforcement);
     if (!now.is_regularised)
-      bar = std::max(bar, 0.8 * by_changes());
+      error_bound = std::max(error_bound, 0.8 * by_changes());
     else
       {
         // The dual solution is that of a similar quantity: what it says of one cell beside the
         // other is worth more than their sum.
         const double share = size() == 1 ? 0.7 : size() == 2 ? 0.4 : 0.15;
-        bar                = std::max(share * now.absolute + rest, 1.2 * by_changes());
+        error_bound        = std::max(share * now.absolute + rest, 1.2 * by_changes());
       }
     // Errors of cells may cancel in what recovery sees, and not in what it does not see, as the
     // edge of contact within a face: until another mesh shows how the value changes.
     if (size() == 1)
-      bar = std::max(
-        {bar, now.most / 3, now.is_regularised ? 0.25 * now.energy * std::abs(now.value) : 0.});
-    return {now.value, bar + now.unresolved + model + rounding * std::abs(now.value)};
+      error_bound = std::max({error_bound,
+                              now.cauchy_schwarz_bound / 3,
+                              now.is_regularised ? 0.25 * now.energy * std::abs(now.value) : 0.});
+    return {now.value, error_bound + now.unresolved + model + rounding * std::abs(now.value)};
   }
 
 
@@ -85,7 +88,7 @@ namespace Signorini
 
 
 
-  std::optional<ValueWithBar>
+  std::optional<BoundedValue>
   ErrorHistory::extrapolated() const
   {
     const unsigned int n = size();
@@ -103,12 +106,12 @@ namespace Signorini
       if (correction[k] * correction[k - 1] <= 0 ||
           std::abs(correction[k]) > 0.85 * std::abs(correction[k - 1]))
         return {};
-    const double bar =
+    const double error_bound =
       std::max(std::abs(corrected[2] - corrected[1]), std::abs(corrected[1] - corrected[0]) / 2);
-    if (bar > 0.5 * last_with_bar().bar)
+    if (error_bound > 0.5 * last_bounded().error_bound)
       return {};
-    return ValueWithBar{corrected[2],
-                        std::max(bar, 0.25 * std::abs(correction[2])) +
+    return BoundedValue{corrected[2],
+                        std::max(error_bound, 0.25 * std::abs(correction[2])) +
                           std::abs(last().parts.model)};
   }
 

@@ -29,16 +29,16 @@ namespace Signorini
   {
     double     value = 0;
     ErrorParts parts;
-    double     absolute       = 0;     ///< the discretisation's, if errors of cells never cancelled
-    double     unresolved     = 0;     ///< by what lies within a face, as the edge of contact does
-    double     energy         = 0;     ///< norm of the whole error, relative to the solution
-    double     most           = 0;     ///< of the discretisation, by Cauchy and Schwarz
-    bool       is_regularised = false; ///< see Functional
+    double     absolute   = 0; ///< the discretisation's, if errors of cells never cancelled
+    double     unresolved = 0; ///< by what lies within a face, as the edge of contact does
+    double     energy     = 0; ///< norm of the whole error, relative to the solution
+    double     cauchy_schwarz_bound = 0;     ///< of the discretisation, by Cauchy and Schwarz
+    bool       is_regularised       = false; ///< see Functional
   };
 
-  struct ValueWithBar
+  struct BoundedValue
   {
-    double value = 0, bar = 0;
+    double value = 0, error_bound = 0;
   };
 
   /// A quantity on one mesh after the other, each finer. Estimates alone are as good as the
@@ -72,8 +72,8 @@ namespace Signorini
 
     /// The last value with the size of its error: the exact one is expected between value - bar and
     /// value + bar.
-    ValueWithBar
-    last_with_bar() const;
+    BoundedValue
+    last_bounded() const;
 
     /// With nothing left by Newton's method and the linear solver on the last mesh.
     ErrorHistory
@@ -84,7 +84,7 @@ namespace Signorini
     without_enforcement() const;
 
     /// The last value with its estimated error taken off, if three or more meshes agree on that.
-    std::optional<ValueWithBar>
+    std::optional<BoundedValue>
     extrapolated() const;
 
     /// The value moves on by as much from mesh to mesh: it has no limit, or the meshes are far from

@@ -17,14 +17,14 @@ namespace Signorini
     section.rename_key("Bulk stress", "Volumetric stress");
     section.add(
       "Volumetric stress",
-      bulk_stress,
+      volumetric_stress,
       "formula for the volumetric stress of bodies with Formulation = mixed, tension positive; its "
       "error is reported [stress]");
     if (!section.reading())
       return;
     for (const auto &[key, formula] :
          {std::pair<const char *, const Formula &>("Pressure", pressure),
-          std::pair<const char *, const Formula &>("Volumetric stress", bulk_stress)})
+          std::pair<const char *, const Formula &>("Volumetric stress", volumetric_stress)})
       if (!formula.empty())
         try
           {

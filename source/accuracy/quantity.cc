@@ -9,7 +9,7 @@ namespace Signorini
   namespace
   {
     /// What a quantity may be of.
-    enum class Of
+    enum class QuantityTarget
     {
       pair,
       support,
@@ -19,7 +19,7 @@ namespace Signorini
       nothing
     };
 
-    enum class ComponentsOf
+    enum class ComponentKind
     {
       none,
       vector, ///< one of x, y, z, or none
@@ -28,9 +28,9 @@ namespace Signorini
 
     struct Kind
     {
-      const char  *what;
-      Of           of;
-      ComponentsOf components;
+      const char    *what;
+      QuantityTarget of;
+      ComponentKind  components;
       Functional (*in_2d)(const QuantityName &, const Snapshot<2> &, const Probes<2> &);
       Functional (*in_3d)(const QuantityName &, const Snapshot<3> &, const Probes<3> &);
     };
@@ -39,28 +39,52 @@ namespace Signorini
     kinds()
     {
       static const std::vector<Kind> all = {
-        {"force", Of::pair, ComponentsOf::vector, pair_force<2>, pair_force<3>},
-        {"normal force", Of::pair, ComponentsOf::none, normal_force<2>, normal_force<3>},
-        {"mean pressure", Of::pair, ComponentsOf::none, mean_pressure<2>, mean_pressure<3>},
+        {"force", QuantityTarget::pair, ComponentKind::vector, pair_force<2>, pair_force<3>},
+        {"normal force",
+         QuantityTarget::pair,
+         ComponentKind::none,
+         normal_force<2>,
+         normal_force<3>},
+        {"mean pressure",
+         QuantityTarget::pair,
+         ComponentKind::none,
+         mean_pressure<2>,
+         mean_pressure<3>},
         {"largest pressure",
-         Of::pair,
-         ComponentsOf::none,
+         QuantityTarget::pair,
+         ComponentKind::none,
          largest_pressure<2>,
          largest_pressure<3>},
-        {"contact area", Of::pair, ComponentsOf::none, contact_area<2>, contact_area<3>},
-        {"half-width", Of::pair, ComponentsOf::none, half_width<2>, half_width<3>},
-        {"contact radius", Of::pair, ComponentsOf::none, contact_radius<2>, contact_radius<3>},
-        {"reaction", Of::support, ComponentsOf::vector, reaction<2>, reaction<3>},
-        {"motion", Of::obstacle, ComponentsOf::vector, motion<2>, motion<3>},
+        {"contact area",
+         QuantityTarget::pair,
+         ComponentKind::none,
+         contact_area<2>,
+         contact_area<3>},
+        {"half-width", QuantityTarget::pair, ComponentKind::none, half_width<2>, half_width<3>},
+        {"contact radius",
+         QuantityTarget::pair,
+         ComponentKind::none,
+         contact_radius<2>,
+         contact_radius<3>},
+        {"reaction", QuantityTarget::support, ComponentKind::vector, reaction<2>, reaction<3>},
+        {"motion", QuantityTarget::obstacle, ComponentKind::vector, motion<2>, motion<3>},
         {"displacement",
-         Of::probe,
-         ComponentsOf::vector,
+         QuantityTarget::probe,
+         ComponentKind::vector,
          probe_displacement<2>,
          probe_displacement<3>},
-        {"stress", Of::probe, ComponentsOf::tensor, probe_stress<2>, probe_stress<3>},
-        {"von Mises", Of::probe, ComponentsOf::none, probe_von_mises<2>, probe_von_mises<3>},
-        {"pressure", Of::surface_probe, ComponentsOf::none, probe_pressure<2>, probe_pressure<3>},
-        {"energy", Of::nothing, ComponentsOf::none, energy<2>, energy<3>}};
+        {"stress", QuantityTarget::probe, ComponentKind::tensor, probe_stress<2>, probe_stress<3>},
+        {"von Mises",
+         QuantityTarget::probe,
+         ComponentKind::none,
+         probe_von_mises<2>,
+         probe_von_mises<3>},
+        {"pressure",
+         QuantityTarget::surface_probe,
+         ComponentKind::none,
+         probe_pressure<2>,
+         probe_pressure<3>},
+        {"energy", QuantityTarget::nothing, ComponentKind::none, energy<2>, energy<3>}};
       return all;
     }
 
@@ -76,9 +100,9 @@ namespace Signorini
     std::vector<std::string>
     possible_components(const Kind &kind, const int dim)
     {
-      if (kind.components == ComponentsOf::none)
+      if (kind.components == ComponentKind::none)
         return {};
-      if (kind.components == ComponentsOf::tensor)
+      if (kind.components == ComponentKind::tensor)
         return {"xx", "yy", "zz", "xy", "yz", "xz"};
       return dim == 2 ? std::vector<std::string>{"x", "y"} :
                         std::vector<std::string>{"x", "y", "z"};
@@ -89,13 +113,13 @@ namespace Signorini
     {
       std::vector<std::string> all;
       for (const Kind &kind : kinds())
-        all.push_back(std::string(kind.what) + (kind.of == Of::pair     ? " of PAIR" :
-                                                kind.of == Of::support  ? " of SUPPORT" :
-                                                kind.of == Of::obstacle ? " of OBSTACLE" :
-                                                kind.of == Of::probe    ? " of PROBE" :
-                                                kind.of == Of::surface_probe ?
-                                                                       " of PROBE (on a pair)" :
-                                                                       ""));
+        all.push_back(std::string(kind.what) +
+                      (kind.of == QuantityTarget::pair          ? " of PAIR" :
+                       kind.of == QuantityTarget::support       ? " of SUPPORT" :
+                       kind.of == QuantityTarget::obstacle      ? " of OBSTACLE" :
+                       kind.of == QuantityTarget::probe         ? " of PROBE" :
+                       kind.of == QuantityTarget::surface_probe ? " of PROBE (on a pair)" :
+                                                                  ""));
       return join(all);
     }
   } // namespace
@@ -130,26 +154,27 @@ namespace Signorini
     const std::vector<std::string> components = possible_components(*kind, dim);
     const bool                     is_one =
       std::find(components.begin(), components.end(), result.component) != components.end();
-    if (!is_one && (!result.component.empty() || kind->components == ComponentsOf::tensor))
+    if (!is_one && (!result.component.empty() || kind->components == ComponentKind::tensor))
       throw SceneError(
         place + ": '" + text + "': " + kind->what +
         (components.empty() ? " has no components" : " has the components " + join(components)));
 
-    const std::vector<std::string> &existing = kind->of == Of::pair     ? names.pairs :
-                                               kind->of == Of::support  ? names.supports :
-                                               kind->of == Of::obstacle ? names.obstacles :
-                                               kind->of == Of::probe    ? names.probes :
-                                                                          names.surface_probes;
-    const std::string               what     = kind->of == Of::pair    ? "contact pair" :
-                                               kind->of == Of::support ? "support" :
-                                               kind->of == Of::obstacle ? "obstacle that moves freely" :
-                                               kind->of == Of::probe ? "probe of one point in a body" :
-                                                                       "probe of one point on a pair";
-    if (kind->of != Of::nothing &&
+    const std::vector<std::string> &existing =
+      kind->of == QuantityTarget::pair     ? names.pairs :
+      kind->of == QuantityTarget::support  ? names.supports :
+      kind->of == QuantityTarget::obstacle ? names.obstacles :
+      kind->of == QuantityTarget::probe    ? names.probes :
+                                             names.surface_probes;
+    const std::string what = kind->of == QuantityTarget::pair     ? "contact pair" :
+                             kind->of == QuantityTarget::support  ? "support" :
+                             kind->of == QuantityTarget::obstacle ? "obstacle that moves freely" :
+                             kind->of == QuantityTarget::probe    ? "probe of one point in a body" :
+                                                                    "probe of one point on a pair";
+    if (kind->of != QuantityTarget::nothing &&
         std::find(existing.begin(), existing.end(), result.of) == existing.end())
       throw SceneError(place + ": '" + text + "': there is no " + what + " '" + result.of + "'" +
                        (existing.empty() ? "." : ". There are: " + join(existing) + "."));
-    if (kind->of == Of::nothing && !result.of.empty())
+    if (kind->of == QuantityTarget::nothing && !result.of.empty())
       throw SceneError(place + ": '" + text + "': write " + kind->what);
     return result;
   }

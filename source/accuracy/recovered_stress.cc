@@ -84,7 +84,7 @@ namespace Signorini
 
   template <int dim>
   unsigned int
-  RecoveredStress<dim>::points_a_direction(const Cell &cell) const
+  RecoveredStress<dim>::points_per_direction(const Cell &cell) const
   {
     const unsigned int degree = elasticity.degree(elasticity.mesh().body(cell));
     for (unsigned int d = 0; d < dim; ++d)
@@ -134,7 +134,7 @@ namespace Signorini
         first_sample[cell->active_cell_index()] = places.size();
         if (cell->is_artificial())
           continue;
-        values.reinit(cell, points_a_direction(cell) - 1);
+        values.reinit(cell, points_per_direction(cell) - 1);
         const FEValues<dim> &at     = values.get_present_fe_values();
         const auto          &points = at.get_quadrature_points();
         stresses_at(cell, at, points, stresses);

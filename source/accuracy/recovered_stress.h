@@ -52,7 +52,7 @@ namespace Signorini
     /// At how many points a direction: one would not see the bending of a body that is one cell
     /// thick.
     unsigned int
-    points_a_direction(const Cell &cell) const;
+    points_per_direction(const Cell &cell) const;
     void
     sample();
     void

@@ -105,7 +105,9 @@ namespace Signorini
 
     template <int dim>
     void
-    add_bulk_errors(const Snapshot<dim> &s, const Expression<dim> &exact, SolutionErrors &errors)
+    add_volumetric_errors(const Snapshot<dim>   &s,
+                          const Expression<dim> &exact,
+                          SolutionErrors        &errors)
     {
       const Mesh<dim> &mesh = s.elasticity.mesh();
       FEValues<dim>    values(mesh.mapping(),
@@ -114,20 +116,20 @@ namespace Signorini
                            update_quadrature_points | update_JxW_values);
       Squares          l2;
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
-        if (cell->is_locally_owned() && s.elasticity.bulk_stress().is_on(*cell))
+        if (cell->is_locally_owned() && s.elasticity.volumetric_stress().is_on(*cell))
           {
             values.reinit(cell);
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 const Point<dim> &x      = values.quadrature_point(q);
                 const double      wanted = exact.value(x, s.time),
-                             error       = s.elasticity.bulk_stress().value(*cell, x) - wanted;
+                             error = s.elasticity.volumetric_stress().value(*cell, x) - wanted;
                 l2.add(values.JxW(q) * measure(s.elasticity.model(), x),
                        error * error,
                        wanted * wanted);
               }
           }
-      errors.bulk_stress = l2.relative(mesh.communicator());
+      errors.volumetric_stress = l2.relative(mesh.communicator());
     }
 
     template <int dim>
@@ -166,8 +168,8 @@ namespace Signorini
     SolutionErrors result;
     if (!exact.displacement.empty())
       add_displacement_errors(snapshot, exact.displacement, result);
-    if (!exact.bulk_stress.empty())
-      add_bulk_errors(snapshot, Expression<dim>(exact.bulk_stress), result);
+    if (!exact.volumetric_stress.empty())
+      add_volumetric_errors(snapshot, Expression<dim>(exact.volumetric_stress), result);
     if (!exact.pressure.empty())
       add_pressure_errors(snapshot, Expression<dim>(exact.pressure), result);
     return result;

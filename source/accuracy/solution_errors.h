@@ -9,10 +9,10 @@ namespace Signorini
   /// where it is not known.
   struct SolutionErrors
   {
-    double displacement       = 0; ///< in L2
-    double energy             = 0; ///< (int sigma(e):eps(e) dV)^1/2; mixed: without bulk stress
-    double bulk_stress        = 0; ///< in L2, on mixed bodies
-    double pressure           = 0; ///< in L2 on the slave surfaces where they have a partner
+    double displacement = 0; ///< in L2
+    double energy       = 0; ///< (int sigma(e):eps(e) dV)^1/2; mixed: without volumetric stress
+    double volumetric_stress  = 0; ///< in L2, on mixed bodies
+    double pressure           = 0; ///< in L2 on the slave surfaces where they have a projection
     double recovered_pressure = 0; ///< of what is reported, see recovered_pressure()
   };
 

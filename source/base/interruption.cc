@@ -91,7 +91,7 @@ namespace Signorini
 
 
   void
-  look_for_interruption()
+  check_for_interruption()
   {
     if (living)
       living->check();

@@ -55,5 +55,5 @@ namespace Signorini
   /// this, on all ranks alike: each search, each step of Newton's method and of a line search, and
   /// products of Krylov methods. Collective.
   void
-  look_for_interruption();
+  check_for_interruption();
 } // namespace Signorini

@@ -27,7 +27,7 @@ namespace Signorini
     }
 
     [[noreturn]] void
-    refuse_mesh(const std::string &why)
+    reject_mesh(const std::string &why)
     {
       throw SceneError("--restart: the mesh is not the one of the checkpoint: " + why +
                        "; restore mesh files that were changed, or solve the scene from the start");
@@ -41,7 +41,7 @@ namespace Signorini
   values_of_cells(const Elasticity<dim> &elasticity, const LA::Vector &u)
   {
     const IndexSet                      &owned = elasticity.dof_handler().locally_owned_dofs();
-    std::vector<bool>                    is_told(owned.n_elements());
+    std::vector<bool>                    is_sent(owned.n_elements());
     std::vector<types::global_dof_index> indices;
     std::vector<CellValues>              result;
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
@@ -55,9 +55,9 @@ namespace Signorini
               if (!owned.is_element(indices[i]))
                 continue;
               const auto k = owned.index_within_set(indices[i]);
-              if (is_told[k])
+              if (is_sent[k])
                 continue;
-              is_told[k] = true;
+              is_sent[k] = true;
               one.which[i / 8] |= 1 << (i % 8);
               one.values.push_back(u(indices[i]));
             }
@@ -76,7 +76,7 @@ namespace Signorini
     for (const CellValues &cell : cells)
       known[cell.cell] = cell;
     const auto values =
-      look_up(known, owned_cells(elasticity.mesh()), elasticity.mesh().communicator());
+      gather_values(known, owned_cells(elasticity.mesh()), elasticity.mesh().communicator());
     // Each value is there once, so that a sum over ranks is what its owner gets.
     LA::Vector                           sum = elasticity.zero_vector();
     std::vector<types::global_dof_index> indices;
@@ -97,7 +97,7 @@ namespace Signorini
               sum(indices[i]) += *value++;
         }
     if (Utilities::MPI::min(int(fits), elasticity.mesh().communicator()) == 0)
-      refuse_mesh("cells or degrees of freedom differ");
+      reject_mesh("cells or degrees of freedom differ");
     sum.compress(VectorOperation::add);
     return sum;
   }
@@ -125,7 +125,7 @@ namespace Signorini
     constexpr unsigned int most          = 100; // twice as many levels as there can be
     for (unsigned int round = 0; round < most; ++round)
       {
-        const auto   wanted    = look_up(is_active, owned_cells(mesh), mesh.communicator());
+        const auto   wanted    = gather_values(is_active, owned_cells(mesh), mesh.communicator());
         unsigned int n_changes = 0;
         for (const auto &cell : triangulation.active_cell_iterators())
           if (cell->is_locally_owned())
@@ -142,7 +142,7 @@ namespace Signorini
         if (Utilities::MPI::sum(n_changes, mesh.communicator()) == 0)
           return;
         if (!dynamic_cast<parallel::distributed::Triangulation<dim> *>(&triangulation))
-          refuse_mesh("Mesh/Distribution = METIS produced different cells");
+          reject_mesh("Mesh/Distribution = METIS produced different cells");
         triangulation.execute_coarsening_and_refinement();
       }
   }
@@ -184,14 +184,14 @@ namespace Signorini
   {
     const auto now = mark_of_mesh(mesh);
     if (now["cells"] != mark["cells"])
-      refuse_mesh("it has " + now["cells"].dump() + " cells instead of " + mark["cells"].dump());
+      reject_mesh("it has " + now["cells"].dump() + " cells instead of " + mark["cells"].dump());
     if (now["names"] != mark["names"])
-      refuse_mesh("different cells are refined");
+      reject_mesh("different cells are refined");
     for (unsigned int i = 0; i < 2 * dim; ++i)
       {
         const double a = now["centres"][i], b = mark["centres"][i];
         if (!(std::abs(a - b) <= 1e-9 * (1 + std::abs(b))))
-          refuse_mesh("cells are at different positions");
+          reject_mesh("cells are at different positions");
       }
   }
 

@@ -29,7 +29,7 @@ namespace Signorini
     section.rename_key("Closed up to", "Closure tolerance");
     section.add(
       "Closure tolerance",
-      closed_up_to,
+      closes_below,
       "initial gaps up to this value, and initial overlaps, are closed without strain, as "
       "by ADJUST in Abaqus; negative: none [length]");
     section.rename_key("Separates", "Separation");
@@ -37,7 +37,7 @@ namespace Signorini
     section.rename_choice("Separation", "no", "none");
     section.add_choice(
       "Separation",
-      separates,
+      can_separate,
       {{"allowed", true}, {"none", false}},
       "none: no-separation (bilateral, frictionless) contact. Points that touch at the start, or lie within the "
       "Search distance, keep their gap and may carry tension, as a flat platen under a given force");
@@ -62,13 +62,13 @@ namespace Signorini
     for (const dealii::Point<dim> &direction : directions)
       if (direction.norm() == 0)
         section.fail("Extent directions", "the zero vector has no direction; remove it");
-    slave_place  = section.place_of("Slave");
-    master_place = section.place_of("Master");
+    slave_location  = section.source_of("Slave");
+    master_location = section.source_of("Master");
     if (interference.depends_on_place())
       section.fail(
         "Interference ramp",
         "depends on x, y or z, but is one factor for the whole pair; use a formula in t alone");
-    if (gap_is_given() && closed_up_to >= 0)
+    if (gap_is_given() && closes_below >= 0)
       section.fail("Closure tolerance",
                    "applies to Initial gap = from geometry only; remove Initial gap or this key");
     if (gap_is_given() && initial_gap.text != "closed")
@@ -100,7 +100,7 @@ namespace Signorini
   ContactPair<dim>::exchange()
   {
     std::swap(slave, master);
-    std::swap(slave_place, master_place);
+    std::swap(slave_location, master_location);
     exchanged = !exchanged;
     self_side = -self_side;
   }

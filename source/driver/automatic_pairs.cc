@@ -1,8 +1,8 @@
 #include "driver/automatic_pairs.h"
 
-#include "contact/search/deep_overlap.h"
+#include "contact/search/deep_penetration.h"
 #include "contact/search/find_pairs.h"
-#include "driver/contact_setup.h"
+#include "driver/contact_interfaces.h"
 
 #include <algorithm>
 
@@ -16,10 +16,10 @@ namespace Signorini
     /// and which have none.
     template <int dim>
     void
-    warn_of_overlaps(const Mesh<dim>                     &mesh,
-                     const std::vector<ContactPair<dim>> &pairs,
-                     const double                         distance,
-                     ConditionalOStream                  &out)
+    warn_about_penetrations(const Mesh<dim>                     &mesh,
+                            const std::vector<ContactPair<dim>> &pairs,
+                            const double                         distance,
+                            ConditionalOStream                  &out)
     {
       const auto is_of = [&](const std::string &boundary, const unsigned int body) {
         return boundary.rfind(mesh.body_name(body) + ".", 0) == 0;
@@ -75,13 +75,13 @@ namespace Signorini
     const ContactPair<dim> &pattern  = scene.pairs.front();
     const double            distance = pattern.search_distance > 0 ?
                                          pattern.search_distance :
-                                         std::max(mesh.size() / 10, largest_closing(scene, mesh));
+                                         std::max(mesh.size() / 10, largest_expected_approach(scene, mesh));
     auto                    pairs    = find_pairs(mesh, scene.obstacles, moduli, pattern, distance);
     if (pairs.empty())
       out << "  WARNING: no surfaces face each other within " << distance
           << "; define the Contact pairs explicitly, or set Contact pairs/auto/Search distance"
           << std::endl;
-    warn_of_overlaps(mesh, pairs, distance, out);
+    warn_about_penetrations(mesh, pairs, distance, out);
     // What cannot move against what cannot move carries no pressure that anything would tell.
     pairs.erase(std::remove_if(pairs.begin(),
                                pairs.end(),

@@ -19,7 +19,7 @@ namespace Signorini
     for (const ContactPair<dim> &pair : decisions.pairs)
       contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
     MeshSettings<dim> settings = scene.mesh;
-    if (!settings.distribution && scene.most_cycles() > 0)
+    if (!settings.distribution && scene.maximum_cycles() > 0)
       settings.distribution = Distribution::p4est;
     return std::make_unique<Mesh<dim>>(bodies, settings, contact_surfaces, comm);
   }

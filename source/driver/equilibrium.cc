@@ -15,12 +15,12 @@ namespace Signorini
   template <int dim>
   Equilibrium<dim>::Equilibrium(const Decisions<dim>        &decisions,
                                 Elasticity<dim>             &elasticity,
-                                ContactSetup<dim>           &contact,
+                                ContactInterfaces<dim>      &contact,
                                 State                       &state,
                                 TimerOutput                 &timer,
                                 ConditionalOStream          &out,
                                 std::function<StepVisitor()> watch)
-    : in_place(decisions.scene, elasticity, contact, state, timer, std::move(watch))
+    : configuration_solver(decisions.scene, elasticity, contact, state, timer, std::move(watch))
     , decisions(decisions)
     , scene(decisions.scene)
     , elasticity(elasticity)
@@ -28,44 +28,46 @@ namespace Signorini
     , state(state)
     , timer(timer)
     , out(out)
-    , my_follows(elasticity.is_finite())
+    , my_uses_current_geometry(elasticity.is_finite_strain())
   {}
 
 
 
   template <int dim>
   void
-  Equilibrium<dim>::set_state(const State &other, const bool follows)
+  Equilibrium<dim>::set_state(const State &other, const bool uses_current_geometry)
   {
     state = other;
-    earlier.reset();
-    recall_bulk_stress();
-    my_follows = follows;
-    in_place.place(follows ? state.displacement : LA::Vector());
+    previous_solution.reset();
+    restore_volumetric_stress();
+    my_uses_current_geometry = uses_current_geometry;
+    configuration_solver.set_configuration(uses_current_geometry ? state.displacement :
+                                                                   LA::Vector());
   }
 
 
 
   template <int dim>
   void
-  Equilibrium<dim>::recall_bulk_stress()
+  Equilibrium<dim>::restore_volumetric_stress()
   {
-    BulkStress<dim> &bulk = elasticity.bulk_stress();
-    bulk.set_coefficients(state.bulk_stress.size() > 0 ? state.bulk_stress : bulk.zero_vector());
+    VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
+    volumetric.set_coefficients(state.volumetric_stress.size() > 0 ? state.volumetric_stress :
+                                                                     volumetric.zero_vector());
   }
 
 
 
   template <int dim>
   void
-  Equilibrium<dim>::forget_mesh()
+  Equilibrium<dim>::invalidate()
   {
-    in_place.forget_mesh();
-    earlier.reset();
-    state.bulk_stress = LA::Vector();
-    if (my_follows)
-      in_place.place(state.displacement);
-    contact.forget_mesh();
+    configuration_solver.invalidate();
+    previous_solution.reset();
+    state.volumetric_stress = LA::Vector();
+    if (my_uses_current_geometry)
+      configuration_solver.set_configuration(state.displacement);
+    contact.invalidate();
   }
 
 
@@ -97,7 +99,7 @@ namespace Signorini
   Snapshot<dim>
   Equilibrium<dim>::snapshot(const unsigned int step) const
   {
-    return snapshot(state, gap, in_place.contact_state(), active, step);
+    return snapshot(state, gap, configuration_solver.contact_state(), active, step);
   }
 
 
@@ -136,7 +138,7 @@ namespace Signorini
   {
     /// Is what was expected true, but for a small part of the change?
     bool
-    goes_on(const LA::Vector &before, const LA::Vector &expected, const LA::Vector &now)
+    continues_motion(const LA::Vector &before, const LA::Vector &expected, const LA::Vector &now)
     {
       constexpr double small  = 0.1;
       LA::Vector       change = now, error = now;
@@ -146,10 +148,10 @@ namespace Signorini
     }
 
     LA::Vector
-    extrapolated(const LA::Vector &earlier, const LA::Vector &last, const double times)
+    extrapolated(const LA::Vector &previous_solution, const LA::Vector &last, const double times)
     {
       LA::Vector result = last;
-      result.sadd(1 + times, -times, earlier);
+      result.sadd(1 + times, -times, previous_solution);
       return result;
     }
   } // namespace
@@ -160,19 +162,21 @@ namespace Signorini
   std::optional<LA::Vector>
   Equilibrium<dim>::predicted(const double t)
   {
-    if (!elasticity.is_finite() || !earlier || t <= state.time)
+    if (!elasticity.is_finite_strain() || !previous_solution || t <= state.time)
       return {};
     // Only if supports and obstacles, and loads, go on as they did.
-    const double times   = (t - state.time) / (state.time - earlier->time);
+    const double times   = (t - state.time) / (state.time - previous_solution->time);
     const auto   load_at = [this](const double time) {
       elasticity.set_time(time);
       return elasticity.load();
     };
-    const LA::Vector first = load_at(earlier->time), last = load_at(state.time), now = load_at(t);
-    LA::Vector start = extrapolated(earlier->displacement, state.displacement, times), held = start;
-    elasticity.distribute(held);
-    if (!goes_on(state.displacement, start, held) ||
-        !goes_on(last, extrapolated(first, last, times), now))
+    const LA::Vector first = load_at(previous_solution->time), last = load_at(state.time),
+                     now = load_at(t);
+    LA::Vector start     = extrapolated(previous_solution->displacement, state.displacement, times),
+               prescribed_increment = start;
+    elasticity.distribute(prescribed_increment);
+    if (!continues_motion(state.displacement, start, prescribed_increment) ||
+        !continues_motion(last, extrapolated(first, last, times), now))
       return {};
     return start;
   }
@@ -186,12 +190,12 @@ namespace Signorini
                                const double                     tolerance)
   {
     const State before = state;
-    const bool  remembers =
+    const bool  is_path_dependent_solution =
       scene.contact.chosen().is_path_dependent() || !elasticity.material_history().empty();
-    if (t > state.time && remembers)
+    if (t > state.time && is_path_dependent_solution)
       {
         state.start = {state.displacement, state.contact, state.material, t - state.time};
-        in_place.start_step();
+        configuration_solver.start_step();
       }
     try
       {
@@ -199,17 +203,19 @@ namespace Signorini
           {
             state.time     = t;
             state.material = elasticity.internal_variables(state.displacement);
-            if (elasticity.is_finite())
+            if (elasticity.is_finite_strain())
               {
-                contact.check_passed(state.displacement, in_place.contact_state().pressure());
-                my_report.curves_down = in_place.curves_down(state.displacement);
-                my_report.jump        = jump_since(before);
-                earlier.reset();
-                if (t > before.time && my_report.jump == 0)
-                  earlier = Earlier{before.displacement, before.time};
+                contact.check_missed_penetration(state.displacement,
+                                                 configuration_solver.contact_state().pressure());
+                my_report.tangent_is_indefinite =
+                  configuration_solver.tangent_is_indefinite(state.displacement);
+                my_report.speed_ratio = speed_ratio_since(before);
+                previous_solution.reset();
+                if (t > before.time && my_report.speed_ratio == 0)
+                  previous_solution = PreviousSolution{before.displacement, before.time};
               }
             gap    = contact.gap_operator().gap(state.displacement);
-            active = closed_points(in_place.contact_state().status);
+            active = closed_points(configuration_solver.contact_state().status);
             return true;
           }
       }
@@ -217,16 +223,18 @@ namespace Signorini
       {
         my_report        = NewtonReport();
         my_report.reason = failure.what();
-        my_report.reason += contact.pressed_twice(closed_points(in_place.contact_state().status));
+        my_report.reason +=
+          contact.overconstrained_nodes(closed_points(configuration_solver.contact_state().status));
       }
-    my_report.curves_down =
-      elasticity.is_finite() && (in_place.has_curved_down() || curves_down_since(before));
-    if (my_report.curves_down) // so may hierarchies
-      in_place.release();
-    keep_failure(t);
+    my_report.tangent_is_indefinite =
+      elasticity.is_finite_strain() &&
+      (configuration_solver.met_negative_curvature() || is_indefinite_on_path_from(before));
+    if (my_report.tangent_is_indefinite) // so may hierarchies
+      configuration_solver.release();
+    store_failure(t);
     state = before;
-    in_place.recall_active_set();
-    recall_bulk_stress();
+    configuration_solver.restore_active_set();
+    restore_volumetric_stress();
     return false;
   }
 
@@ -234,7 +242,7 @@ namespace Signorini
 
   template <int dim>
   double
-  Equilibrium<dim>::jump_since(const State &before)
+  Equilibrium<dim>::speed_ratio_since(const State &before)
   {
     constexpr double fast     = 3; // slower ones are no jumps
     const double     duration = state.time - before.time;
@@ -242,27 +250,29 @@ namespace Signorini
       return 0;
     LA::Vector way = state.displacement;
     way -= before.displacement;
-    LA::Vector held = before.displacement;
-    elasticity.distribute(held);
-    held -= before.displacement;
+    LA::Vector prescribed_increment = before.displacement;
+    elasticity.distribute(prescribed_increment);
+    prescribed_increment -= before.displacement;
     // What supports and obstacles are led along faster is none either.
-    const double speed = way.l2_norm() / duration, drive = held.l2_norm() / duration,
-                 pushed = last_drive > 0 ? std::max(1., drive / last_drive) : 1,
-                 times  = last_speed > 0 && (drive == 0 || last_drive > 0) ?
-                            speed / (last_speed * pushed) :
-                            0;
-    last_speed          = speed;
-    last_drive          = drive;
+    const double speed = way.l2_norm() / duration,
+                 drive = prescribed_increment.l2_norm() / duration,
+                 pushed =
+                   last_prescribed_speed > 0 ? std::max(1., drive / last_prescribed_speed) : 1,
+                 times    = last_speed > 0 && (drive == 0 || last_prescribed_speed > 0) ?
+                              speed / (last_speed * pushed) :
+                              0;
+    last_speed            = speed;
+    last_prescribed_speed = drive;
     if (times <= fast)
       return 0;
-    return curves_down_since(before) ? times : 0;
+    return is_indefinite_on_path_from(before) ? times : 0;
   }
 
 
 
   template <int dim>
   bool
-  Equilibrium<dim>::curves_down_since(const State &before)
+  Equilibrium<dim>::is_indefinite_on_path_from(const State &before)
   {
     LA::Vector way = state.displacement;
     way -= before.displacement;
@@ -272,7 +282,7 @@ namespace Signorini
       {
         LA::Vector between = before.displacement;
         between.add(share, way);
-        if (in_place.curves_down(between))
+        if (configuration_solver.tangent_is_indefinite(between))
           return true;
       }
     return false;
@@ -282,12 +292,12 @@ namespace Signorini
 
   template <int dim>
   void
-  Equilibrium<dim>::keep_failure(const double t)
+  Equilibrium<dim>::store_failure(const double t)
   {
     my_failure                   = Failure{state,
                          contact.gap_operator().gap(state.displacement),
-                         in_place.contact_state(),
-                         closed_points(in_place.contact_state().status)};
+                         configuration_solver.contact_state(),
+                         closed_points(configuration_solver.contact_state().status)};
     my_failure->state.time       = t;
     const LA::Vector &chattering = my_report.chattering;
     for (const auto i : chattering.locally_owned_elements())
@@ -307,59 +317,65 @@ namespace Signorini
     elasticity.set_time(t);
     const LA::Vector last = state.displacement;
     state.displacement    = start.value_or(last);
-    in_place.go_on_from(state.displacement);
+    configuration_solver.set_initial_guess(state.displacement);
     elasticity.distribute(state.displacement);
-    steps_before.clear();
-    if (my_follows && t == state.time)
-      return follow_surfaces(t, tolerance, !contact.is_outdated()); // only the mesh is another
-    if (my_follows)
+    previous_steps.clear();
+    if (my_uses_current_geometry && t == state.time)
+      return update_geometry_until_converged(t,
+                                             tolerance,
+                                             !contact.is_outdated()); // only the mesh is another
+    if (my_uses_current_geometry)
       {
-        contact.check_ways(last, state.displacement);
-        LA::Vector place = state.displacement;
-        if (elasticity.is_finite()) // what supports move alone would fold surfaces
+        contact.check_tunnelling(last, state.displacement);
+        LA::Vector configuration_displacement = state.displacement;
+        if (elasticity.is_finite_strain()) // what supports move alone would fold surfaces
           {
-            place = last;
-            elasticity.set_rigid_motion(elasticity.rigid_motion(state.displacement), place);
+            configuration_displacement = last;
+            elasticity.set_rigid_motion(elasticity.rigid_motion(state.displacement),
+                                        configuration_displacement);
           }
-        in_place.place(std::move(place));
-        in_place.find_contact(false);
+        configuration_solver.set_configuration(std::move(configuration_displacement));
+        configuration_solver.find_contact(false);
       }
     else if (contact.is_outdated())
-      in_place.find_contact(false);
-    NewtonGoal goal = first_goal(tolerance, start.has_value());
-    if (!my_follows && scene.contact.geometry == ContactGeometry::automatic)
-      goal.is_enough = [this, was_asked = false]() mutable {
-        return !std::exchange(was_asked, true) && leaves_place(false);
+      configuration_solver.find_contact(false);
+    StoppingCriteria stopping = first_stopping_criteria(tolerance, start.has_value());
+    if (!my_uses_current_geometry && scene.contact.geometry == ContactGeometry::automatic)
+      stopping.is_sufficient = [this, was_asked = false]() mutable {
+        return !std::exchange(was_asked, true) && needs_geometry_update(false);
       };
-    if (!solve_in_place(t, goal))
+    if (!solve_fixed_configuration(t, stopping))
       return false;
-    return leaves_place(true) ? follow_surfaces(t, tolerance, false) : true;
+    return needs_geometry_update(true) ? update_geometry_until_converged(t, tolerance, false) :
+                                         true;
   }
 
 
 
   template <int dim>
-  NewtonGoal
-  Equilibrium<dim>::first_goal(const double tolerance, const bool is_predicted) const
+  StoppingCriteria
+  Equilibrium<dim>::first_stopping_criteria(const double tolerance, const bool is_predicted) const
   {
     // What the surfaces will change anyway need not be known to the last digit.
-    const double enough = is_predicted                                                     ? 1e-1 :
-                          elasticity.is_finite()                                           ? 1e-2 :
-                          my_follows || scene.contact.geometry == ContactGeometry::updated ? 1e-3 :
-                                                                                             0;
+    const double enough =
+      is_predicted                                                                   ? 1e-1 :
+      elasticity.is_finite_strain()                                                  ? 1e-2 :
+      my_uses_current_geometry || scene.contact.geometry == ContactGeometry::updated ? 1e-3 :
+                                                                                       0;
     return {std::max(tolerance, enough)};
   }
 
 
 
   template <int dim>
-  NewtonGoal
-  Equilibrium<dim>::next_goal(const double tolerance, const double before) const
+  StoppingCriteria
+  Equilibrium<dim>::next_stopping_criteria(const double tolerance, const double before) const
   {
     // Augmentations take several steps each.
-    if (scene.contact.chosen().predictor() == Predictor::last_pressure)
-      return {elasticity.is_finite() ? std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4) :
-                                       tolerance};
+    if (scene.contact.chosen().pressure_shift() == PressureShift::last_pressure)
+      return {elasticity.is_finite_strain() ?
+                std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4) :
+                tolerance};
     return {tolerance, 1};
   }
 
@@ -367,15 +383,15 @@ namespace Signorini
 
   template <int dim>
   bool
-  Equilibrium<dim>::leaves_place(const bool is_solution)
+  Equilibrium<dim>::needs_geometry_update(const bool is_solution)
   {
     const ContactGeometry wanted = scene.contact.geometry;
-    if (my_follows)
+    if (my_uses_current_geometry)
       return true;
     if (wanted == ContactGeometry::automatic)
       {
         TimerOutput::Scope scope(timer, "contact geometry");
-        if (const std::string unknown = contact.unknown_elsewhere(); !unknown.empty())
+        if (const std::string unknown = contact.obstacle_without_projection(); !unknown.empty())
           {
             if (is_solution)
               out << "  contact geometry: reference, because the Gap of '" << unknown
@@ -386,53 +402,57 @@ namespace Signorini
             LA::Vector u = state.displacement;
             elasticity.distribute(u);
             const double change =
-              contact.neglected(u, in_place.contact_state().pressure()).pressure;
-            my_follows = change > decisions.geometry_tolerance();
-            if (!my_follows && !is_solution)
+              contact.neglected(u, configuration_solver.contact_state().pressure()).pressure;
+            my_uses_current_geometry = change > decisions.geometry_tolerance();
+            if (!my_uses_current_geometry && !is_solution)
               return false;
             my_neglected = change;
             out << "  contact geometry: updating it changes the pressure by about "
                 << short_text(100 * change, 2) << " %"
-                << (my_follows ? ": the contact geometry is updated from here on" : "")
+                << (my_uses_current_geometry ? ": the contact geometry is updated from here on" :
+                                               "")
                 << std::endl;
           }
       }
     else
-      my_follows = wanted == ContactGeometry::updated;
-    return my_follows;
+      my_uses_current_geometry = wanted == ContactGeometry::updated;
+    return my_uses_current_geometry;
   }
 
 
 
   template <int dim>
   bool
-  Equilibrium<dim>::follow_surfaces(const double t, const double tolerance, const bool is_placed)
+  Equilibrium<dim>::update_geometry_until_converged(const double t,
+                                                    const double tolerance,
+                                                    const bool   is_placed)
   {
-    const bool             is_finite = elasticity.is_finite();
-    const unsigned int     most      = is_finite ? 40 : 20;
-    const double           enough    = std::max(tolerance, scene.newton.of_geometry);
+    const bool             is_finite_strain = elasticity.is_finite_strain();
+    const unsigned int     most             = is_finite_strain ? 40 : 20;
+    const double           enough           = std::max(tolerance, scene.newton.of_geometry);
     constexpr unsigned int patience = 8, most_rules = 5;
     double                 before  = 0; // what was out of balance when surfaces were placed last
     double                 least   = std::numeric_limits<double>::max(); // of placements so far
     unsigned int           in_vain = 0;                                  // placements since then
     for (unsigned int n = 1; n <= most && in_vain < patience; ++n)
       {
-        bool keeps_points = false;
+        bool keeps_integration_points = false;
         if (n > 1 || !is_placed)
           {
             // With small strain, points of integration stay where they are before long. With large
             // deformation results must not know from where they were reached: only if there is
             // nothing else, since points may go to and fro over kinks and rims.
-            keeps_points =
-              n > 1 && (is_finite ? in_vain > patience / 2 :
-                                    n > most_rules || contact.has_settled(state.displacement));
-            in_place.place(state.displacement);
-            in_place.find_contact(true, keeps_points);
-            steps_before = my_report.steps;
+            keeps_integration_points =
+              n > 1 && (is_finite_strain ?
+                          in_vain > patience / 2 :
+                          n > most_rules || contact.is_geometry_current(state.displacement));
+            configuration_solver.set_configuration(state.displacement);
+            configuration_solver.find_contact(true, keeps_integration_points);
+            previous_steps = my_report.steps;
           }
-        if (!solve_in_place(t, next_goal(tolerance, before), true))
+        if (!solve_fixed_configuration(t, next_stopping_criteria(tolerance, before), true))
           return false;
-        const NewtonStep &first = my_report.steps[steps_before.size()];
+        const NewtonStep &first = my_report.steps[previous_steps.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
         // What is left after this solution is less than at the rate of the last two placements,
         // since it falls by second order, of which between the same points of integration an order
@@ -441,18 +461,18 @@ namespace Signorini
         // Large deformation may move the rims of two bodies past each other, which no tangent sees.
         const double rate = before > 0 ? now / before : 1;
         const bool   is_foreseen =
-          !is_finite && rate <= 0.1 &&
-          (now * rate <= 0.1 * enough ||
-           (keeps_points && now <= 100 * enough && now * std::pow(rate, 1.5) <= 0.1 * enough));
+          !is_finite_strain && rate <= 0.1 &&
+          (now * rate <= 0.1 * enough || (keeps_integration_points && now <= 100 * enough &&
+                                          now * std::pow(rate, 1.5) <= 0.1 * enough));
         if (now <= enough || is_foreseen)
           {
             const NewtonStep &last = my_report.steps.back();
-            if (!is_finite &&
+            if (!is_finite_strain &&
                 std::max({last.residual, last.residual_of_bodies, last.gap_residual}) <= tolerance)
               return true;
-            if (!is_finite)
-              steps_before = my_report.steps;
-            return solve_in_place(t, {tolerance}, true);
+            if (!is_finite_strain)
+              previous_steps = my_report.steps;
+            return solve_fixed_configuration(t, {tolerance}, true);
           }
         before  = now;
         in_vain = now < least ? 0 : in_vain + 1;
@@ -475,9 +495,9 @@ namespace Signorini
             short_text(scene.newton.of_geometry) + " of the forces; or " :
           "") +
       "use smaller load steps (Load steps/Number)" +
-      (!is_finite   ? ", or set Contact method/Contact geometry = reference" :
-       !by_segments ? ", or set Contact method/Integration = segments" :
-                      "");
+      (!is_finite_strain ? ", or set Contact method/Contact geometry = reference" :
+       !by_segments      ? ", or set Contact method/Integration = segments" :
+                           "");
     return false;
   }
 
@@ -485,11 +505,13 @@ namespace Signorini
 
   template <int dim>
   bool
-  Equilibrium<dim>::solve_in_place(const double t, const NewtonGoal &goal, const bool is_near)
+  Equilibrium<dim>::solve_fixed_configuration(const double            t,
+                                              const StoppingCriteria &stopping,
+                                              const bool              is_near)
   {
-    const bool is_solved = in_place.solve(t, goal, is_near);
-    my_report            = in_place.report();
-    my_report.steps.insert(my_report.steps.begin(), steps_before.begin(), steps_before.end());
+    const bool is_solved = configuration_solver.solve(t, stopping, is_near);
+    my_report            = configuration_solver.report();
+    my_report.steps.insert(my_report.steps.begin(), previous_steps.begin(), previous_steps.end());
     return is_solved;
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "accuracy/quantity.h"
-#include "driver/equilibrium_in_place.h"
+#include "driver/fixed_configuration_solver.h"
 #include "fields/snapshot.h"
 
 #include <functional>
@@ -21,20 +21,20 @@ namespace Signorini
     /// solution, with `state` as the last iterate left it
     Equilibrium(const Decisions<dim>        &decisions,
                 Elasticity<dim>             &elasticity,
-                ContactSetup<dim>           &contact,
+                ContactInterfaces<dim>      &contact,
                 State                       &state,
                 dealii::TimerOutput         &timer,
                 dealii::ConditionalOStream  &out,
                 std::function<StepVisitor()> watch);
 
     /// Solves with contact as it is found where the surfaces are placed now.
-    EquilibriumInPlace<dim> in_place;
+    FixedConfigurationSolver<dim> configuration_solver;
 
     /// Look for contact there.
     void
     find_contact()
     {
-      in_place.find_contact(my_follows);
+      configuration_solver.find_contact(my_uses_current_geometry);
     }
 
     /// Solve at time t, starting from `state`, which becomes the solution. If there is none, it
@@ -43,13 +43,13 @@ namespace Signorini
     solve(double t, double tolerance);
 
     /// The state is another one: nothing at all, or that of a checkpoint.
-    /// @param follows contact is where the surfaces are, from now on
+    /// @param uses_current_geometry contact is where the surfaces are, from now on
     void
-    set_state(const State &other, bool follows);
+    set_state(const State &other, bool uses_current_geometry);
 
     /// The mesh is another one, and the state carried over to it.
     void
-    forget_mesh();
+    invalidate();
 
     // Of the last solution:
 
@@ -69,9 +69,9 @@ namespace Signorini
 
     /// Contact is where the surfaces are, not where they were at rest.
     bool
-    follows() const
+    uses_current_geometry() const
     {
-      return my_follows;
+      return my_uses_current_geometry;
     }
 
     /// What following them would change: the share of the pressure, if it was estimated.
@@ -94,35 +94,35 @@ namespace Signorini
     bool
     solve_from_start(const std::optional<LA::Vector> &start, double t, double tolerance);
     void
-    keep_failure(double t);
+    store_failure(double t);
     /// See NewtonReport::jump.
     double
-    jump_since(const State &before);
+    speed_ratio_since(const State &before);
     /// Does the tangent curve down on the straight way from there?
     bool
-    curves_down_since(const State &before);
+    is_indefinite_on_path_from(const State &before);
     /// That of the state.
     void
-    recall_bulk_stress();
+    restore_volumetric_stress();
     /// With the steps before in the report.
     bool
-    solve_in_place(double t, const NewtonGoal &goal, bool is_near = false);
+    solve_fixed_configuration(double t, const StoppingCriteria &stopping, bool is_near = false);
     /// Of the first solution of a load step, before surfaces are placed.
-    NewtonGoal
-    first_goal(double tolerance, bool is_predicted) const;
+    StoppingCriteria
+    first_stopping_criteria(double tolerance, bool is_predicted) const;
     /// Of those after surfaces are placed: with large deformation, one step of Newton's method.
     /// @param before what was out of balance at the last placement; 0: there was none
-    NewtonGoal
-    next_goal(double tolerance, double before) const;
+    StoppingCriteria
+    next_stopping_criteria(double tolerance, double before) const;
     /// Do the surfaces move so far that contact has to be looked for where they are now?
     /// @param is_solution else displacements are near one, which is silent unless they do
     bool
-    leaves_place(bool is_solution);
+    needs_geometry_update(bool is_solution);
     /// Place the surfaces where they are, and solve, until they stay: Newton's method for the
     /// dependence of gaps and normals on the displacement, of second order near the end.
     /// @param is_placed they are where they are
     bool
-    follow_surfaces(double t, double tolerance, bool is_placed);
+    update_geometry_until_converged(double t, double tolerance, bool is_placed);
     Snapshot<dim>
     snapshot(const State        &state,
              const LA::Vector   &gap,
@@ -133,27 +133,27 @@ namespace Signorini
     const Decisions<dim>       &decisions;
     const Scene<dim>           &scene;
     Elasticity<dim>            &elasticity;
-    ContactSetup<dim>          &contact;
+    ContactInterfaces<dim>     &contact;
     State                      &state;
     dealii::TimerOutput        &timer;
     dealii::ConditionalOStream &out;
 
     LA::Vector              gap, active; ///< at the contact points; 1 or 0: closed or open
-    bool                    my_follows = false;
+    bool                    my_uses_current_geometry = false;
     std::optional<double>   my_neglected;
     NewtonReport            my_report;
-    std::vector<NewtonStep> steps_before; ///< of this load step, with surfaces placed before
+    std::vector<NewtonStep> previous_steps; ///< of this load step, with surfaces placed before
 
-    double last_speed = 0; ///< displacement per time of the last load step
-    double last_drive = 0; ///< that of supports and obstacles alone
+    double last_speed            = 0; ///< displacement per time of the last load step
+    double last_prescribed_speed = 0; ///< that of supports and obstacles alone
 
     /// Before the last load step, on this mesh.
-    struct Earlier
+    struct PreviousSolution
     {
       LA::Vector displacement;
       double     time;
     };
-    std::optional<Earlier> earlier;
+    std::optional<PreviousSolution> previous_solution;
 
     struct Failure
     {

@@ -20,7 +20,7 @@ namespace Signorini
     public:
       Prepared(RawSection &raw, const SceneTask &task, const std::string &name)
         : only_check(task.only_check)
-        , goes_on(!task.restart.empty())
+        , is_restart(!task.restart.empty())
       {
         Section section(raw);
         scene.declare(section);
@@ -38,7 +38,7 @@ namespace Signorini
         if (Utilities::MPI::this_mpi_process(comm) == 0)
           for (const std::string &note : notes)
             out << "note: " << note << std::endl;
-        Simulation<dim> simulation(scene, comm, out, goes_on);
+        Simulation<dim> simulation(scene, comm, out, is_restart);
         if (!only_check)
           return simulation.run();
         simulation.preflight();
@@ -48,7 +48,7 @@ namespace Signorini
     private:
       Scene<dim>               scene;
       std::vector<std::string> notes;
-      const bool               only_check, goes_on;
+      const bool               only_check, is_restart;
     };
 
     /// The scene of a task, without its overrides, and its name.

@@ -4,7 +4,7 @@
 #include "driver/body_setup.h"
 #include "output/directory.h"
 #include "output/preflight.h"
-#include "scene/left_out.h"
+#include "scene/skipped_items.h"
 #include "solver/linear_reference.h"
 #include <signorini/base/text.h>
 
@@ -44,7 +44,7 @@ namespace Signorini
   Simulation<dim>::Simulation(const Scene<dim> &scene,
                               const MPI_Comm    comm,
                               std::ostream     &stream,
-                              const bool        goes_on)
+                              const bool        is_restart)
     : scene(scene)
     , decisions(this->scene)
     , comm(comm)
@@ -53,7 +53,7 @@ namespace Signorini
     , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
     , control(this->scene.goals, this->scene.refinement)
     , tolerance(std::max(scene.newton.tolerance, scene.refinement.tolerance))
-    , goes_on(goes_on)
+    , is_restart(is_restart)
   {
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
     if (!scene.title.empty())
@@ -63,7 +63,7 @@ namespace Signorini
         << std::endl;
     if (!decisions.reason.empty())
       out << "  chosen: " << decisions.reason << std::endl;
-    for (const LeftOut &one : left_out_of(scene.left_out))
+    for (const SkippedItem &one : skipped_in(scene.skipped_items))
       out << "  not imported: " << one.kind << ": " << one.what << std::endl;
     for (const std::string &note : scene.notes)
       out << "  note: " << note << std::endl;
@@ -75,10 +75,10 @@ namespace Signorini
   ExitCode
   Simulation<dim>::run()
   {
-    if (goes_on)
+    if (is_restart)
       if (const auto code = code_of_finished_run())
         return *code;
-    recorder     = std::make_unique<Recorder<dim>>(decisions, clock, timer, comm, goes_on);
+    recorder     = std::make_unique<Recorder<dim>>(decisions, clock, timer, comm, is_restart);
     interruption = std::make_unique<Interruption>(clock, 60 * scene.output.time_limit, comm);
     if (!recorder->note().empty())
       out << "  note: " << recorder->note() << std::endl;
@@ -107,11 +107,11 @@ namespace Signorini
       {
         find_checkpoint();
         set_up();
-        for (; position.cycle < scene.most_cycles(); ++position.cycle)
+        for (; position.cycle < scene.maximum_cycles(); ++position.cycle)
           {
             equilibrium->find_contact();
             report_set_up();
-            reach();
+            pass_checkpoint();
             if (!solve_for_estimate())
               return finish(report());
             if (!improve(control))
@@ -123,8 +123,8 @@ namespace Signorini
             report_set_up();
           }
         if (position.step > 0) // as it was between two load steps
-          equilibrium->in_place.recall_active_set();
-        reach();
+          equilibrium->configuration_solver.restore_active_set();
+        pass_checkpoint();
         run_load_history();
         if (report().converged && !scene.goals.quantities.empty())
           estimate_result();
@@ -141,7 +141,7 @@ namespace Signorini
         is_interrupted = true;
         return finish(
           unsolved(interruption.what() +
-                   std::string(has_gained ? "" : "; there is no checkpoint to restart from")));
+                   std::string(has_progressed ? "" : "; there is no checkpoint to restart from")));
       }
   }
 
@@ -188,7 +188,7 @@ namespace Signorini
     if (former)
       restore_state();
 
-    if (elasticity->has_free_motions() && scene.output.linear_reference)
+    if (elasticity->has_unsupported_modes() && scene.output.linear_reference)
       throw SceneError(
         "Output/Linear reference = yes: without contact the bodies have unconstrained "
         "rigid-body modes; set it to no");
@@ -200,7 +200,7 @@ namespace Signorini
   void
   Simulation<dim>::set_up_contact()
   {
-    contact     = std::make_unique<ContactSetup<dim>>(decisions, *elasticity, timer, out);
+    contact     = std::make_unique<ContactInterfaces<dim>>(decisions, *elasticity, timer, out);
     equilibrium = std::make_unique<Equilibrium<dim>>(
       decisions, *elasticity, *contact, state, timer, out, [this] { return watch(); });
   }
@@ -218,11 +218,11 @@ namespace Signorini
       recorder->add_sizes(*elasticity,
                           contact->surfaces(),
                           contact->gap_operator(),
-                          contact->left_out());
+                          contact->skipped_items());
     if (position.cycle > 0 || is_restored)
       return;
-    equilibrium->in_place.check_motions();
-    check_wanted();
+    equilibrium->configuration_solver.check_motions();
+    check_requests();
     TimerOutput::Scope scope(timer, "preflight");
     const Json         report = Signorini::preflight(
       decisions, *elasticity, contact->surfaces(), contact->gap_operator(), clock.wall_time());
@@ -237,10 +237,10 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::check_wanted()
+  Simulation<dim>::check_requests()
   {
     // On a mesh that is to be refined, curved surfaces are not yet where they will be.
-    const bool is_final = scene.most_cycles() == 0;
+    const bool is_final = scene.maximum_cycles() == 0;
     check_probes(*elasticity,
                  decisions.pairs,
                  scene.output.probes,
@@ -302,18 +302,18 @@ namespace Signorini
         n_steps = report().steps.size();
         return true;
       }
-    if (report().is_loose || scene.load_steps.shortest(end) == end)
+    if (report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
       return false;
     out << "  no convergence in one load step (" << report().reason
         << "): applying the load in steps" << std::endl;
     State nothing;
     nothing.displacement = elasticity->zero_vector();
     nothing.contact      = SurfaceField(dim);
-    equilibrium->set_state(nothing, equilibrium->follows());
-    equilibrium->in_place.recall_active_set();
+    equilibrium->set_state(nothing, equilibrium->uses_current_geometry());
+    equilibrium->configuration_solver.restore_active_set();
     Position start;
     start.longest = end / 2;
-    return follow_loads(tolerance, start, [&](auto) {
+    return apply_load_history(tolerance, start, [&](auto) {
       n_steps += report().steps.size();
       return true;
     });
@@ -327,19 +327,19 @@ namespace Signorini
   {
     // One step is the solution that was estimated, which others than the target's quantities are
     // read from too; of several, some may have next to no forces.
-    constexpr double loosest = 1e-5;
-    const bool       is_one  = scene.load_steps.ends().size() == 1;
+    constexpr double largest_tolerance = 1e-5;
+    const bool       is_one            = scene.load_steps.ends().size() == 1;
     const double     final_tolerance =
       scene.goals.has_targets() && is_one ?
-            std::max(std::min(tolerance, loosest), scene.newton.tolerance) :
+            std::max(std::min(tolerance, largest_tolerance), scene.newton.tolerance) :
             scene.newton.tolerance;
-    follow_loads(final_tolerance, position, [&](const unsigned int step) {
+    apply_load_history(final_tolerance, position, [&](const unsigned int step) {
       // Meshes that were made for other load steps may be too coarse for the last one by a little.
-      const bool is_judged = is_over() && (!end_judged_on || *end_judged_on == position.cycle);
+      const bool is_judged = is_finished() && (!end_judged_on || *end_judged_on == position.cycle);
       if (scene.goals.judge_all_steps() && !is_judged && !improve_step())
         return false;
       record_step(step);
-      reach();
+      pass_checkpoint();
       return true;
     });
   }
@@ -348,9 +348,9 @@ namespace Signorini
 
   template <int dim>
   bool
-  Simulation<dim>::follow_loads(const double                                  tolerance,
-                                Position                                     &from,
-                                const std::function<bool(unsigned int step)> &visit)
+  Simulation<dim>::apply_load_history(const double                                  tolerance,
+                                      Position                                     &from,
+                                      const std::function<bool(unsigned int step)> &visit)
   {
     const std::vector<double> ends    = scene.load_steps.ends();
     double                    start   = 0;
@@ -375,10 +375,11 @@ namespace Signorini
             else
               {
                 longest = (next - t) / 2;
-                if (longest < 0.999 * shortest || report().is_loose)
+                if (longest < 0.999 * shortest || report().has_unconstrained_modes)
                   return false;
                 out << "  no convergence (" << report().reason
-                    << (report().curves_down ? "; the tangent was not positive definite" : "")
+                    << (report().tangent_is_indefinite ? "; the tangent was not positive definite" :
+                                                         "")
                     << "): halving the load step" << std::endl;
                 shortest_tried = longest;
               }
@@ -394,15 +395,12 @@ namespace Signorini
   Simulation<dim>::record_step(const unsigned int step)
   {
     TimerOutput::Scope scope(timer, "output");
-    recorder->add_contact_geometry(equilibrium->neglected(), equilibrium->follows());
-    recorder->add_deformation(neglected_work, elasticity->is_finite());
+    recorder->add_contact_geometry(equilibrium->neglected(), equilibrium->uses_current_geometry());
+    recorder->add_deformation(neglected_work, elasticity->is_finite_strain());
     const Snapshot<dim> now = equilibrium->snapshot(step);
     if (after_step)
       after_step(now);
-    recorder->add_step(now,
-                       report(),
-                       multigrid_cycles(),
-                       std::exchange(of_step, {}));
+    recorder->add_step(now, report(), multigrid_cycles(), std::exchange(of_step, {}));
   }
 
 
@@ -411,7 +409,7 @@ namespace Signorini
   unsigned int
   Simulation<dim>::multigrid_cycles() const
   {
-    return former_cycles + equilibrium->in_place.multigrid_cycles();
+    return former_cycles + equilibrium->configuration_solver.multigrid_cycles();
   }
 
 
@@ -420,7 +418,7 @@ namespace Signorini
   double
   Simulation<dim>::mesh_seconds() const
   {
-    return former_seconds + Utilities::MPI::max(equilibrium->in_place.seconds(), comm);
+    return former_seconds + Utilities::MPI::max(equilibrium->configuration_solver.seconds(), comm);
   }
 
 
@@ -431,7 +429,7 @@ namespace Signorini
   {
     const double          seconds = mesh_seconds(), cycles = multigrid_cycles();
     const LinearReference linear = [&]() {
-      equilibrium->in_place.release(); // looks at the stiffness matrix
+      equilibrium->configuration_solver.release(); // looks at the stiffness matrix
       TimerOutput::Scope scope(timer, "linear reference");
       return solve_without_contact(*elasticity, scene.solver, scene.newton.tolerance);
     }();
@@ -463,7 +461,7 @@ namespace Signorini
   ExitCode
   Simulation<dim>::finish(NewtonReport end)
   {
-    if (!end.converged && end.curves_down)
+    if (!end.converged && end.tangent_is_indefinite)
       end.reason +=
         (state.time > 0 ? "; the last converged load step ends at t = " + short_text(state.time) +
                             ", and beyond it" :
@@ -483,10 +481,10 @@ namespace Signorini
     recorder->add_sizes(*elasticity,
                         contact->surfaces(),
                         contact->gap_operator(),
-                        contact->left_out());
+                        contact->skipped_items());
     std::ostringstream text;
     if (!end.converged)
-      leave_checkpoint();
+      write_final_checkpoint();
     if (!end.converged && !is_interrupted)
       if (const auto last = equilibrium->failure(position.step + 1))
         recorder->add_failure(*last, end);

@@ -37,8 +37,8 @@ namespace Signorini
   {
   public:
     /// @param out where the first rank reports
-    /// @param goes_on with what an earlier run left in the output directory
-    Simulation(const Scene<dim> &scene, MPI_Comm comm, std::ostream &out, bool goes_on = false);
+    /// @param is_restart with what an earlier run left in the output directory
+    Simulation(const Scene<dim> &scene, MPI_Comm comm, std::ostream &out, bool is_restart = false);
 
     /// Print what will be solved, and solve nothing.
     void
@@ -63,7 +63,7 @@ namespace Signorini
     report_set_up();
     /// Probes and expected results, before they cost a solution. Throws SceneError.
     void
-    check_wanted();
+    check_requests();
     /// The end of the load history, on a mesh that is still to be refined.
     bool
     solve_for_estimate();
@@ -81,9 +81,9 @@ namespace Signorini
     /// @param from where they start, and then where they are
     /// @param visit called after each; false: that is all
     bool
-    follow_loads(double                                        tolerance,
-                 Position                                     &from,
-                 const std::function<bool(unsigned int step)> &visit);
+    apply_load_history(double                                        tolerance,
+                       Position                                     &from,
+                       const std::function<bool(unsigned int step)> &visit);
     void
     record_step(unsigned int step);
     const NewtonReport &
@@ -108,12 +108,12 @@ namespace Signorini
     is_small_enough();
     /// From here on. Throws SceneError where the scene has what goes with small strain alone.
     void
-    become_finite(const State &before);
-    /// On the same mesh. @param known ContactSetup::memory()
+    switch_to_finite_strain(const State &before);
+    /// On the same mesh. @param known ContactInterfaces::save()
     void
     replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
                        const State                     &carried,
-                       bool                             follows,
+                       bool                             uses_current_geometry,
                        const Json                      &known);
 
     // Errors, in simulation_accuracy.cc:
@@ -132,7 +132,7 @@ namespace Signorini
     improve_step();
     /// Degree 2 for these bodies, on the same mesh.
     void
-    enrich(const std::vector<unsigned int> &bodies);
+    p_refine(const std::vector<unsigned int> &bodies);
     /// Of the last solution, on one mesh more. A mesh that was refined for other load steps is none
     /// more to the end: what its values change by says nothing of what refinement for it would.
     ErrorEstimate
@@ -142,7 +142,7 @@ namespace Signorini
     /// After the last mesh on which the targets could have been met. @return why they were not, in
     /// words; empty: they are
     std::string
-    what_was_missed(const ErrorControl &control) const;
+    missed_targets(const ErrorControl &control) const;
     /// Of the last load step.
     void
     estimate_result();
@@ -167,16 +167,16 @@ namespace Signorini
     restore_state();
     /// Nothing is left to be solved.
     bool
-    is_over() const;
+    is_finished() const;
     /// The run has come to a point from which it could go on; writes a checkpoint if it is time.
     void
-    reach();
+    pass_checkpoint();
     /// At the last such point. Collective.
     void
     write_checkpoint();
     /// Of a run that ends without a solution.
     void
-    leave_checkpoint();
+    write_final_checkpoint();
     /// Prints, and looks whether the run is to end.
     StepVisitor
     watch();
@@ -188,43 +188,43 @@ namespace Signorini
     dealii::TimerOutput        timer;
     dealii::Timer              clock; ///< since the start
 
-    std::unique_ptr<Mesh<dim>>         mesh;
-    std::unique_ptr<Elasticity<dim>>   elasticity;
-    std::unique_ptr<ContactSetup<dim>> contact;
-    State                              state;
-    std::unique_ptr<Equilibrium<dim>>  equilibrium;
-    std::unique_ptr<Recorder<dim>>     recorder; ///< none where nothing is to be written
-    bool                               only_checks = false;
-    unsigned int                       n_steps     = 0; ///< of Newton's method on a coarse mesh
-    ErrorControl                       control;         ///< of the end of the load history
-    double                             tolerance;       ///< of Newton's method on the next mesh
+    std::unique_ptr<Mesh<dim>>              mesh;
+    std::unique_ptr<Elasticity<dim>>        elasticity;
+    std::unique_ptr<ContactInterfaces<dim>> contact;
+    State                                   state;
+    std::unique_ptr<Equilibrium<dim>>       equilibrium;
+    std::unique_ptr<Recorder<dim>>          recorder; ///< none where nothing is to be written
+    bool                                    only_checks = false;
+    unsigned int                            n_steps = 0; ///< of Newton's method on a coarse mesh
+    ErrorControl                            control;     ///< of the end of the load history
+    double                                  tolerance;   ///< of Newton's method on the next mesh
     /// The number of the mesh on which the end was judged last, unless one was made for it since.
     std::optional<unsigned int> end_judged_on;
     double                      last_mesh_at = 0; ///< seconds: when it was estimated
     std::vector<unsigned int>   next_quadratic;   ///< bodies, on the next mesh
     /// The largest share, where Deformation = automatic.
     std::optional<double> neglected_work;
-    std::string           why_not_met;        ///< the targets; empty: no reason is known
+    std::string           reason_targets_missed; ///< the targets; empty: no reason is known
     Json                  of_step;            ///< how good the last load step is; null: not known
     unsigned int          former_cycles  = 0; ///< of multigrid on this mesh, before a restart
     double                former_seconds = 0; ///< likewise
 
     /// What a checkpoint needs beside the results: copies, since attempts change the originals.
-    struct Reached
+    struct CheckpointState
     {
       State state;
       Json  head; ///< the same on all ranks
     };
-    const bool                          goes_on;
+    const bool                          is_restart;
     bool                                is_interrupted = false;
     bool                                is_restored    = false; ///< and nothing was solved since
-    bool                                has_gained     = false; ///< something, since the start
+    bool                                has_progressed = false; ///< something, since the start
     Position                            position;
     std::unique_ptr<Checkpoints>        checkpoints;
     std::unique_ptr<Interruption>       interruption;
     std::uint32_t                       origin = 0; ///< checksum_of_origin()
     std::optional<Checkpoints::Content> former;     ///< until it is restored
-    std::optional<Reached>              reached;
+    std::optional<CheckpointState>      checkpoint_state;
     double                              written_at     = 0; ///< seconds: the last checkpoint
     unsigned int                        steps_since    = 0;
     double                              shortest_tried = 0; ///< load step since the last solved one

@@ -1,4 +1,4 @@
-#include "accuracy/enrichment.h"
+#include "accuracy/p_refinement.h"
 #include "driver/body_setup.h"
 #include "driver/simulation.h"
 #include "output/accuracy_results.h"
@@ -34,7 +34,7 @@ namespace Signorini
 
     template <int dim>
     void
-    let_none_be_coarsened(const Mesh<dim> &mesh)
+    forbid_coarsening(const Mesh<dim> &mesh)
     {
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
         cell->clear_coarsen_flag();
@@ -64,9 +64,9 @@ namespace Signorini
       of_step = accuracy;
     if (scene.goals.has_targets())
       {
-        tolerance   = control.tolerance(tolerance);
-        why_not_met = control.obstacle();
-        if (control.is_met(true) || !why_not_met.empty())
+        tolerance             = control.tolerance(tolerance);
+        reason_targets_missed = control.obstacle();
+        if (control.is_met(true) || !reason_targets_missed.empty())
           return false;
         const double stiffening = control.stiffening();
         decisions.penalty_factor *= stiffening;
@@ -80,20 +80,20 @@ namespace Signorini
     if (!is_end)
       accuracy["time"] = state.time;
     recorder->add_cycle(n_steps, multigrid_cycles(), accuracy);
-    reached.reset(); // it belongs to the mesh
+    checkpoint_state.reset(); // it belongs to the mesh
     former_cycles  = 0;
     former_seconds = 0;
-    equilibrium->in_place.release();
+    equilibrium->configuration_solver.release();
     if (next_quadratic.empty())
       {
         std::vector<LA::Vector *> displacements = {&state.displacement};
         if (state.start.displacement.size() > 0)
           displacements.push_back(&state.start.displacement);
         refine(*mesh, *elasticity, displacements);
-        equilibrium->forget_mesh();
+        equilibrium->invalidate();
       }
     else
-      enrich(std::exchange(next_quadratic, {}));
+      p_refine(std::exchange(next_quadratic, {}));
     if (is_end)
       end_judged_on.reset();
     return true;
@@ -114,26 +114,27 @@ namespace Signorini
     if (control.needs_mesh())
       {
         next_quadratic =
-          bodies_to_enrich(*mesh, indicators, decisions.open_degrees, control.excess());
+          bodies_to_p_refine(*mesh, indicators, decisions.open_degrees, control.excess_error());
         if (next_quadratic.empty())
           mark_share(scene.refinement, *mesh, indicators, control.share());
       }
     if (&control != &this->control) // other load steps need what is fine
-      let_none_be_coarsened(*mesh);
+      forbid_coarsening(*mesh);
     const double of_cells = growth(*mesh),
-                 factor   = of_cells * growth_of_enrichment(*mesh, next_quadratic),
+                 factor   = of_cells * growth_of_p_refinement(*mesh, next_quadratic),
                  now      = clock.wall_time();
     const double cells    = of_cells * mesh->triangulation().n_global_active_cells();
     const double seconds  = 1.3 * factor * (now - std::exchange(last_mesh_at, now)),
                  limit    = 60 * scene.goals.time_limit;
     if (cells > scene.refinement.maximum_cells)
-      why_not_met = "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
+      reason_targets_missed =
+        "Accuracy/Maximum cells = " + std::to_string(scene.refinement.maximum_cells);
     else if (limit > 0 && Utilities::MPI::max(now + seconds, comm) > limit)
-      why_not_met = "the next mesh would end after Accuracy/Time limit = " +
-                    short_text(scene.goals.time_limit, 3) + " minutes";
+      reason_targets_missed = "the next mesh would end after Accuracy/Time limit = " +
+                              short_text(scene.goals.time_limit, 3) + " minutes";
     else if (!has_memory_for(factor, comm))
-      why_not_met = "the next mesh would not fit into memory";
-    if (!why_not_met.empty())
+      reason_targets_missed = "the next mesh would not fit into memory";
+    if (!reason_targets_missed.empty())
       {
         clear_marks(*mesh);
         return false;
@@ -152,19 +153,22 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::enrich(const std::vector<unsigned int> &bodies)
+  Simulation<dim>::p_refine(const std::vector<unsigned int> &bodies)
   {
     for (const unsigned int body : bodies)
       decisions.raise_degree(body);
     mesh->set_degrees(decisions.degrees);
     auto richer = make_elasticity(decisions, *mesh);
     richer->setup(elasticity->time_of_supports());
-    State carried        = state;
-    carried.bulk_stress  = LA::Vector();
-    carried.displacement = enriched(*elasticity, state.displacement, *richer);
+    State carried             = state;
+    carried.volumetric_stress = LA::Vector();
+    carried.displacement      = p_refined(*elasticity, state.displacement, *richer);
     if (state.start.displacement.size() > 0)
-      carried.start.displacement = enriched(*elasticity, state.start.displacement, *richer);
-    replace_elasticity(std::move(richer), carried, equilibrium->follows(), contact->memory());
+      carried.start.displacement = p_refined(*elasticity, state.start.displacement, *richer);
+    replace_elasticity(std::move(richer),
+                       carried,
+                       equilibrium->uses_current_geometry(),
+                       contact->save());
   }
 
 
@@ -196,11 +200,11 @@ namespace Signorini
     std::vector<double> least;
     for (const ErrorHistory &of_end : control.quantities())
       least.push_back(of_end.size() > 0 ? small * std::abs(of_end.last().value) : 0.);
-    const bool         is_end = is_over();
+    const bool         is_end = is_finished();
     ErrorControl       of_load(scene.goals, scene.refinement, least);
     ErrorControl      &its        = is_end ? control : of_load;
-    const std::string  why_at_end = std::exchange(why_not_met, {});
-    const unsigned int most       = position.cycle + scene.most_cycles();
+    const std::string  why_at_end = std::exchange(reason_targets_missed, {});
+    const unsigned int most       = position.cycle + scene.maximum_cycles();
     for (;;)
       {
         n_steps = report().steps.size();
@@ -219,11 +223,11 @@ namespace Signorini
       }
     if (is_end)
       return true;
-    const std::string why = what_was_missed(of_load);
+    const std::string why = missed_targets(of_load);
     of_step["met"]        = why.empty();
     of_step["reason"]     = why;
     recorder->add_targets(of_load, why, position.time);
-    why_not_met = why_at_end;
+    reason_targets_missed = why_at_end;
     return true;
   }
 
@@ -231,15 +235,15 @@ namespace Signorini
 
   template <int dim>
   std::string
-  Simulation<dim>::what_was_missed(const ErrorControl &control) const
+  Simulation<dim>::missed_targets(const ErrorControl &control) const
   {
     if (!scene.goals.has_targets() || control.is_met())
       return {};
-    if (!why_not_met.empty())
-      return why_not_met;
+    if (!reason_targets_missed.empty())
+      return reason_targets_missed;
     return control.is_met(true) ?
              "the algebraic error cannot be reduced further" :
-             "Accuracy/Refinement cycles = " + std::to_string(scene.most_cycles());
+             "Accuracy/Refinement cycles = " + std::to_string(scene.maximum_cycles());
   }
 
 
@@ -264,7 +268,7 @@ namespace Signorini
     const ErrorEstimate estimate = judge(control);
     recorder->add_accuracy(accuracy_results(scene.goals, control, estimate),
                            control,
-                           what_was_missed(control));
+                           missed_targets(control));
   }
 
 
@@ -279,17 +283,19 @@ namespace Signorini
     for (const QuantityName &name : decisions.quantities())
       {
         functionals.push_back(functional(name, now, scene.output.probes));
-        duals.push_back(equilibrium->in_place.dual(functionals.back()));
+        duals.push_back(equilibrium->configuration_solver.dual(functionals.back()));
       }
-    TimerOutput::Scope scope(timer, "estimate");
-    const Predictor    predictor = scene.contact.chosen().predictor();
-    const bool         is_consistent =
-      predictor == Predictor::multiplier || predictor == Predictor::normal_stress;
+    TimerOutput::Scope  scope(timer, "estimate");
+    const PressureShift pressure_shift = scene.contact.chosen().pressure_shift();
+    const bool          is_consistent =
+      pressure_shift == PressureShift::multiplier || pressure_shift == PressureShift::normal_stress;
     return error_estimate(now,
                           functionals,
                           duals,
                           is_consistent,
-                          equilibrium->follows() ? 0. : equilibrium->neglected().value_or(0.));
+                          equilibrium->uses_current_geometry() ?
+                            0. :
+                            equilibrium->neglected().value_or(0.));
   }
 
 
@@ -299,8 +305,8 @@ namespace Signorini
   template bool          Simulation<dim>::mark(const ErrorControl &, const ErrorEstimate &);       \
   template ErrorEstimate Simulation<dim>::judge(ErrorControl &);                                   \
   template bool          Simulation<dim>::improve_step();                                          \
-  template std::string   Simulation<dim>::what_was_missed(const ErrorControl &) const;             \
-  template void          Simulation<dim>::enrich(const std::vector<unsigned int> &);               \
+  template std::string   Simulation<dim>::missed_targets(const ErrorControl &) const;              \
+  template void          Simulation<dim>::p_refine(const std::vector<unsigned int> &);             \
   template void          Simulation<dim>::report_errors(const ErrorControl &);                     \
   template void          Simulation<dim>::estimate_result();                                       \
   template ErrorEstimate Simulation<dim>::estimate_errors();

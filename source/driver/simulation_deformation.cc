@@ -25,7 +25,7 @@ namespace Signorini
       return false;
     if (is_small_enough())
       return true;
-    become_finite(before);
+    switch_to_finite_strain(before);
     return equilibrium->solve(t, tolerance);
   }
 
@@ -41,8 +41,11 @@ namespace Signorini
     auto other     = make_elasticity(decisions, *mesh);
     other->setup(t);
     const State carried = state;
-    replace_elasticity(std::move(other), carried, equilibrium->follows(), contact->memory());
-    equilibrium->in_place.recall_active_set();
+    replace_elasticity(std::move(other),
+                       carried,
+                       equilibrium->uses_current_geometry(),
+                       contact->save());
+    equilibrium->configuration_solver.restore_active_set();
   }
 
 
@@ -65,7 +68,7 @@ namespace Signorini
     out << "  deformation: the relative work error of small strain is about "
         << short_text(100 * change.work, 2) << " % (strains up to "
         << short_text(100 * change.strain, 2) << " %, rotations up to "
-        << short_text(change.turn * 180 / numbers::PI, 2) << " degrees)"
+        << short_text(change.largest_rotation * 180 / numbers::PI, 2) << " degrees)"
         << (is_small ? "" : ": finite strain from here on") << std::endl;
     return is_small;
   }
@@ -74,7 +77,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::become_finite(const State &before)
+  Simulation<dim>::switch_to_finite_strain(const State &before)
   {
     decisions.finite_strain = true;
     try
@@ -91,7 +94,7 @@ namespace Signorini
       }
     auto finite = make_elasticity(decisions, *mesh);
     finite->setup(elasticity->time_of_supports());
-    Json known = contact->memory();
+    Json known = contact->save();
     for (Json &pair : known) // how far to look is another matter there
       for (const char *key : {"reach", "nearby", "known"})
         pair.erase(key);
@@ -104,16 +107,16 @@ namespace Signorini
   void
   Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
                                       const State                     &carried,
-                                      const bool                       follows,
+                                      const bool                       uses_current_geometry,
                                       const Json                      &known)
   {
     equilibrium.reset(); // these refer to it
     contact.reset();
     elasticity = std::move(other);
     set_up_contact();
-    contact->remember(known);
+    contact->load(known);
     equilibrium->find_contact(); // as it is at rest, where initial overlaps are
-    equilibrium->set_state(carried, follows);
+    equilibrium->set_state(carried, uses_current_geometry);
   }
 
 
@@ -122,7 +125,7 @@ namespace Signorini
   template bool Simulation<dim>::solve(double, double);                                            \
   template void Simulation<dim>::change_supports(double);                                          \
   template bool Simulation<dim>::is_small_enough();                                                \
-  template void Simulation<dim>::become_finite(const State &);                                     \
+  template void Simulation<dim>::switch_to_finite_strain(const State &);                           \
   template void Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>>,              \
                                                     const State &,                                 \
                                                     bool,                                          \

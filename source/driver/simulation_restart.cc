@@ -13,7 +13,7 @@ namespace Signorini
 
   namespace
   {
-    using Places = std::vector<std::pair<FaceId, std::vector<PlaceValue>>>;
+    using Places = std::vector<std::pair<FaceId, std::vector<SurfacePointValue>>>;
 
     /// What each rank writes for itself: the state, and the start of its load step, if contact
     /// depends on that.
@@ -104,12 +104,12 @@ namespace Signorini
     checkpoints = std::make_unique<Checkpoints>(recorder->directory(), comm);
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       {
-        if (!goes_on)
+        if (!is_restart)
           write_origin(recorder->directory(), origin_of(scene.name, text_with_defaults(decisions)));
         origin = checksum_of_origin(recorder->directory());
       }
     origin = Utilities::MPI::broadcast(comm, origin);
-    if (!goes_on)
+    if (!is_restart)
       return;
     former = checkpoints->newest(out);
     if (!former)
@@ -158,7 +158,7 @@ namespace Signorini
   {
     const Json &head = former->head;
     const Part  part = joined(former->parts);
-    contact->remember(head.at("pairs"));
+    contact->load(head.at("pairs"));
     const auto displacement = [&](const std::vector<CellValues> &cells, const char *rigid_motion) {
       const std::vector<double> rigid  = head.at(rigid_motion);
       LA::Vector                result = vector_of_cells(*elasticity, cells);
@@ -191,7 +191,7 @@ namespace Signorini
 
   template <int dim>
   bool
-  Simulation<dim>::is_over() const
+  Simulation<dim>::is_finished() const
   {
     return position.time >= scene.load_steps.ends().back();
   }
@@ -200,30 +200,30 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::reach()
+  Simulation<dim>::pass_checkpoint()
   {
     Json head = {{"cycle", position.cycle},
                  {"time", position.time},
                  {"step", position.step},
                  {"longest", position.longest},
                  {"state_time", state.time},
-                 {"follows", equilibrium->follows()},
+                 {"follows", equilibrium->uses_current_geometry()},
                  {"tolerance", tolerance},
                  {"decisions", decisions.save()},
                  {"neglected_work", neglected_work.value_or(-1)},
                  {"multigrid_cycles", multigrid_cycles()},
                  {"rigid_motion", elasticity->rigid_motion(state.displacement)},
-                 {"pairs", contact->memory()}};
+                 {"pairs", contact->save()}};
     if (state.start.displacement.size() > 0)
       {
         head["rigid_motion_at_start"] = elasticity->rigid_motion(state.start.displacement);
         head["duration"]              = state.start.duration;
       }
-    reached = Reached{state, head};
-    if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_over())
+    checkpoint_state = CheckpointState{state, head};
+    if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_finished())
       return; // nothing to lose
 
-    has_gained = true;
+    has_progressed = true;
     ++steps_since;
     const OutputSettings<dim> &settings = scene.output;
     const double               passed   = clock.wall_time() - written_at;
@@ -242,12 +242,12 @@ namespace Signorini
   Simulation<dim>::write_checkpoint()
   {
     TimerOutput::Scope scope(timer, "checkpoint");
-    Json               head = reached->head;
+    Json               head = checkpoint_state->head;
     head["origin"]          = origin;
     head["mesh_seconds"]    = mesh_seconds();
     head["mesh"]            = mark_of_mesh(*mesh);
-    head["results"]         = recorder->memory();
-    const State &now        = reached->state;
+    head["results"]         = recorder->save();
+    const State &now        = checkpoint_state->state;
     Part         part;
     part.displacement = values_of_cells(*elasticity, now.displacement);
     part.contact      = places_of(now.contact);
@@ -277,9 +277,9 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::leave_checkpoint()
+  Simulation<dim>::write_final_checkpoint()
   {
-    if (reached && steps_since > 0)
+    if (checkpoint_state && steps_since > 0)
       write_checkpoint();
   }
 
@@ -292,7 +292,7 @@ namespace Signorini
     const StepVisitor print = print_steps(out);
     return [this, print](const NewtonStep &step) {
       print(step);
-      look_for_interruption();
+      check_for_interruption();
     };
   }
 
@@ -300,14 +300,14 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template std::optional<ExitCode> Simulation<dim>::code_of_finished_run() const;                  \
-  template bool                    Simulation<dim>::is_over() const;                               \
+  template bool                    Simulation<dim>::is_finished() const;                           \
   template void                    Simulation<dim>::find_checkpoint();                             \
   template void                    Simulation<dim>::restore_decisions();                           \
   template void                    Simulation<dim>::restore_mesh();                                \
   template void                    Simulation<dim>::restore_state();                               \
-  template void                    Simulation<dim>::reach();                                       \
+  template void                    Simulation<dim>::pass_checkpoint();                             \
   template void                    Simulation<dim>::write_checkpoint();                            \
-  template void                    Simulation<dim>::leave_checkpoint();                            \
+  template void                    Simulation<dim>::write_final_checkpoint();                      \
   template StepVisitor             Simulation<dim>::watch();
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -6,7 +6,7 @@ namespace Signorini
 
   namespace
   {
-    /// The history of all points, a vector a number; see PlaceValue.
+    /// The history of all points, a vector a number; see SurfacePointValue.
     PointVectors
     history_of(const GapOperator &contact, const ContactState &state)
     {
@@ -34,7 +34,7 @@ namespace Signorini
 
     /// The other way about.
     void
-    take_history(const GapOperator &contact, const PointVectors &history, ContactState &state)
+    copy_history(const GapOperator &contact, const PointVectors &history, ContactState &state)
     {
       const auto  &tangents = contact.tangential.at_rest;
       unsigned int next     = 0;
@@ -65,7 +65,7 @@ namespace Signorini
 
 
   SurfaceField
-  places_of_rows(const GapOperator &contact, const ContactState &state, const unsigned int dim)
+  to_surface_field(const GapOperator &contact, const ContactState &state, const unsigned int dim)
   {
     const auto with_ghosts = [&](const LA::Vector &rows) {
       LA::Vector result(contact.weight.locally_owned_elements(),
@@ -81,12 +81,12 @@ namespace Signorini
     PointVectors     history;
     for (const LA::Vector &number : history_of(contact, state))
       history.push_back(with_ghosts(number));
-    for (const FacePlaces &face : contact.origin.places)
+    for (const SurfacePoints &face : contact.origin.places)
       {
-        std::vector<PlaceValue> values;
+        std::vector<SurfacePointValue> values;
         for (const auto &[place, rows] : face.places)
           {
-            PlaceValue value;
+            SurfacePointValue value;
             value.place = place;
             value.history.assign(history.size(), 0.);
             for (const auto &[row, weight] : rows)
@@ -106,9 +106,9 @@ namespace Signorini
 
 
   ContactState
-  rows_of_places(const SurfaceField   &field,
-                 const GapOperator    &contact,
-                 const InternalFields &internal)
+  from_surface_field(const SurfaceField   &field,
+                     const GapOperator    &contact,
+                     const InternalFields &internal)
   {
     // Not by copying one to the other: where as many rows lie on other ranks than before, a copy
     // would keep the old layout on some of them.
@@ -117,9 +117,9 @@ namespace Signorini
       return state;
     const MPI_Comm      comm = contact.weight.get_mpi_communicator();
     std::vector<FaceId> wanted;
-    for (const FacePlaces &face : contact.origin.places)
+    for (const SurfacePoints &face : contact.origin.places)
       wanted.push_back(face.id);
-    const SurfaceField known = field.known_at(wanted, comm);
+    const SurfaceField known = field.gathered_at(wanted, comm);
 
     // Faces around a node all know it. A copy of another vector would bring along what that one had
     // for other ranks.
@@ -128,7 +128,7 @@ namespace Signorini
     PointVectors       sums(3 + n_history); // number, pressure, status, history
     for (LA::Vector &sum : sums)
       sum.reinit(owned, comm);
-    for (const FacePlaces &face : contact.origin.places)
+    for (const SurfacePoints &face : contact.origin.places)
       for (const auto &[place, rows] : face.places)
         if (rows.size() == 1)
           if (const auto value = known.at(face.id, place))
@@ -156,7 +156,7 @@ namespace Signorini
     state.status.compress(VectorOperation::insert);
     for (LA::Vector &number : history)
       number.compress(VectorOperation::insert);
-    take_history(contact, history, state);
+    copy_history(contact, history, state);
     return state;
   }
 } // namespace Signorini

@@ -23,20 +23,20 @@ namespace Signorini
     SurfaceField  contact;      ///< with the internal variables that the law has now
     CellVariables material;     ///< internal variables of constitutive laws
     StepStart     start;
-    LA::Vector    bulk_stress; ///< coefficients, on this mesh; empty: zero
+    LA::Vector    volumetric_stress; ///< coefficients, on this mesh; empty: zero
     double        time = 0;
     unsigned int  step = 0; ///< load steps up to that time
   };
 
   /// The values of all contact points at their places. Collective.
   SurfaceField
-  places_of_rows(const GapOperator &contact, const ContactState &state, unsigned int dim);
+  to_surface_field(const GapOperator &contact, const ContactState &state, unsigned int dim);
 
   /// The values of contact points from those at places, of this mesh or of the one that it was
   /// refined from. What is not known is zero. Collective.
   /// @param internal zeros, as many as the law has
   ContactState
-  rows_of_places(const SurfaceField   &field,
-                 const GapOperator    &contact,
-                 const InternalFields &internal);
+  from_surface_field(const SurfaceField   &field,
+                     const GapOperator    &contact,
+                     const InternalFields &internal);
 } // namespace Signorini

@@ -4,7 +4,7 @@
 
 namespace Signorini
 {
-  /// The forces of contact on all degrees of freedom, prescribed ones too, hanging nodes resolved.
+  /// The forces of contact on all degrees of freedom, prescribed ones too, hanging nodes condensed.
   /// Collective.
   template <int dim>
   LA::Vector
@@ -12,6 +12,6 @@ namespace Signorini
   {
     return s.contact.total_force(s.contact_state.traction,
                                  s.contact.stress(s.displacement,
-                                                  s.elasticity.bulk_stress().coefficients()));
+                                                  s.elasticity.volumetric_stress().coefficients()));
   }
 } // namespace Signorini

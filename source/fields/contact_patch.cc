@@ -182,7 +182,7 @@ namespace Signorini
       {
         for (const ContactPoint<dim> &point : surface.points)
           if (is_part(surface.slave_faces[point.face]) && value_at(surface, point, status) > 0.5)
-            moments.extend(point.slave_place);
+            moments.extend(point.slave_force_point);
       }
 
       /// Of the squares, at nodes of parts that are in contact as a whole: the mean over these, and
@@ -249,7 +249,7 @@ namespace Signorini
         return sum;
       }
 
-      /// Of each face, what has a partner, by the area of its parts: above one where these are
+      /// Of each face, what has a projection, by the area of its parts: above one where these are
       /// chords.
       std::vector<double>
       covered_shares() const
@@ -344,8 +344,8 @@ namespace Signorini
         if (s.active(row++) > 0)
           {
             const double area = point.weight * point.stretch;
-            result.add(area, point.slave_place);
-            result.extend(point.slave_place);
+            result.add(area, point.slave_force_point);
+            result.extend(point.slave_force_point);
             result.edge += area;
           }
       sum_up(result, s.elasticity.mesh().communicator());

@@ -15,7 +15,7 @@ namespace Signorini
   {
     template <int dim>
     void
-    raise(ValueAtPlace<dim> &largest, const double value, const Point<dim> &x)
+    update_largest(ValueAtPosition<dim> &largest, const double value, const Point<dim> &x)
     {
       if (value > largest.value)
         largest = {value, x};
@@ -24,14 +24,14 @@ namespace Signorini
     /// That of the rank with the largest value, the lowest of those.
     template <int dim>
     void
-    over_ranks(ValueAtPlace<dim> &one, const MPI_Comm comm)
+    reduce_over_ranks(ValueAtPosition<dim> &one, const MPI_Comm comm)
     {
       const double       largest = Utilities::MPI::max(one.value, comm);
       const unsigned int me      = Utilities::MPI::this_mpi_process(comm);
       const unsigned int owner =
         Utilities::MPI::min(one.value == largest ? me : numbers::invalid_unsigned_int, comm);
-      one.value = largest;
-      one.place = Utilities::MPI::broadcast(comm, one.place, owner);
+      one.value    = largest;
+      one.position = Utilities::MPI::broadcast(comm, one.position, owner);
     }
   } // namespace
 
@@ -72,14 +72,14 @@ namespace Signorini
               const Point<dim> &x         = values.quadrature_point(q);
               const auto        sigma     = elasticity.stress(*cell, gradients[q], u[q], x);
               const auto        principal = eigenvalues(sigma); // the largest first
-              raise(largest.von_mises, von_mises(sigma), x);
-              raise(largest.shear, (principal[0] - principal[2]) / 2, x);
-              raise(largest.principal, principal[0], x);
+              update_largest(largest.von_mises, von_mises(sigma), x);
+              update_largest(largest.shear, (principal[0] - principal[2]) / 2, x);
+              update_largest(largest.principal, principal[0], x);
             }
         }
     for (LargestStresses<dim> &largest : result)
       for (auto *one : {&largest.von_mises, &largest.shear, &largest.principal})
-        over_ranks(*one, mesh.communicator());
+        reduce_over_ranks(*one, mesh.communicator());
     return result;
   }
 

@@ -8,10 +8,10 @@
 namespace Signorini
 {
   template <int dim>
-  struct ValueAtPlace
+  struct ValueAtPosition
   {
     double             value = 0;
-    dealii::Point<dim> place; ///< at rest
+    dealii::Point<dim> position; ///< at rest
   };
 
   /// Of one body, at the superconvergent points of its cells: what a cell knows best, half a cell
@@ -19,7 +19,7 @@ namespace Signorini
   template <int dim>
   struct LargestStresses
   {
-    ValueAtPlace<dim> von_mises, shear, principal; ///< (s1 - s3)/2 of Tresca; most tensile
+    ValueAtPosition<dim> von_mises, shear, principal; ///< (s1 - s3)/2 of Tresca; most tensile
   };
 
   /// Body by body. Collective.

@@ -44,7 +44,7 @@ namespace Signorini
       void
       add(const ContactPoint<dim> &point, const double v)
       {
-        for (const auto &[node, psi] : point.shape)
+        for (const auto &[node, psi] : point.multiplier_shape)
           {
             value(node) += psi * point.weight * v;
             area(node) += psi * point.weight;
@@ -74,8 +74,8 @@ namespace Signorini
 
       LA::Vector field = snapshot.elasticity.zero_vector();
       for (const auto i : snapshot.elasticity.owned())
-        // Shape functions of higher degree are negative in places: where few points have a partner,
-        // their integral may come near zero, and the mean would mean nothing.
+        // Shape functions of higher degree are negative in places: where few points have a
+        // projection, their integral may come near zero, and the mean would mean nothing.
         if (integrals.size(i) > 0 && integrals.area(i) > 1e-6 * integrals.size(i))
           field(i) = integrals.value(i) / integrals.area(i);
       field.compress(VectorOperation::insert);
@@ -87,16 +87,16 @@ namespace Signorini
 
   template <int dim>
   std::vector<unsigned int>
-  nearest_free(const SlaveFace<dim> &face, const unsigned int held)
+  nearest_free(const SlaveFace<dim> &face, const unsigned int dirichlet_node)
   {
     const unsigned int        stride = face.degree + 1;
     unsigned int              least  = numbers::invalid_unsigned_int;
     std::vector<unsigned int> result;
     for (unsigned int i = 0; i < face.nodes.size(); ++i)
-      if (!face.held[i])
+      if (!face.without_pressure[i])
         {
-          const int a                 = int(i % stride) - int(held % stride),
-                    b                 = int(i / stride) - int(held / stride);
+          const int a                 = int(i % stride) - int(dirichlet_node % stride),
+                    b                 = int(i / stride) - int(dirichlet_node / stride);
           const unsigned int distance = a * a + b * b;
           if (distance < least)
             result.clear();
@@ -111,17 +111,17 @@ namespace Signorini
 
   template <int dim>
   void
-  fill_held_nodes(const Snapshot<dim>      &s,
-                  const unsigned int        pair,
-                  const HeldNodeValue<dim> &value,
-                  LA::Vector               &field)
+  fill_dirichlet_nodes(const Snapshot<dim>            &s,
+                       const unsigned int              pair,
+                       const PrescribedNodeValue<dim> &value,
+                       LA::Vector                     &field)
   {
-    if (!s.surfaces[pair].has_held)
+    if (!s.surfaces[pair].has_dirichlet_nodes)
       return;
     LA::Vector sum = s.elasticity.zero_vector(), count = sum, free = sum;
     for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
       for (unsigned int i = 0; i < face.nodes.size(); ++i)
-        if (face.held[i])
+        if (face.without_pressure[i])
           for (const unsigned int near : nearest_free(face, i))
             {
               sum(face.nodes[i]) += value(face, i, near);
@@ -166,10 +166,10 @@ namespace Signorini
   {
     LA::Vector field = samples_nodes(snapshot.contact) ? from_nodes(snapshot, values, pair) :
                                                          from_points(snapshot, values, pair);
-    if (snapshot.surfaces[pair].has_held)
+    if (snapshot.surfaces[pair].has_dirichlet_nodes)
       {
         const LA::Vector now = snapshot.elasticity.with_ghosts(field);
-        fill_held_nodes<dim>(
+        fill_dirichlet_nodes<dim>(
           snapshot,
           pair,
           [&](const SlaveFace<dim> &face, unsigned int, const unsigned int near) {
@@ -219,9 +219,15 @@ namespace Signorini
   template std::vector<unsigned int>
   nearest_free(const SlaveFace<3> &, unsigned int);
   template void
-  fill_held_nodes(const Snapshot<2> &, unsigned int, const HeldNodeValue<2> &, LA::Vector &);
+  fill_dirichlet_nodes(const Snapshot<2> &,
+                       unsigned int,
+                       const PrescribedNodeValue<2> &,
+                       LA::Vector &);
   template void
-  fill_held_nodes(const Snapshot<3> &, unsigned int, const HeldNodeValue<3> &, LA::Vector &);
+  fill_dirichlet_nodes(const Snapshot<3> &,
+                       unsigned int,
+                       const PrescribedNodeValue<3> &,
+                       LA::Vector &);
   template types::global_dof_index
   first_row(const Snapshot<2> &, unsigned int);
   template LA::Vector

@@ -21,21 +21,21 @@ namespace Signorini
   /// numbers.
   template <int dim>
   std::vector<unsigned int>
-  nearest_free(const SlaveFace<dim> &face, unsigned int held);
+  nearest_free(const SlaveFace<dim> &face, unsigned int dirichlet_node);
 
   /// Of a node without a pressure of its own (by its number on a face), by one that is nearest.
   template <int dim>
-  using HeldNodeValue =
-    std::function<double(const SlaveFace<dim> &face, unsigned int held, unsigned int near)>;
+  using PrescribedNodeValue = std::function<
+    double(const SlaveFace<dim> &face, unsigned int dirichlet_node, unsigned int near)>;
 
   /// Sets nodes that carry no pressure on any face to the mean over faces and nearest nodes.
   /// Collective.
   template <int dim>
   void
-  fill_held_nodes(const Snapshot<dim>      &snapshot,
-                  unsigned int              pair,
-                  const HeldNodeValue<dim> &value,
-                  LA::Vector               &field);
+  fill_dirichlet_nodes(const Snapshot<dim>            &snapshot,
+                       unsigned int                    pair,
+                       const PrescribedNodeValue<dim> &value,
+                       LA::Vector                     &field);
 
   /// A quantity on the rows of the gap operator as a field on the slave surface of one pair: a
   /// vector of the layout of the displacement (without ghosts) with the value of a node at the

@@ -1,6 +1,6 @@
 #include "fields/point_values.h"
 
-#include "contact/constraints/openings.h"
+#include "contact/constraints/gap_increments.h"
 #include "fields/nodal_fields.h"
 
 namespace Signorini
@@ -26,17 +26,17 @@ namespace Signorini
     std::vector<const ContactPoint<dim> *> places;
     for (const ContactPoint<dim> &point : points)
       places.push_back(&point);
-    const std::vector<double> opened = openings(places, s.displacement);
+    const std::vector<double> opened = gap_increments(places, s.displacement);
     auto                      change = opened.begin();
     const LA::Vector          p      = s.elasticity.with_ghosts(nodal_field(s, s.pressure, pair));
     for (const ContactPoint<dim> &point : points)
       {
         const double share =
           point.gap < 0 && !s.contact.interference.empty() ? s.contact.interference[pair] : 1.;
-        const double gap      = share * point.gap + point.drift + *change++;
+        const double gap      = share * point.gap + point.gap_offset + *change++;
         double       pressure = 0;
         for (const auto &[node, value] :
-             point.interpolation.empty() ? point.shape : point.interpolation)
+             point.interpolation.empty() ? point.multiplier_shape : point.interpolation)
           pressure += value * p(node);
         values.gap.push_back(gap);
         values.pressure.push_back(pressure / point.stretch);

@@ -47,7 +47,7 @@ namespace Signorini
 
     /// A cell of this rank with its claim.
     template <int dim>
-    struct Place
+    struct CellLocation
     {
       Claim<dim> claim;
       Cell<dim>  cell;
@@ -58,7 +58,7 @@ namespace Signorini
 
     template <int dim>
     bool
-    goes_before(const Claim<dim> &a, const Claim<dim> &b)
+    takes_precedence(const Claim<dim> &a, const Claim<dim> &b)
     {
       if (a.distance != b.distance)
         return a.distance < b.distance;
@@ -73,32 +73,32 @@ namespace Signorini
 
 
     template <int dim>
-    Place<dim>
+    CellLocation<dim>
     place_in(const Mapping<dim> &mapping,
              const Cell<dim>    &cell,
              const Point<dim>   &x,
              const double        farthest)
     {
-      Place<dim> place;
+      CellLocation<dim> location;
       try
         {
           const Point<dim> unit     = mapping.transform_real_to_unit_cell(cell, x);
           const double     distance = GeometryInfo<dim>::distance_to_unit_cell(unit);
           if (distance <= farthest)
             {
-              place.cell  = cell;
-              place.unit  = GeometryInfo<dim>::project_to_unit_cell(unit);
-              place.claim = {distance <= same ? 0 : distance,
-                             cell->material_id(),
-                             cell->center(),
-                             cell->diameter()};
+              location.cell  = cell;
+              location.unit  = GeometryInfo<dim>::project_to_unit_cell(unit);
+              location.claim = {distance <= same ? 0 : distance,
+                                cell->material_id(),
+                                cell->center(),
+                                cell->diameter()};
             }
         }
       catch (const typename Mapping<dim>::ExcTransformationFailed &)
         {
           // So the point is far from the cell.
         }
-      return place;
+      return location;
     }
 
 
@@ -114,13 +114,13 @@ namespace Signorini
 
     /// The best place of each probe on this rank.
     template <int dim>
-    std::vector<Place<dim>>
+    std::vector<CellLocation<dim>>
     own_places(const Elasticity<dim>         &elasticity,
                const std::vector<Probe<dim>> &probes,
                const double                   farthest)
     {
-      const Mesh<dim>        &mesh = elasticity.mesh();
-      std::vector<Place<dim>> best(probes.size());
+      const Mesh<dim>               &mesh = elasticity.mesh();
+      std::vector<CellLocation<dim>> best(probes.size());
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
@@ -131,10 +131,10 @@ namespace Signorini
             for (unsigned int i = 0; i < probes.size(); ++i)
               if (may_be_in(probes[i], mesh.body_name(mesh.body(cell)), box))
                 {
-                  const Place<dim> place =
+                  const CellLocation<dim> location =
                     place_in<dim>(mesh.mapping(), cell, probes[i].point, farthest);
-                  if (goes_before(place.claim, best[i].claim))
-                    best[i] = place;
+                  if (takes_precedence(location.claim, best[i].claim))
+                    best[i] = location;
                 }
           }
       return best;
@@ -179,20 +179,21 @@ namespace Signorini
     /// found from face to face, so that the other side of a slit is none of them. All of them are
     /// owned by this rank or ghosts.
     template <int dim>
-    std::vector<Place<dim>>
-    cells_about(const Mapping<dim> &mapping, const Place<dim> &first, const Point<dim> &x)
+    std::vector<CellLocation<dim>>
+    cells_about(const Mapping<dim> &mapping, const CellLocation<dim> &first, const Point<dim> &x)
     {
-      std::vector<Place<dim>> places = {first};
-      std::set<Cell<dim>>     seen   = {first.cell};
-      const auto              visit  = [&](const Cell<dim> &cell) {
+      std::vector<CellLocation<dim>> locations = {first};
+      std::set<Cell<dim>>            seen      = {first.cell};
+      const auto                     visit     = [&](const Cell<dim> &cell) {
         if (!cell->is_artificial() && seen.insert(cell).second)
-          if (const Place<dim> place = place_in<dim>(mapping, cell, x, first.claim.distance + same);
-              place.claim.distance <= first.claim.distance + same)
-            places.push_back(place);
+          if (const CellLocation<dim> location =
+                place_in<dim>(mapping, cell, x, first.claim.distance + same);
+              location.claim.distance <= first.claim.distance + same)
+            locations.push_back(location);
       };
-      for (unsigned int i = 0; i < places.size(); ++i)
+      for (unsigned int i = 0; i < locations.size(); ++i)
         {
-          const Cell<dim> cell = places[i].cell;
+          const Cell<dim> cell = locations[i].cell;
           for (const unsigned int f : cell->face_indices())
             if (!cell->at_boundary(f))
               {
@@ -203,7 +204,7 @@ namespace Signorini
                     visit(cell->neighbor_child_on_subface(f, c));
               }
         }
-      return places;
+      return locations;
     }
 
 
@@ -211,27 +212,27 @@ namespace Signorini
     /// The mean over cells that share the point.
     template <int dim>
     void
-    evaluate(const Elasticity<dim>         &elasticity,
-             const LA::Vector              &displacement,
-             const std::vector<Place<dim>> &places,
-             const Point<dim>              &x,
-             Tensor<1, dim>                &u,
-             SymmetricTensor<2, 3>         &stress)
+    evaluate(const Elasticity<dim>                &elasticity,
+             const LA::Vector                     &displacement,
+             const std::vector<CellLocation<dim>> &locations,
+             const Point<dim>                     &x,
+             Tensor<1, dim>                       &u,
+             SymmetricTensor<2, 3>                &stress)
     {
-      const double share = 1. / places.size();
-      for (const Place<dim> &place : places)
+      const double share = 1. / locations.size();
+      for (const CellLocation<dim> &location : locations)
         {
           FEValues<dim> values(elasticity.mesh().mapping(),
-                               place.cell->get_fe(),
-                               Quadrature<dim>(place.unit),
+                               location.cell->get_fe(),
+                               Quadrature<dim>(location.unit),
                                update_values | update_gradients);
-          values.reinit(place.cell);
+          values.reinit(location.cell);
           std::vector<Tensor<1, dim>> us(1);
           std::vector<Tensor<2, dim>> gradients(1);
           values[FEValuesExtractors::Vector(0)].get_function_values(displacement, us);
           values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement, gradients);
           u += share * us[0];
-          stress += share * elasticity.stress(*place.cell, gradients[0], us[0], x);
+          stress += share * elasticity.stress(*location.cell, gradients[0], us[0], x);
         }
     }
 
@@ -245,7 +246,7 @@ namespace Signorini
       return std::min_element(claims.begin(),
                               claims.end(),
                               [i](const auto &a, const auto &b) {
-                                return goes_before(a[i], b[i]);
+                                return takes_precedence(a[i], b[i]);
                               }) -
              claims.begin();
     }
@@ -253,11 +254,11 @@ namespace Signorini
     /// Of each rank.
     template <int dim>
     std::vector<std::vector<Claim<dim>>>
-    all_claims(const std::vector<Place<dim>> &places, const MPI_Comm comm)
+    all_claims(const std::vector<CellLocation<dim>> &locations, const MPI_Comm comm)
     {
       std::vector<Claim<dim>> claims;
-      for (const Place<dim> &place : places)
-        claims.push_back(place.claim);
+      for (const CellLocation<dim> &location : locations)
+        claims.push_back(location.claim);
       return Utilities::MPI::all_gather(comm, claims);
     }
   } // namespace
@@ -324,10 +325,11 @@ namespace Signorini
                   const LA::Vector              &displacement,
                   const std::vector<Probe<dim>> &probes)
   {
-    const MPI_Comm                comm    = elasticity.mesh().communicator();
-    const LA::Vector              ghosted = elasticity.with_ghosts(displacement);
-    const std::vector<Place<dim>> places  = own_places(elasticity, probes, probe_tolerance);
-    const auto                    claims  = all_claims(places, comm);
+    const MPI_Comm                       comm    = elasticity.mesh().communicator();
+    const LA::Vector                     ghosted = elasticity.with_ghosts(displacement);
+    const std::vector<CellLocation<dim>> locations =
+      own_places(elasticity, probes, probe_tolerance);
+    const auto claims = all_claims(locations, comm);
 
     std::vector<ProbeValue<dim>> result(probes.size());
     for (unsigned int i = 0; i < probes.size(); ++i)
@@ -342,7 +344,7 @@ namespace Signorini
         if (rank == Utilities::MPI::this_mpi_process(comm))
           evaluate(elasticity,
                    ghosted,
-                   cells_about(elasticity.mesh().mapping(), places[i], probes[i].point),
+                   cells_about(elasticity.mesh().mapping(), locations[i], probes[i].point),
                    probes[i].point,
                    u,
                    stress);
@@ -364,27 +366,27 @@ namespace Signorini
                    const Tensor<1, dim>        &of_displacement,
                    const SymmetricTensor<2, 3> &of_stress)
   {
-    const MPI_Comm comm   = elasticity.mesh().communicator();
-    const auto     places = own_places<dim>(elasticity, {probe}, probe_tolerance);
-    const auto     claims = all_claims(places, comm);
-    const auto    &fes    = elasticity.finite_elements();
-    LA::Vector     result = elasticity.zero_vector();
+    const MPI_Comm comm      = elasticity.mesh().communicator();
+    const auto     locations = own_places<dim>(elasticity, {probe}, probe_tolerance);
+    const auto     claims    = all_claims(locations, comm);
+    const auto    &fes       = elasticity.finite_elements();
+    LA::Vector     result    = elasticity.zero_vector();
     if (winner(claims, 0) == Utilities::MPI::this_mpi_process(comm))
       {
-        const auto cells = cells_about(elasticity.mesh().mapping(), places[0], probe.point);
+        const auto cells = cells_about(elasticity.mesh().mapping(), locations[0], probe.point);
         std::vector<types::global_dof_index> indices;
         Vector<double>                       weights;
-        for (const Place<dim> &place : cells)
+        for (const CellLocation<dim> &location : cells)
           {
             FEValues<dim> values(elasticity.mesh().mapping(),
-                                 fes[place.cell->active_fe_index()],
-                                 Quadrature<dim>(place.unit),
+                                 fes[location.cell->active_fe_index()],
+                                 Quadrature<dim>(location.unit),
                                  update_values | update_gradients);
-            values.reinit(place.cell);
-            read_indices<dim>(place.cell, indices);
+            values.reinit(location.cell);
+            read_indices<dim>(location.cell, indices);
             weights.reinit(indices.size());
             const FEValuesExtractors::Vector u(0);
-            const Material &material = elasticity.material(place.cell->material_id());
+            const Material &material = elasticity.material(location.cell->material_id());
             for (unsigned int i = 0; i < indices.size(); ++i)
               {
                 const auto eps = strain(elasticity.model(),

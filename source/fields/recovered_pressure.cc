@@ -1,8 +1,8 @@
 #include "fields/recovered_pressure.h"
 
 #include "fields/face_vertices.h"
-#include "fields/held_pressure.h"
 #include "fields/nodal_fields.h"
+#include "fields/pressure_at_dirichlet_nodes.h"
 #include "fields/surface_gradient.h"
 #include "fields/surface_stretch.h"
 #include "geometry/lagrange.h"
@@ -53,7 +53,7 @@ namespace Signorini
                   part_area(vertices[f][c]) += w;
                 for (unsigned int d = 0; d < dim; ++d)
                   offset[d](vertices[f][c]) +=
-                    w * (point.slave_place[d] - Vertices::position(face, c)[d]);
+                    w * (point.slave_force_point[d] - Vertices::position(face, c)[d]);
               }
           }
         area.compress(VectorOperation::add);
@@ -403,7 +403,7 @@ namespace Signorini
     result               = Utilities::MPI::max(degree, s.elasticity.mesh().communicator()) < 2 ?
                              raw :
                              Recovery<dim>(s, pair).run();
-    extrapolate_to_held_nodes(s, pair, raw, result);
+    extrapolate_to_dirichlet_nodes(s, pair, raw, result);
     to_present_areas(s, pair, result);
     return result;
   }

@@ -23,7 +23,7 @@ namespace Signorini
   {
     /// The place of a surface that is closest to a point.
     template <int dim>
-    struct Foot
+    struct SurfaceProjection
     {
       double         distance = std::numeric_limits<double>::infinity();
       double         beside   = 0; ///< in allowed offsets along the face
@@ -33,10 +33,10 @@ namespace Signorini
     };
 
     template <int dim>
-    Foot<dim>
+    SurfaceProjection<dim>
     closest(const BoundaryFaces<dim> &faces, const Point<dim> &x, const double tolerance)
     {
-      Foot<dim> best;
+      SurfaceProjection<dim> best;
       for (unsigned int f = 0; f < faces.rest.size(); ++f)
         {
           const FacePatch<dim> &patch = faces.rest[f];
@@ -54,15 +54,15 @@ namespace Signorini
 
     /// Of each point, on the rank that has it; on the others they are far away.
     template <int dim>
-    std::vector<Foot<dim>>
-    feet(const BoundaryFaces<dim>      &faces,
-         const std::vector<Point<dim>> &points,
-         const double                   tolerance,
-         const std::string             &which,
-         const MPI_Comm                 comm)
+    std::vector<SurfaceProjection<dim>>
+    project_points(const BoundaryFaces<dim>      &faces,
+                   const std::vector<Point<dim>> &points,
+                   const double                   tolerance,
+                   const std::string             &which,
+                   const MPI_Comm                 comm)
     {
-      std::vector<Foot<dim>> own;
-      std::vector<double>    distances;
+      std::vector<SurfaceProjection<dim>> own;
+      std::vector<double>                 distances;
       for (const Point<dim> &x : points)
         {
           own.push_back(closest(faces, x, tolerance));
@@ -76,7 +76,7 @@ namespace Signorini
           const auto best =
             std::min_element(all.begin(), all.end(), [i](auto &a, auto &b) { return a[i] < b[i]; });
           if (rank != best - all.begin())
-            own[i] = Foot<dim>();
+            own[i] = SurfaceProjection<dim>();
           else if (own[i].beside > 1)
             lost = std::min(lost, i);
         }
@@ -98,11 +98,11 @@ namespace Signorini
                    const double                   tolerance,
                    const std::string             &which)
   {
-    feet(BoundaryFaces<dim>(elasticity, boundary),
-         points,
-         tolerance,
-         which,
-         elasticity.mesh().communicator());
+    project_points(BoundaryFaces<dim>(elasticity, boundary),
+                   points,
+                   tolerance,
+                   which,
+                   elasticity.mesh().communicator());
   }
 
 
@@ -117,7 +117,7 @@ namespace Signorini
     const Elasticity<dim>   &elasticity = s.elasticity;
     const MPI_Comm           comm       = elasticity.mesh().communicator();
     const BoundaryFaces<dim> faces(elasticity, s.pairs[pair].slave);
-    const auto               own      = feet(faces, points, probe_tolerance, which, comm);
+    const auto               own      = project_points(faces, points, probe_tolerance, which, comm);
     const LA::Vector         pressure = elasticity.with_ghosts(recovered_pressure(s, pair)),
                      gap              = elasticity.with_ghosts(nodal_field(s, s.gap, pair)),
                      coverage         = elasticity.with_ghosts(nodal_coverage(s, pair)),

@@ -10,7 +10,7 @@ namespace Signorini
   void
   to_present_areas(const Snapshot<dim> &s, const unsigned int pair, LA::Vector &pressure)
   {
-    if (!s.elasticity.is_finite())
+    if (!s.elasticity.is_finite_strain())
       return;
     const ContactSurface<dim> &surface = s.surfaces[pair];
     LA::Vector                 rest = s.elasticity.zero_vector(), now = rest;

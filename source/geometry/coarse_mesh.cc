@@ -15,7 +15,7 @@ namespace Signorini
     /// Boundary faces stay, as do interior objects that have a manifold; the rest says nothing.
     template <typename Object>
     void
-    keep_what_matters(std::vector<Object> &objects, const bool are_faces)
+    strip_settings(std::vector<Object> &objects, const bool are_faces)
     {
       // In 3D, the boundary id of a line means nothing to us, and "none" never contradicts.
       if (!are_faces)
@@ -58,8 +58,8 @@ namespace Signorini
     mesh.names_of_ids = names_of_ids;
     std::tie(mesh.vertices, mesh.cells, mesh.faces) =
       GridTools::get_coarse_mesh_description(triangulation);
-    keep_what_matters(mesh.faces.boundary_lines, dim == 2);
-    keep_what_matters(mesh.faces.boundary_quads, dim == 3);
+    strip_settings(mesh.faces.boundary_lines, dim == 2);
+    strip_settings(mesh.faces.boundary_quads, dim == 3);
     if (dim == 2)
       check_names(mesh.faces.boundary_lines, mesh.n_boundary_ids());
     else

@@ -28,7 +28,7 @@ namespace Signorini
 
     /// Collective. Inside out if there are no points: then nothing is its neighbour.
     dealii::BoundingBox<dim>
-    over_ranks(const MPI_Comm comm) const
+    reduce_over_ranks(const MPI_Comm comm) const
     {
       std::vector<double> all(2 * dim);
       dealii::Utilities::MPI::max(bounds, comm, all);

@@ -16,7 +16,7 @@ namespace Signorini
     {
       /// A matrix has no importer where all columns are local; the one made here then only copies.
       std::unique_ptr<Epetra_Import>
-      missing_importer(const Epetra_CrsMatrix &matrix)
+      throw_without_importer(const Epetra_CrsMatrix &matrix)
       {
         return matrix.Importer() ?
                  nullptr :
@@ -52,7 +52,7 @@ namespace Signorini
 
 
     ColumnExchange::ColumnExchange(const SparseMatrix &matrix)
-      : own(missing_importer(matrix.trilinos_matrix()))
+      : own(throw_without_importer(matrix.trilinos_matrix()))
       , columns(own ? *own : *matrix.trilinos_matrix().Importer())
       , buffer(std::make_unique<Epetra_Vector>(matrix.trilinos_matrix().ColMap()))
     {}

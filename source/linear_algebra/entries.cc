@@ -12,7 +12,7 @@ namespace Signorini
   namespace LA
   {
     std::size_t
-    memory(const SparseMatrix &matrix)
+    memory_consumption(const SparseMatrix &matrix)
     {
       return matrix.trilinos_matrix().NumMyNonzeros() * (sizeof(double) + sizeof(int));
     }

@@ -15,7 +15,7 @@ namespace Signorini
   {
     /// Bytes of the entries on this rank.
     std::size_t
-    memory(const SparseMatrix &matrix);
+    memory_consumption(const SparseMatrix &matrix);
 
     /// Add to an entry that is there. Throws if it is not.
     /// @param row counts those of this rank

@@ -10,8 +10,8 @@ namespace Signorini
   namespace LA
   {
     /// Between the elements of a distributed vector that this rank owns, one after the other, and
-    /// copies of those of other ranks that it needs, behind them. All but place() and dof() is
-    /// collective.
+    /// copies of those of other ranks that it needs, behind them. All but local_index() and dof()
+    /// is collective.
     template <typename Number>
     class GhostExchange
     {
@@ -37,15 +37,15 @@ namespace Signorini
 
       /// Of an element that this rank owns or needs.
       std::uint32_t
-      place(const dealii::types::global_dof_index dof) const
+      local_index(const dealii::types::global_dof_index dof) const
       {
         return partition.global_to_local(dof);
       }
 
       dealii::types::global_dof_index
-      dof(const std::uint32_t place) const
+      dof(const std::uint32_t local_index) const
       {
-        return partition.local_to_global(place);
+        return partition.local_to_global(local_index);
       }
 
       void

@@ -36,7 +36,7 @@ namespace Signorini
       , exchange(A.locally_owned_domain_indices(), ghosts_of(A), A.get_mpi_communicator())
     {
       for (const auto column : global_columns(A))
-        places.push_back(exchange.place(column));
+        places.push_back(exchange.local_index(column));
       columns.resize(places.size());
       ghosts.resize(exchange.n_ghosts());
     }

@@ -32,15 +32,15 @@ namespace Signorini
       }
 
       std::size_t
-      place(const Index dof) const
+      local_index(const Index dof) const
       {
         return dof - first;
       }
 
       Index
-      dof(const std::size_t place) const
+      dof(const std::size_t local_index) const
       {
-        return first + place;
+        return first + local_index;
       }
 
     private:

@@ -4,16 +4,16 @@
 
 namespace Signorini
 {
-  /// A stored energy W(C) of the right Cauchy-Green tensor C = F^T F, thesis (7), isotropic and
-  /// free of stress at rest, with its derivatives: S = 2 dW/dC. It remembers nothing.
+  /// A stored energy W(C) of the right Cauchy-Green tensor C = F^T F (doc/theory, 6.1), isotropic
+  /// and free of stress at rest, with its derivatives: S = 2 dW/dC. It remembers nothing.
   class Hyperelastic : public ConstitutiveLaw
   {
   public:
     virtual ConstitutiveResponse
-    at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const = 0;
+    at(const dealii::SymmetricTensor<2, 3> &C, ResponseOrder wanted) const = 0;
 
     ConstitutiveResponse
-    response(const ConstitutiveInput &in, const UpTo wanted) const override
+    response(const ConstitutiveInput &in, const ResponseOrder wanted) const override
     {
       return at(in.C, wanted);
     }

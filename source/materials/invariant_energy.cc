@@ -12,7 +12,7 @@ namespace Signorini
   // d2I2/dC2 = I x I - 1, d2J/dC2 = J/4 C^-1 x C^-1 - J/2 P, where -P is the derivative of C^-1,
   // P_ijkl = (A_ik A_jl + A_il A_jk)/2 with A = C^-1. In components, see SymmetricPairs.
   ConstitutiveResponse
-  InvariantEnergy::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
+  InvariantEnergy::at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const
   {
     using Pairs          = SymmetricPairs;
     const double      I1 = trace(C), I2 = 0.5 * (I1 * I1 - C * C), J = std::sqrt(determinant(C));
@@ -25,7 +25,7 @@ namespace Signorini
     for (unsigned int a = 0; a < 3; ++a)
       state.stress += 2 * w.first[a] * of_C[a];
 
-    if (wanted == UpTo::stress)
+    if (wanted == ResponseOrder::stress)
       return state;
 
     const std::array<Pairs::Values, 3> by = {

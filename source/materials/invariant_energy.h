@@ -18,7 +18,7 @@ namespace Signorini
     };
 
     ConstitutiveResponse
-    at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const override;
+    at(const dealii::SymmetricTensor<2, 3> &C, ResponseOrder wanted) const override;
 
   protected:
     virtual Derivatives

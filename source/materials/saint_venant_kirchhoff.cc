@@ -12,13 +12,13 @@ namespace Signorini
 
 
   ConstitutiveResponse
-  SaintVenantKirchhoff::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
+  SaintVenantKirchhoff::at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const
   {
     const SymmetricTensor<2, 3> one = unit_symmetric_tensor<3>(), strain = 0.5 * (C - one);
     ConstitutiveResponse        state;
     state.stress = lambda * trace(strain) * one + 2 * mu * strain;
     state.energy = 0.5 * (state.stress * strain);
-    if (wanted == UpTo::tangent)
+    if (wanted == ResponseOrder::tangent)
       state.tangent = lambda * outer_product(one, one) + 2 * mu * identity_tensor<3>();
     return state;
   }

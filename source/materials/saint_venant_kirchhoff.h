@@ -12,7 +12,7 @@ namespace Signorini
     SaintVenantKirchhoff(double lambda, double mu);
 
     ConstitutiveResponse
-    at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const override;
+    at(const dealii::SymmetricTensor<2, 3> &C, ResponseOrder wanted) const override;
 
   private:
     const double lambda, mu;

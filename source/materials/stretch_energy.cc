@@ -14,7 +14,7 @@ namespace Signorini
   // 2 (s_b - s_a)/(c_b - c_a), whose limit for equal ones is half the difference of the former
   // (Simo and Taylor, Comput. Methods Appl. Mech. Engrg. 85 (1991) 273).
   ConstitutiveResponse
-  StretchEnergy::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
+  StretchEnergy::at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const
   {
     using Pairs = SymmetricPairs;
     // Below, the quotient has lost as many digits as the limit has wrong, which is of second order.
@@ -44,7 +44,7 @@ namespace Signorini
         product[a]                          = Pairs::of(of_axis);
         state.stress += s[a] * of_axis;
       }
-    if (wanted == UpTo::stress)
+    if (wanted == ResponseOrder::stress)
       return state;
     std::array<Pairs::Values, Pairs::size> tangent{};
     const auto                             add =

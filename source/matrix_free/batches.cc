@@ -24,11 +24,11 @@ namespace Signorini
       for (unsigned int i = 0; i < n * n * n; ++i)
         for (unsigned int c = 0; c < 3; ++c)
           {
-            const unsigned int at[3]    = {i % n, i / n % n, i / (n * n)};
-            double             foretold = points[c];
+            const unsigned int at[3]              = {i % n, i / n % n, i / (n * n)};
+            double             extrapolated_point = points[c];
             for (unsigned int d = 0; d < 3; ++d)
-              foretold += (far[d][c] - points[c]) * at[d] / degree;
-            if (std::abs(points[3 * i + c] - foretold) > rounding * size)
+              extrapolated_point += (far[d][c] - points[c]) * at[d] / degree;
+            if (std::abs(points[3 * i + c] - extrapolated_point) > rounding * size)
               return false;
           }
       return true;
@@ -74,10 +74,10 @@ namespace Signorini
       return;
     my_geometry.resize(n_batches == n_affine ? first_of(n_affine - 1, 0) + 10 * width :
                                                first_of(n_batches - 1, n_nodes - 1) + 10 * width);
-    for (std::size_t place = 0; place < order.size(); ++place)
+    for (std::size_t slot = 0; slot < order.size(); ++slot)
       {
-        const std::size_t cell = order[place], batch = place / width, w = place % width;
-        my_fills[place]                            = is_real[place] ? 1 : 0;
+        const std::size_t cell = order[slot], batch = slot / width, w = slot % width;
+        my_fills[slot]                             = is_real[slot] ? 1 : 0;
         my_material[batch * 2 * width + w]         = cells.lambda[cell];
         my_material[batch * 2 * width + width + w] = cells.mu[cell];
         for (std::size_t i = 0; i < n_nodes; ++i)
@@ -89,7 +89,7 @@ namespace Signorini
 
   template <typename Number>
   std::size_t
-  Batches<Number>::memory() const
+  Batches<Number>::memory_consumption() const
   {
     return my_nodes.size() * sizeof(std::uint32_t) +
            (my_geometry.size() + my_material.size() + my_fills.size()) * sizeof(Number);

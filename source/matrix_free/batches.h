@@ -78,7 +78,7 @@ namespace Signorini
 
     /// Geometry is set.
     void
-    forget_points()
+    drop_points()
     {
       my_cells = nullptr;
       order.clear();
@@ -86,7 +86,7 @@ namespace Signorini
     }
 
     std::size_t
-    memory() const;
+    memory_consumption() const;
 
   private:
     std::size_t

@@ -56,7 +56,7 @@ namespace Signorini
       {
         for (std::size_t b = 0; b < batches.size(); ++b)
           set_geometry(b);
-        batches.forget_points();
+        batches.drop_points();
       }
 
     private:
@@ -309,7 +309,7 @@ namespace Signorini
   {
     if (cells.has_tangents())
       return make_tangent_kernel<double>(cells, instruction_set);
-    const OnlySet only(instruction_set);
+    const ForcedInstructionSet only(instruction_set);
     return HWY_DYNAMIC_DISPATCH(make_double)(cells);
   }
 
@@ -321,7 +321,7 @@ namespace Signorini
   {
     if (cells.has_tangents())
       return make_tangent_kernel<float>(cells, instruction_set);
-    const OnlySet only(instruction_set);
+    const ForcedInstructionSet only(instruction_set);
     return HWY_DYNAMIC_DISPATCH(make_float)(cells);
   }
 } // namespace Signorini

@@ -83,6 +83,6 @@ namespace Signorini
 
     /// Bytes.
     virtual std::size_t
-    memory() const = 0;
+    memory_consumption() const = 0;
   };
 } // namespace Signorini

@@ -44,22 +44,22 @@ namespace Signorini
       const KernelTables<Number, degree>        tables;
       static constexpr Legendre<Number, degree> legendre{};
 
-      /// @param place [node][cell]
+      /// @param slot [node][cell]
       static HWY_INLINE void
-      gather(const std::uint32_t *place, const Number *HWY_RESTRICT src, Values &u)
+      gather(const std::uint32_t *slot, const Number *HWY_RESTRICT src, Values &u)
       {
 #if HWY_TARGET != HWY_SCALAR
         if constexpr (std::is_same<Number, float>::value)
           {
             for (int i = 0; i < n_nodes; ++i)
-              gather_nodes(place + i * W, src, u.of[0][i], u.of[1][i], u.of[2][i]);
+              gather_nodes(slot + i * W, src, u.of[0][i], u.of[1][i], u.of[2][i]);
             return;
           }
 #endif
         for (int i = 0; i < n_nodes; ++i)
           for (int w = 0; w < W; ++w)
             {
-              const Number *at = src + place[i * W + w];
+              const Number *at = src + slot[i * W + w];
               u.of[0][i][w]    = at[0];
               u.of[1][i][w]    = at[1];
               u.of[2][i][w]    = at[2];
@@ -68,12 +68,12 @@ namespace Signorini
 
       // Cells that only fill a batch have no weight: they add nothing.
       static HWY_INLINE void
-      scatter(const std::uint32_t *place, const Values &u, Number *HWY_RESTRICT dst)
+      scatter(const std::uint32_t *slot, const Values &u, Number *HWY_RESTRICT dst)
       {
         for (int i = 0; i < n_nodes; ++i)
           for (int w = 0; w < W; ++w)
             {
-              Number *at = dst + place[i * W + w];
+              Number *at = dst + slot[i * W + w];
               at[0] += u.of[0][i][w];
               at[1] += u.of[1][i][w];
               at[2] += u.of[2][i][w];
@@ -82,13 +82,13 @@ namespace Signorini
 
       /// Elements of dst become at least as large as what their cells have.
       static void
-      enlarge(const std::uint32_t *place, const V value, Number *dst)
+      enlarge(const std::uint32_t *slot, const V value, Number *dst)
       {
         alignas(64) Number largest[W];
         store(value, largest);
         for (int k = 0; k < n_nodes * W; ++k)
           for (int c = 0; c < 3; ++c)
-            dst[place[k] + c] = HWY_MAX(dst[place[k] + c], largest[k % W]);
+            dst[slot[k] + c] = HWY_MAX(dst[slot[k] + c], largest[k % W]);
       }
 
       /// By unit coordinates.
@@ -314,9 +314,9 @@ namespace Signorini
       }
 
       std::size_t
-      memory() const override
+      memory_consumption() const override
       {
-        return derived().batches.memory();
+        return derived().batches.memory_consumption();
       }
 
     private:

@@ -24,7 +24,7 @@ namespace Signorini
     make_kernel(KernelCells cells, const LocalVectors<Number> &vectors)
     {
       for (std::uint32_t &node : cells.nodes)
-        node = vectors.place(node);
+        node = vectors.local_index(node);
       return CellKernel<Number>::create(cells);
     }
   } // namespace
@@ -89,7 +89,7 @@ namespace Signorini
 
   template <typename Number>
   std::vector<Number>
-  CellOperator<Number>::row_sizes() const
+  CellOperator<Number>::row_l1_norms() const
   {
     Number *const largest = vectors.zero();
     for (const auto &kernel : kernels)

@@ -34,7 +34,7 @@ namespace Signorini
 
     /// From the eigenvalues of cells.
     std::vector<Number>
-    row_sizes() const override;
+    row_l1_norms() const override;
 
     dealii::IndexSet
     owned() const override

@@ -24,7 +24,7 @@ namespace Signorini
     diagonal() const override;
 
     const StiffnessOperator<float> &
-    rounded() const override
+    single_precision() const override
     {
       return *in_single_precision;
     }

@@ -42,7 +42,7 @@ namespace Signorini
 
 
 
-  OnlySet::OnlySet(const std::string &asked_for)
+  ForcedInstructionSet::ForcedInstructionSet(const std::string &asked_for)
   {
     const std::string name = asked_for.empty() ? set_of_environment() : asked_for;
     if (!name.empty())
@@ -53,7 +53,7 @@ namespace Signorini
 
 
 
-  OnlySet::~OnlySet()
+  ForcedInstructionSet::~ForcedInstructionSet()
   {
     hwy::SetSupportedTargetsForTest(0);
   }

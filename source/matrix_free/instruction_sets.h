@@ -12,13 +12,13 @@ namespace Signorini
   /// Highway's choice, narrowed to one set while there is such an object: that of a name, or of the
   /// environment's SIGNORINI_INSTRUCTION_SET; the best one if both are empty. Throws SceneError if
   /// there is no such set.
-  class OnlySet
+  class ForcedInstructionSet
   {
   public:
-    explicit OnlySet(const std::string &asked_for);
+    explicit ForcedInstructionSet(const std::string &asked_for);
 
-    OnlySet(const OnlySet &) = delete;
+    ForcedInstructionSet(const ForcedInstructionSet &) = delete;
 
-    ~OnlySet();
+    ~ForcedInstructionSet();
   };
 } // namespace Signorini

@@ -54,26 +54,26 @@ namespace Signorini
     /// one vector, the second in the next.
     template <typename D, int n_blocks = hn::MaxLanes(D()) / 4>
     HWY_INLINE hn::Vec<D>
-               load_blocks(const D d, const std::uint32_t *place, const float *from)
+               load_blocks(const D d, const std::uint32_t *slot, const float *from)
     {
       if constexpr (n_blocks == 1)
-        return hn::LoadU(d, from + place[0]);
+        return hn::LoadU(d, from + slot[0]);
       else
         {
           const hn::Half<D> half;
           return hn::Combine(d,
-                             load_blocks(half, place + 2 * n_blocks, from),
-                             load_blocks(half, place, from));
+                             load_blocks(half, slot + 2 * n_blocks, from),
+                             load_blocks(half, slot, from));
         }
     }
 
     /// The components x, y, z of nodes whose first numbers stand at places. Reads one number more.
     HWY_INLINE void
-    gather_nodes(const std::uint32_t *place, const float *from, float *x, float *y, float *z)
+    gather_nodes(const std::uint32_t *slot, const float *from, float *x, float *y, float *z)
     {
       const Tag<float>   d;
-      const Lanes<float> v0 = load_blocks(d, place, from), v1 = load_blocks(d, place + 1, from),
-                         v2 = load_blocks(d, place + 2, from), v3 = load_blocks(d, place + 3, from);
+      const Lanes<float> v0 = load_blocks(d, slot, from), v1 = load_blocks(d, slot + 1, from),
+                         v2 = load_blocks(d, slot + 2, from), v3 = load_blocks(d, slot + 3, from);
       const Lanes<float> xy02 = hn::InterleaveLower(d, v0, v2),
                          xy13 = hn::InterleaveLower(d, v1, v3),
                          zw02 = hn::InterleaveUpper(d, v0, v2),

@@ -20,7 +20,7 @@ namespace Signorini
       for (const auto *list : lists)
         for (const types::global_dof_index node : *list)
           if (own.has(node))
-            is_there[own.place(node)] = true;
+            is_there[own.local_index(node)] = true;
           else
             nodes.push_back(node);
       for (std::size_t i = 0; i < is_there.size(); ++i)
@@ -75,7 +75,7 @@ namespace Signorini
     std::vector<std::pair<std::uint32_t, types::global_dof_index>> lines;
     for (const auto dof : touched)
       if (constraints.is_constrained(dof))
-        lines.emplace_back(place(dof), dof);
+        lines.emplace_back(local_index(dof), dof);
     std::sort(lines.begin(), lines.end());
     for (const auto &[at, dof] : lines)
       {
@@ -85,7 +85,7 @@ namespace Signorini
         first.push_back(elements.size());
         for (const auto &entry : *constraints.get_constraint_entries(dof))
           {
-            elements.push_back(place(entry.first));
+            elements.push_back(local_index(entry.first));
             weights.push_back(entry.second);
           }
       }

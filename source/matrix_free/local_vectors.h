@@ -29,22 +29,22 @@ namespace Signorini
 
     /// Where a degree of freedom is in the arrays.
     std::uint32_t
-    place(const dealii::types::global_dof_index dof) const
+    local_index(const dealii::types::global_dof_index dof) const
     {
-      return exchange->place(dof);
+      return exchange->local_index(dof);
     }
 
-    /// The inverse of place().
+    /// The inverse of local_index().
     dealii::types::global_dof_index
-    dof(const std::uint32_t place) const
+    dof(const std::uint32_t local_index) const
     {
-      return exchange->dof(place);
+      return exchange->dof(local_index);
     }
 
     /// Calls act(degree of freedom, weight) for what the element of C u at a place is the sum of.
     template <typename Action>
     void
-    for_each_element(std::uint32_t place, const Action &act) const;
+    for_each_element(std::uint32_t local_index, const Action &act) const;
 
     /// The array of C u with the elements of u that this rank owns; constrained ones do not count.
     /// Collective. Valid, as the other one, until the next call. One more element may be read.
@@ -94,11 +94,11 @@ namespace Signorini
   template <typename Number>
   template <typename Action>
   void
-  LocalVectors<Number>::for_each_element(const std::uint32_t place, const Action &act) const
+  LocalVectors<Number>::for_each_element(const std::uint32_t local_index, const Action &act) const
   {
-    const auto line = std::lower_bound(constrained.begin(), constrained.end(), place);
-    if (line == constrained.end() || *line != place)
-      return act(dof(place), 1.);
+    const auto line = std::lower_bound(constrained.begin(), constrained.end(), local_index);
+    if (line == constrained.end() || *line != local_index)
+      return act(dof(local_index), 1.);
     const std::size_t k = line - constrained.begin();
     for (std::uint32_t e = first[k]; e < first[k + 1]; ++e)
       act(dof(elements[e]), weights[e]);

@@ -28,7 +28,7 @@ namespace Signorini
   {
     const auto &triangulation = elasticity.mesh().triangulation();
     const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
-                             !(elasticity.is_finite() && has_pressures(elasticity)),
+                             !(elasticity.is_finite_strain() && has_pressures(elasticity)),
                has_levels =
                  elasticity.degree() > 1 || triangulation.n_global_levels() > 1 || is_to_be_refined;
     if (wanted == StiffnessForm::matrix_free && !is_possible)

@@ -12,13 +12,13 @@ namespace Signorini
     , my_nodes(n_batches * n_nodes * width)
     , my_tangents(n_batches * n_points * n_tangent_numbers * width, 0.f)
   {
-    for (std::size_t place = 0; place < n_batches * width; ++place)
+    for (std::size_t slot = 0; slot < n_batches * width; ++slot)
       {
-        const std::size_t cell  = std::min<std::size_t>(place, cells.size() - 1),
-                          batch = place / width, w = place % width;
+        const std::size_t cell  = std::min<std::size_t>(slot, cells.size() - 1),
+                          batch = slot / width, w = slot % width;
         for (std::size_t i = 0; i < n_nodes; ++i)
           my_nodes[(batch * n_nodes + i) * width + w] = cells.nodes[cell * n_nodes + i];
-        if (cell == place)
+        if (cell == slot)
           for (std::size_t q = 0; q < n_points; ++q)
             for (std::size_t k = 0; k < n_tangent_numbers; ++k)
               my_tangents[((batch * n_points + q) * n_tangent_numbers + k) * width + w] =

@@ -33,7 +33,7 @@ namespace Signorini
     }
 
     std::size_t
-    memory() const
+    memory_consumption() const
     {
       return my_nodes.size() * sizeof(std::uint32_t) + my_tangents.size() * sizeof(float);
     }

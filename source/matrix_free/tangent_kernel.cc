@@ -23,7 +23,7 @@ namespace Signorini
 
     template <typename Number>
     HWY_INLINE Lanes<Number>
-               load_rounded(const float *from)
+               load_single_precision(const float *from)
     {
       if constexpr (std::is_same<Number, float>::value)
         return load(from);
@@ -105,8 +105,8 @@ namespace Signorini
                 V sum = hn::Zero(Tag<Number>());
                 for (int m = 0; m < 9; ++m)
                   if (i[m % 3] < degree)
-                    sum = hn::MulAdd(load_rounded<Number>(modes.tangent +
-                                                          tangent_number(3 * c + d, m) * W),
+                    sum = hn::MulAdd(load_single_precision<Number>(
+                                       modes.tangent + tangent_number(3 * c + d, m) * W),
                                      G[m],
                                      sum);
                 Number *f = modes.f.of[c][T + stride[d]];
@@ -124,8 +124,8 @@ namespace Signorini
               V sum = hn::Zero(Tag<Number>());
               for (int d = 0; d < 3; ++d)
                 for (int e = 0; e < 3; ++e)
-                  sum = hn::MulAdd(load_rounded<Number>(tangent +
-                                                        tangent_number(3 * c + d, 3 * c + e) * W),
+                  sum = hn::MulAdd(load_single_precision<Number>(
+                                     tangent + tangent_number(3 * c + d, 3 * c + e) * W),
                                    all(products[i][d][e]),
                                    sum);
               store(sum, diagonal.of[c][i]);
@@ -174,7 +174,9 @@ namespace Signorini
                 V sum = hn::Zero(Tag<Number>());
                 for (int k = 0; k < 9; ++k)
                   sum =
-                    hn::MulAdd(load_rounded<Number>(tangent + tangent_number(m, k) * W), G[k], sum);
+                    hn::MulAdd(load_single_precision<Number>(tangent + tangent_number(m, k) * W),
+                               G[k],
+                               sum);
                 store(sum, g.of[m / 3][m % 3][q]);
               }
           }
@@ -195,7 +197,7 @@ namespace Signorini
                 for (int c = 0; c < 3; ++c)
                   for (int d = 0; d < 3; ++d)
                     for (int e = 0; e < 3; ++e)
-                      sum[c] = hn::MulAdd(load_rounded<Number>(
+                      sum[c] = hn::MulAdd(load_single_precision<Number>(
                                             tangent + tangent_number(3 * c + d, 3 * c + e) * W),
                                           all(gradient[d] * gradient[e]),
                                           sum[c]);
@@ -256,7 +258,7 @@ namespace Signorini
   std::unique_ptr<CellKernel<double>>
   make_tangent_kernel(const KernelCells &cells, const std::string &instruction_set)
   {
-    const OnlySet only(instruction_set);
+    const ForcedInstructionSet only(instruction_set);
     return HWY_DYNAMIC_DISPATCH(make_double_tangents)(cells);
   }
 
@@ -266,7 +268,7 @@ namespace Signorini
   std::unique_ptr<CellKernel<float>>
   make_tangent_kernel(const KernelCells &cells, const std::string &instruction_set)
   {
-    const OnlySet only(instruction_set);
+    const ForcedInstructionSet only(instruction_set);
     return HWY_DYNAMIC_DISPATCH(make_float_tangents)(cells);
   }
 } // namespace Signorini

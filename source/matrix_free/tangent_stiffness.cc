@@ -59,7 +59,7 @@ namespace Signorini
   void
   TangentStiffness::update()
   {
-    place                = std::move(next);
+    linearisation_point  = std::move(next);
     space.diagonal_terms = elasticity.diagonal_terms();
     set(in_double_precision, space);
 
@@ -96,7 +96,7 @@ namespace Signorini
     Vector<double> values, forces;
     elasticity.assembly().assemble(K, takes, [&](const Cell &cell, FullMatrix<double> &tangent) {
       values.reinit(cell->get_fe().n_dofs_per_cell());
-      cell->get_dof_values(place, values);
+      cell->get_dof_values(linearisation_point, values);
       kernel.assemble(cell, elasticity.material(cell->material_id()), values, forces, &tangent);
     });
   }

@@ -19,7 +19,7 @@ namespace Signorini
 
     /// The tangents of the points at u. Returns the name of a body of which cells of this rank are
     /// folded there: then nothing has changed, and all ranks are to be told. Empty: none.
-    /// @param u with ghosts, obeys constraints
+    /// @param u with ghosts, satisfies the constraints
     std::string
     evaluate(const LA::Vector &u);
 
@@ -39,9 +39,9 @@ namespace Signorini
 
   private:
     DeformationKernel<3> &kernel;
-    CellSpace             space; ///< its tangents are there in between only
-    LA::Vector            next;  ///< where it was evaluated
-    LA::Vector            place; ///< where it is linearised
+    CellSpace             space;               ///< its tangents are there in between only
+    LA::Vector            next;                ///< where it was evaluated
+    LA::Vector            linearisation_point; ///< where it is linearised
     CellTangents          means;
   };
 } // namespace Signorini

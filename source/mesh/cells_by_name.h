@@ -58,15 +58,17 @@ namespace Signorini
   /// tell it to the rank that hash_of() the name says, and that one is asked. Collective.
   template <typename Name, typename T>
   std::map<Name, T>
-  look_up(const std::map<Name, T> &known, const std::vector<Name> &wanted, const MPI_Comm comm)
+  gather_values(const std::map<Name, T> &known,
+                const std::vector<Name> &wanted,
+                const MPI_Comm           comm)
   {
     using Entry        = std::pair<Name, T>;
     const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
-    std::map<unsigned int, std::vector<Entry>> told;
+    std::map<unsigned int, std::vector<Entry>> entries_by_rank;
     for (const auto &entry : known)
-      told[hash_of(entry.first) % n_ranks].emplace_back(entry);
+      entries_by_rank[hash_of(entry.first) % n_ranks].emplace_back(entry);
     std::map<Name, T> directory;
-    for (const auto &[rank, entries] : dealii::Utilities::MPI::some_to_some(comm, told))
+    for (const auto &[rank, entries] : dealii::Utilities::MPI::some_to_some(comm, entries_by_rank))
       directory.insert(entries.begin(), entries.end());
 
     std::map<unsigned int, std::vector<Name>> asked;

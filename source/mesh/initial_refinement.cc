@@ -85,12 +85,12 @@ namespace Signorini
     /// Of the vertices and the centre of a cell, how many are in a zone?
     template <int dim>
     unsigned int
-    places_within(const RefinementZone<dim>                               &zone,
+    places_within(const RefinementRegion<dim>                             &region,
                   const typename Triangulation<dim>::active_cell_iterator &cell)
     {
-      unsigned int n = zone.where.value(cell->center()) > 0 ? 1 : 0;
+      unsigned int n = region.where.value(cell->center()) > 0 ? 1 : 0;
       for (const unsigned int v : cell->vertex_indices())
-        n += zone.where.value(cell->vertex(v)) > 0 ? 1 : 0;
+        n += region.where.value(cell->vertex(v)) > 0 ? 1 : 0;
       return n;
     }
   } // namespace
@@ -133,18 +133,18 @@ namespace Signorini
         return false;
       });
 
-    for (const RefinementZone<dim> &zone : settings.zones)
+    for (const RefinementRegion<dim> &region : settings.refinement_regions)
       refine_where(
         triangulation,
-        zone.times,
+        region.times,
         // All children of a cell that lies within are wanted next, at least one of others.
         [&](const auto &cell) {
-          return places_within<dim>(zone, cell) > cell->n_vertices() ? children : 1.;
+          return places_within<dim>(region, cell) > cell->n_vertices() ? children : 1.;
         },
         [&](const auto &cell, auto) {
-          return places_within<dim>(zone, cell) > 0 &&
-                 (zone.bodies.empty() ||
-                  std::count(zone.bodies.begin(), zone.bodies.end(), names[body(cell)]));
+          return places_within<dim>(region, cell) > 0 &&
+                 (region.bodies.empty() ||
+                  std::count(region.bodies.begin(), region.bodies.end(), names[body(cell)]));
         });
   }
 

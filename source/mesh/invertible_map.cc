@@ -14,7 +14,7 @@ namespace Signorini
   {
     template <int dim>
     bool
-    is_finite(const Tensor<1, dim> &v)
+    has_finite_components(const Tensor<1, dim> &v)
     {
       return std::isfinite(v.norm());
     }
@@ -45,7 +45,7 @@ namespace Signorini
     for (const Point<dim> &X : points)
       {
         pairs.push_back({value(X), X});
-        if (!is_finite(pairs.back().image))
+        if (!has_finite_components(pairs.back().image))
           throw SceneError("the transformation '" + F.text() + "' has no value at " + text(X));
         X_size = std::max(X_size, X.distance(points[0]));
         x_size = std::max(x_size, pairs.back().image.norm());
@@ -124,9 +124,9 @@ namespace Signorini
         const Tensor<1, dim> step  = h * Point<dim>::unit_vector(d);
         Point<dim>           ahead = X + step, behind = X - step;
         // At the rim of where the formulas have a value, one side must do.
-        if (!is_finite(value(ahead)))
+        if (!has_finite_components(value(ahead)))
           ahead = X;
-        if (!is_finite(value(behind)))
+        if (!has_finite_components(value(behind)))
           behind = X;
         const Tensor<1, dim> column = (value(ahead) - value(behind)) / (ahead[d] - behind[d]);
         for (unsigned int i = 0; i < dim; ++i)

@@ -19,7 +19,7 @@ namespace Signorini
 
   template <int dim>
   void
-  RefinementZone<dim>::declare(Section &section)
+  RefinementRegion<dim>::declare(Section &section)
   {
     section.rename_key("Where", "Inside");
     section.add("Inside",
@@ -34,7 +34,7 @@ namespace Signorini
     section.add("Bodies", bodies, "only cells of these bodies; empty: all");
     section.rename_key("Times", "Levels");
     section.add("Levels", times, "number of refinements of the cells in the region");
-    place = section.place_of("Bodies");
+    place = section.source_of("Bodies");
   }
 
 
@@ -64,7 +64,7 @@ namespace Signorini
       Range{0, 4});
     section.rename_section("Zones", "Refinement regions");
     section.add_named("Refinement regions",
-                      zones,
+                      refinement_regions,
                       "Regions of space whose cells are refined, after the uniform refinements.");
   }
 
@@ -248,7 +248,7 @@ namespace Signorini
           continue;
         NodeSet<dim> nodes = generators[body]->node_set(name.substr(start.size()));
         for (auto &places : nodes)
-          for (NodePlace<dim> &place : places)
+          for (NodeLocation<dim> &place : places)
             place.cell = coarse_ids[first_cells[body] + place.cell];
         if (!nodes.empty())
           return nodes;
@@ -338,8 +338,8 @@ namespace Signorini
             of_all.add(cell->vertex(v));
           }
     for (const Extent<dim> &one : of_bodies)
-      extents.push_back(one.over_ranks(communicator()));
-    whole_extent = of_all.over_ranks(communicator());
+      extents.push_back(one.reduce_over_ranks(communicator()));
+    whole_extent = of_all.reduce_over_ranks(communicator());
   }
 
 
@@ -354,8 +354,8 @@ namespace Signorini
 
 
 
-  template struct RefinementZone<2>;
-  template struct RefinementZone<3>;
+  template struct RefinementRegion<2>;
+  template struct RefinementRegion<3>;
   template struct MeshSettings<2>;
   template struct MeshSettings<3>;
   template class Mesh<2>;

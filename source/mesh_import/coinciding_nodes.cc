@@ -113,7 +113,7 @@ namespace Signorini
 
   template <int dim>
   std::string
-  CoincidingNodes<dim>::refuse_cracks() const
+  CoincidingNodes<dim>::reject_cracks() const
   {
     const std::vector<unsigned int> piece = pieces_of_vertices(cells, vertices.size());
     std::vector<unsigned int>       cracks, between; // first nodes
@@ -137,7 +137,7 @@ namespace Signorini
 
   template <int dim>
   void
-  refuse_hanging_nodes(const std::vector<CellData<dim>>     &cells,
+  reject_hanging_nodes(const std::vector<CellData<dim>>     &cells,
                        const std::vector<CellData<dim - 1>> &boundary_faces,
                        const std::vector<Point<dim>>        &vertices)
   {
@@ -186,11 +186,11 @@ namespace Signorini
   template class CoincidingNodes<2>;
   template class CoincidingNodes<3>;
   template void
-  refuse_hanging_nodes(const std::vector<CellData<2>> &,
+  reject_hanging_nodes(const std::vector<CellData<2>> &,
                        const std::vector<CellData<1>> &,
                        const std::vector<Point<2>> &);
   template void
-  refuse_hanging_nodes(const std::vector<CellData<3>> &,
+  reject_hanging_nodes(const std::vector<CellData<3>> &,
                        const std::vector<CellData<2>> &,
                        const std::vector<Point<3>> &);
 } // namespace Signorini

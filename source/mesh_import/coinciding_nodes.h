@@ -25,7 +25,7 @@ namespace Signorini
     /// otherwise: there is a crack. Returns what is to be said of those between cells that are not
     /// connected; empty if there are none.
     std::string
-    refuse_cracks() const;
+    reject_cracks() const;
 
   private:
     const std::vector<dealii::CellData<dim>>          &cells;
@@ -38,7 +38,7 @@ namespace Signorini
   /// come apart. Pieces that touch are none of its business.
   template <int dim>
   void
-  refuse_hanging_nodes(const std::vector<dealii::CellData<dim>>     &cells,
+  reject_hanging_nodes(const std::vector<dealii::CellData<dim>>     &cells,
                        const std::vector<dealii::CellData<dim - 1>> &boundary_faces,
                        const std::vector<dealii::Point<dim>>        &vertices);
 } // namespace Signorini

@@ -34,7 +34,7 @@ namespace Signorini
   CurvedBoundary<dim>::apply(Triangulation<dim>                 &triangulation,
                              const std::set<types::boundary_id> &boundary,
                              const types::manifold_id            manifold_id,
-                             const std::vector<bool>            &made) const
+                             const std::vector<bool>            &inserted) const
   {
     std::set<Point<dim> *, std::less<>> vertices, between;
     for (const auto &face : triangulation.active_face_iterators())
@@ -42,7 +42,7 @@ namespace Signorini
         {
           face->set_all_manifold_ids(manifold_id);
           for (const unsigned int v : face->vertex_indices())
-            (made[face->vertex_index(v)] ? between : vertices).insert(&face->vertex(v));
+            (inserted[face->vertex_index(v)] ? between : vertices).insert(&face->vertex(v));
         }
     triangulation.set_manifold(manifold_id, *manifold());
 

@@ -28,12 +28,12 @@ namespace Signorini
 
     /// Move the vertices of faces with this boundary id onto the surface, and give the faces this
     /// manifold id. Throws SceneError if vertices are off by more than 1e-3 of the radius.
-    /// @param made vertices between others, which may be off: those of divided cells
+    /// @param inserted vertices between others, which may be off: those of divided cells
     void
     apply(dealii::Triangulation<dim>                 &triangulation,
           const std::set<dealii::types::boundary_id> &boundary,
           dealii::types::manifold_id                  manifold,
-          const std::vector<bool>                    &made) const;
+          const std::vector<bool>                    &inserted) const;
   };
 
   /// Items `NAME sphere cx cy cz` (2D: `NAME circle cx cy`) or `NAME cylinder px py pz ax ay az`

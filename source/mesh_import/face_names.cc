@@ -86,7 +86,7 @@ namespace Signorini
   FaceNames::operator()(const MeshFile::Nodes &part_of_face) const
   {
     // Cells may have been divided: names are those of the faces in the file.
-    MeshFile::Nodes corners = file.whole_face(part_of_face);
+    MeshFile::Nodes corners = file.parent_face(part_of_face);
     for (unsigned int &node : corners)
       node = representatives[node];
     std::set<unsigned int> result;

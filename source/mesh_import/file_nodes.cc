@@ -59,8 +59,8 @@ namespace Signorini
     const auto representative = [&](const unsigned int node) {
       return node < representatives.size() ? representatives[node] : node;
     };
-    numbers    = file.numbers;
-    first_made = file.first_made;
+    numbers        = file.numbers;
+    first_inserted = file.first_inserted;
     std::set<unsigned int> known;
     for (const auto &cell : cells)
       {
@@ -148,7 +148,7 @@ namespace Signorini
         for (unsigned int v = 0; v < corners[c].size(); ++v)
           if (const auto found = at_corner.find(corners[c][v]); found != at_corner.end())
             result[found->second].push_back(
-              {c, GeometryInfo<dim>::unit_cell_vertex(v), corners[c][v] >= first_made});
+              {c, GeometryInfo<dim>::unit_cell_vertex(v), corners[c][v] >= first_inserted});
         const auto n_near =
           std::count_if(corners[c].begin(), corners[c].end(), [&](const unsigned int node) {
             return near_middle.count(node) > 0;

@@ -33,8 +33,8 @@ namespace Signorini
   private:
     using Nodes = MeshFile::Nodes;
 
-    unsigned int                  first_made = -1; ///< as in MeshFile
-    std::vector<Nodes>            corners;         ///< of the cells, in deal.II's order
+    unsigned int                  first_inserted = -1; ///< as in MeshFile
+    std::vector<Nodes>            corners;             ///< of the cells, in deal.II's order
     std::map<unsigned int, Nodes> between; ///< the corners of which a node is the middle, in order
     std::map<std::string, Nodes>  sets;
     std::map<std::string, std::unordered_map<std::size_t, unsigned int>> numbers;

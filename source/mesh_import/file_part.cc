@@ -109,7 +109,7 @@ namespace Signorini
     /// CalculiX adds the stiffness of elements that coincide.
     template <int dim>
     void
-    refuse_repetitions(const std::vector<CellData<dim>>             &cells,
+    reject_repetitions(const std::vector<CellData<dim>>             &cells,
                        const std::vector<const MeshFile::Element *> &elements,
                        const std::vector<Point<dim>>                &vertices)
     {
@@ -303,16 +303,16 @@ namespace Signorini
     /// Of the vertices that cells use, in order: were they made by dividing cells?
     template <int dim>
     std::vector<bool>
-    made_vertices(const std::vector<CellData<dim>> &cells, const MeshFile &file)
+    inserted_vertices(const std::vector<CellData<dim>> &cells, const MeshFile &file)
     {
-      std::vector<bool> used(file.nodes.size()), made;
+      std::vector<bool> used(file.nodes.size()), inserted;
       for (const auto &cell : cells)
         for (const unsigned int node : cell.vertices)
           used[node] = true;
       for (unsigned int node = 0; node < used.size(); ++node)
         if (used[node])
-          made.push_back(node >= file.first_made);
-      return made;
+          inserted.push_back(node >= file.first_inserted);
+      return inserted;
     }
 
 
@@ -338,7 +338,7 @@ namespace Signorini
   {
     for (const std::string &note : note_of_unused_nodes(file))
       notes.push_back(note);
-    if (selection.coinciding_nodes != AtOnePlace::merge)
+    if (selection.coinciding_nodes != CoincidingPoints::merge)
       for (const std::string &note : note_of_pieces(file, dim, selection.part))
         notes.push_back(note);
     cells = cells_of<dim>(elements);
@@ -347,16 +347,16 @@ namespace Signorini
 
     std::vector<unsigned int> representatives(vertices.size());
     std::iota(representatives.begin(), representatives.end(), 0);
-    if (selection.coinciding_nodes == AtOnePlace::merge)
+    if (selection.coinciding_nodes == CoincidingPoints::merge)
       {
         representatives =
           CoincidingNodes<dim>(cells, vertices, selection.node_distance).representatives();
         replace_nodes(cells, representatives);
       }
     orient(cells, vertices, elements);
-    if (selection.coinciding_nodes == AtOnePlace::refuse)
+    if (selection.coinciding_nodes == CoincidingPoints::refuse)
       touching_pieces =
-        CoincidingNodes<dim>(cells, vertices, selection.node_distance).refuse_cracks();
+        CoincidingNodes<dim>(cells, vertices, selection.node_distance).reject_cracks();
 
     std::set<unsigned int> corners;
     for (const auto &cell : cells)
@@ -368,10 +368,10 @@ namespace Signorini
       else
         return faces.boundary_quads;
     }();
-    refuse_repetitions(cells, elements, vertices);
+    reject_repetitions(cells, elements, vertices);
     list = boundary_faces(cells, vertices);
-    if (selection.coinciding_nodes != AtOnePlace::keep)
-      refuse_hanging_nodes<dim>(cells, list, vertices);
+    if (selection.coinciding_nodes != CoincidingPoints::keep)
+      reject_hanging_nodes<dim>(cells, list, vertices);
     const Names all_names = name_faces(list, vertices, names, selection.feature_angle, notes);
     boundaries            = all_names.boundaries;
     names_of_ids          = all_names.of_ids;
@@ -381,7 +381,7 @@ namespace Signorini
     for (const std::string &note : names.notes(face_corners, corners))
       notes.push_back(note);
 
-    made = made_vertices(cells, file);
+    inserted = inserted_vertices(cells, file);
     file_nodes.assign(corners.begin(), corners.end()); // what is left keeps its order
     GridTools::consistently_order_cells(cells);
     nodes = FileNodes<dim>(file, cells, elements, representatives);

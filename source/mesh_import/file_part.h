@@ -8,7 +8,7 @@
 namespace Signorini
 {
   /// What is done with nodes at one place, where cells are not connected.
-  enum class AtOnePlace
+  enum class CoincidingPoints
   {
     refuse, ///< but those of cells that are not connected otherwise, which are kept apart
     merge,
@@ -20,7 +20,7 @@ namespace Signorini
   {
     std::string              part;       ///< empty: all cells
     std::vector<std::string> boundaries; ///< the first that contains a face wins; empty: all
-    AtOnePlace               coinciding_nodes = AtOnePlace::refuse;
+    CoincidingPoints         coinciding_nodes = CoincidingPoints::refuse;
     double                   node_distance    = 0; ///< of coinciding nodes; 0: see tolerance_for()
     double                   feature_angle    = 0; ///< [degrees]; 0: one boundary `unnamed`
   };
@@ -38,7 +38,7 @@ namespace Signorini
     FileNodes<dim>                         nodes;
     std::vector<unsigned int>              file_nodes; ///< of the vertices
     /// Which vertices are not in the file, but were made by dividing cells.
-    std::vector<bool> made;
+    std::vector<bool> inserted;
     /// The element of each cell.
     std::vector<const MeshFile::Element *> elements;
     /// What the user may want to know: nodes that are left out, and where the unnamed boundaries

@@ -74,7 +74,7 @@ namespace Signorini
 
 
   const MeshFile::Nodes &
-  MeshFile::whole_face(const Nodes &corners) const
+  MeshFile::parent_face(const Nodes &corners) const
   {
     if (whole_faces.empty())
       return corners;

@@ -60,8 +60,9 @@ namespace Signorini
     std::map<std::string, std::unordered_map<std::size_t, unsigned int>> numbers;
     std::vector<std::string> notes; ///< what the user may want to know about the file
 
-    /// Nodes from here on are not in the file: they were made by dividing cells (see division.h).
-    unsigned int first_made = -1;
+    /// Nodes from here on are not in the file: they were made by dividing cells (see
+    /// hex_subdivision.h).
+    unsigned int first_inserted = -1;
 
     /// Of cells that were divided: the face of the file that a face at the
     /// boundary is a part of, by the sorted corners of the latter.
@@ -69,7 +70,7 @@ namespace Signorini
 
     /// The face of the file that a boundary face with these corners is a part of, or itself.
     const Nodes &
-    whole_face(const Nodes &corners) const;
+    parent_face(const Nodes &corners) const;
     /// Numbers at the nodes, by name: one a node, not a number where the file has none.
     std::map<std::string, std::vector<double>> fields;
 

@@ -38,16 +38,16 @@ namespace Signorini
 
 
 
-  LevelTangents::LevelTangents(const CellTangents &of_leaves,
-                               const CellCurve    &curve,
-                               const MPI_Comm      comm)
+  LevelTangents::LevelTangents(const CellTangents      &of_leaves,
+                               const SpaceFillingCurve &curve,
+                               const MPI_Comm           comm)
     : of_leaves(of_leaves)
   {
-    for (const CellCurve::Place &leaf : curve.leaves())
+    for (const SpaceFillingCurve::PlacedCell &leaf : curve.leaves())
       {
-        const CellTangent &tangent = of_leaves[leaf.cell->active_cell_index()];
-        float              factor  = 1;
-        CellCurve::Cell    cell    = leaf.cell;
+        const CellTangent      &tangent = of_leaves[leaf.cell->active_cell_index()];
+        float                   factor  = 1;
+        SpaceFillingCurve::Cell cell    = leaf.cell;
         while (cell->level() > 0)
           {
             cell = cell->parent();
@@ -63,12 +63,12 @@ namespace Signorini
 
 
   void
-  LevelTangents::send_to_owners(const CellCurve &curve, const MPI_Comm comm)
+  LevelTangents::send_to_owners(const SpaceFillingCurve &curve, const MPI_Comm comm)
   {
     const unsigned int                           rank = Utilities::MPI::this_mpi_process(comm);
     std::map<unsigned int, std::vector<Message>> messages;
-    std::map<std::pair<int, CellCurve::Position>, int> own;
-    for (const CellCurve::Place &place : curve.ancestors())
+    std::map<std::pair<int, SpaceFillingCurve::Position>, int> own;
+    for (const SpaceFillingCurve::PlacedCell &place : curve.ancestors())
       {
         const int          level = place.cell->level(), index = place.cell->index();
         const unsigned int owner = curve.owner(place.position);
@@ -88,7 +88,7 @@ namespace Signorini
 
 
   const CellTangent &
-  LevelTangents::of(const CellCurve::Cell &cell) const
+  LevelTangents::of(const SpaceFillingCurve::Cell &cell) const
   {
     return cell->has_children() ? of_ancestors[cell->level()].at(cell->index()) :
                                   of_leaves[cell->active_cell_index()];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "multigrid/cell_curve.h"
+#include "multigrid/space_filling_curve.h"
 #include "solid/cell_tangents.h"
 
 #include <unordered_map>
@@ -15,15 +15,15 @@ namespace Signorini
   {
   public:
     /// Refers to the tangents of the leaves. Collective.
-    LevelTangents(const CellTangents &of_leaves, const CellCurve &curve, MPI_Comm comm);
+    LevelTangents(const CellTangents &of_leaves, const SpaceFillingCurve &curve, MPI_Comm comm);
 
     /// Of a leaf of this rank, or of a cell with children that this rank owns.
     const CellTangent &
-    of(const CellCurve::Cell &cell) const;
+    of(const SpaceFillingCurve::Cell &cell) const;
 
   private:
     void
-    send_to_owners(const CellCurve &curve, MPI_Comm comm);
+    send_to_owners(const SpaceFillingCurve &curve, MPI_Comm comm);
 
     const CellTangents                               &of_leaves;
     std::vector<std::unordered_map<int, CellTangent>> of_ancestors; ///< [level], by index

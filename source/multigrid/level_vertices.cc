@@ -24,10 +24,10 @@ namespace Signorini
         dofs.get_triangulation());
     }
 
-    struct Question
+    struct NumberRequest
     {
-      CellCurve::Position position; ///< of the leaf
-      unsigned int        corner;
+      SpaceFillingCurve::Position position; ///< of the leaf
+      unsigned int                corner;
 
       template <class Archive>
       void
@@ -51,7 +51,7 @@ namespace Signorini
     };
 
     void
-    sort_and_unique(std::vector<Index> &list)
+    sort_unique(std::vector<Index> &list)
     {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -82,28 +82,29 @@ namespace Signorini
                   {
                     lines[name + c] = {*entries, hanging.is_constrained(name + c)};
                     if (my_names.has(name))
-                      has_line[my_names.place(name + c)] = true;
+                      has_line[my_names.local_index(name + c)] = true;
                   }
             }
-    ask_others(distributed(dofs).get_communicator());
+    query_other_ranks(distributed(dofs).get_communicator());
   }
 
 
 
   /// Corners of cells whose leaf there is another rank's.
   void
-  LevelVertices::ask_others(const MPI_Comm comm)
+  LevelVertices::query_other_ranks(const MPI_Comm comm)
   {
-    std::map<unsigned int, std::vector<Question>>     questions;
-    std::map<unsigned int, std::vector<unsigned int>> asked; // numbers of vertices
-    std::vector<bool>                                 is_asked(names.size(), false);
-    for (const CellCurve::Place &place : my_curve.ancestors())
+    std::map<unsigned int, std::vector<NumberRequest>> questions;
+    std::map<unsigned int, std::vector<unsigned int>>  asked; // numbers of vertices
+    std::vector<bool>                                  is_asked(names.size(), false);
+    for (const SpaceFillingCurve::PlacedCell &local_index : my_curve.ancestors())
       for (unsigned int v = 0; v < GeometryInfo<space_dim>::vertices_per_cell; ++v)
-        if (const unsigned int vertex = place.cell->vertex_index(v);
+        if (const unsigned int vertex = local_index.cell->vertex_index(v);
             names[vertex] == numbers::invalid_dof_index && !is_asked[vertex])
           {
-            const CellCurve::Position position = CellCurve::at_corner(place, v);
-            const unsigned int        rank     = my_curve.owner(position);
+            const SpaceFillingCurve::Position position =
+              SpaceFillingCurve::at_corner(local_index, v);
+            const unsigned int rank = my_curve.owner(position);
             questions[rank].push_back({position, v});
             asked[rank].push_back(vertex);
             is_asked[vertex] = true;
@@ -111,7 +112,7 @@ namespace Signorini
 
     std::map<unsigned int, std::vector<Answer>> answers;
     for (const auto &[rank, list] : Utilities::MPI::some_to_some(comm, questions))
-      for (const Question &question : list)
+      for (const NumberRequest &question : list)
         {
           Answer answer{name(my_curve.leaf(question.position).cell, question.corner), {}};
           for (unsigned int c = 0; c < space_dim; ++c)
@@ -164,13 +165,13 @@ namespace Signorini
 
       /// Those that are not of this rank, each once.
       std::map<unsigned int, std::vector<Index>>
-      of_others(const std::vector<Index> &list, const LA::OwnRange &own) const
+      from_other_ranks(const std::vector<Index> &list, const LA::OwnRange &own) const
       {
         std::vector<Index> others;
         for (const Index dof : list)
           if (!own.has(dof))
             others.push_back(dof);
-        sort_and_unique(others);
+        sort_unique(others);
         std::map<unsigned int, std::vector<Index>> result;
         for (const Index dof : others)
           result[(*this)(dof)].push_back(dof);
@@ -193,16 +194,16 @@ namespace Signorini
     , numbers(on_finest.size() / space_dim, dealii::numbers::invalid_dof_index)
   {
     const Owners      owners(owned, comm);
-    std::vector<bool> is_there(numbers.size(), false);
+    std::vector<bool> is_present(numbers.size(), false);
     for (const Index name : corners)
       if (on_finest.has(name))
-        is_there[on_finest.place(name) / space_dim] = true;
+        is_present[on_finest.local_index(name) / space_dim] = true;
     for (const auto &[rank, list] :
-         Utilities::MPI::some_to_some(comm, owners.of_others(corners, on_finest)))
+         Utilities::MPI::some_to_some(comm, owners.from_other_ranks(corners, on_finest)))
       for (const Index name : list)
-        is_there[on_finest.place(name) / space_dim] = true;
-    for (std::size_t i = 0; i < is_there.size(); ++i)
-      if (is_there[i])
+        is_present[on_finest.local_index(name) / space_dim] = true;
+    for (std::size_t i = 0; i < is_present.size(); ++i)
+      if (is_present[i])
         my_names.push_back(on_finest.dof(space_dim * i));
 
     const auto  counts = Utilities::MPI::all_gather(comm, my_names.size());
@@ -214,9 +215,9 @@ namespace Signorini
     if (rank + 1 == counts.size())
       my_owned.add_range(3 * all, 3 * all + n_rigid);
     for (unsigned int i = 0; i < my_names.size(); ++i)
-      numbers[on_finest.place(my_names[i]) / space_dim] = before + i;
+      numbers[on_finest.local_index(my_names[i]) / space_dim] = before + i;
 
-    const auto                                 questions = owners.of_others(known, on_finest);
+    const auto questions = owners.from_other_ranks(known, on_finest);
     std::map<unsigned int, std::vector<Index>> answers;
     for (const auto &[other, list] : Utilities::MPI::some_to_some(comm, questions))
       for (const Index name : list)

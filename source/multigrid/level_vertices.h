@@ -1,7 +1,7 @@
 #pragma once
 
 #include "linear_algebra/own_range.h"
-#include "multigrid/cell_curve.h"
+#include "multigrid/space_filling_curve.h"
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -42,14 +42,14 @@ namespace Signorini
                   const dealii::AffineConstraints<double> &hanging,
                   const dealii::AffineConstraints<double> &constraints);
 
-    const CellCurve &
+    const SpaceFillingCurve &
     curve() const
     {
       return my_curve;
     }
 
     Index
-    name(const CellCurve::Cell &cell, const unsigned int corner) const
+    name(const SpaceFillingCurve::Cell &cell, const unsigned int corner) const
     {
       return names[cell->vertex_index(corner)];
     }
@@ -58,7 +58,7 @@ namespace Signorini
     const Line *
     line(const Index dof) const
     {
-      if (my_names.has(dof) && !has_line[my_names.place(dof)])
+      if (my_names.has(dof) && !has_line[my_names.local_index(dof)])
         return nullptr;
       const auto known = lines.find(dof);
       return known == lines.end() ? nullptr : &known->second;
@@ -70,9 +70,9 @@ namespace Signorini
 
   private:
     void
-    ask_others(MPI_Comm comm);
+    query_other_ranks(MPI_Comm comm);
 
-    const CellCurve                 my_curve;
+    const SpaceFillingCurve         my_curve;
     const LA::OwnRange              my_names; ///< degrees of freedom of this rank
     std::vector<bool>               has_line; ///< those of this rank, so that most need no search
     std::vector<Index>              names;    ///< by the number of the vertex on this rank
@@ -137,7 +137,7 @@ namespace Signorini
     number(const Index name) const
     {
       if (on_finest.has(name))
-        return numbers[on_finest.place(name) / 3];
+        return numbers[on_finest.local_index(name) / 3];
       const auto known = numbers_of_others.find(name);
       return known == numbers_of_others.end() ? dealii::numbers::invalid_dof_index : known->second;
     }

@@ -3,7 +3,7 @@
 #include "base/compatibility.h"
 #include "linear_algebra/sparsity_pattern.h"
 #include "linear_algebra/values.h"
-#include "multigrid/vertex_means.h"
+#include "multigrid/interpolation_transfer.h"
 #include "solid/cell_nodes.h"
 
 #include <deal.II/dofs/dof_tools.h>
@@ -214,7 +214,7 @@ namespace Signorini
                fine.finite_elements()[e].base_element(0).get_unit_support_points())
             vertices_of.back().push_back(vertices_of_mean(node));
         }
-      VertexMeans::Nodes nodes;
+      InterpolationTransfer::Nodes nodes;
       visit_nodes(fine,
                   space,
                   [&](const auto &cell, const auto i, const auto &indices, const auto &vertices) {
@@ -226,11 +226,12 @@ namespace Signorini
                       of.push_back(vertices[space.elements[0].component_to_system_index(0, v)]);
                     nodes.add(indices[i], of.data(), of.size());
                   });
-      return std::make_unique<VertexMeans>(std::move(nodes),
-                                           VertexMeans::Side{fine.owned(), fine.constraints()},
-                                           VertexMeans::Side{space.owned, space.constraints},
-                                           space.owned.size() - space.dofs.n_dofs(),
-                                           fine.mesh().communicator());
+      return std::make_unique<InterpolationTransfer>(
+        std::move(nodes),
+        InterpolationTransfer::Side{fine.owned(), fine.constraints()},
+        InterpolationTransfer::Side{space.owned, space.constraints},
+        space.owned.size() - space.dofs.n_dofs(),
+        fine.mesh().communicator());
     }
 
     template <int dim>
@@ -288,9 +289,9 @@ namespace Signorini
   {
     LA::Vector               result(owned, terms.get_mpi_communicator());
     const double *const      above = LA::values_of(terms);
-    const std::vector<float> rounded(above, above + terms.locally_owned_size());
+    const std::vector<float> single_precision(above, above + terms.locally_owned_size());
     std::vector<float>       below(owned.n_elements());
-    P.Tvmult(below.data(), rounded.data());
+    P.Tvmult(below.data(), single_precision.data());
     std::copy(below.begin(), below.end(), LA::values_of(result));
     for (auto i = owned.size() - n_rigid; i < owned.size(); ++i)
       if (owned.is_element(i))
@@ -302,9 +303,9 @@ namespace Signorini
 
 
   template <int dim>
-  LostSupports::LostSupports(const Elasticity<dim>  &fine,
-                             const LinearSpace<dim> &space,
-                             const LA::Vector       &diagonal)
+  CoarseConstraintPenalty::CoarseConstraintPenalty(const Elasticity<dim>  &fine,
+                                                   const LinearSpace<dim> &space,
+                                                   const LA::Vector       &diagonal)
     : comm(fine.mesh().communicator())
   {
     const NodeRows<dim>              rows(space);
@@ -322,27 +323,27 @@ namespace Signorini
         const auto is_nothing = [](const auto &entry) { return std::abs(entry.second) < 1e-10; };
         row.erase(std::remove_if(row.begin(), row.end(), is_nothing), row.end());
         if (!row.empty())
-          springs.push_back({diagonal(dof), row});
+          penalties.push_back({diagonal(dof), row});
       });
   }
 
 
 
   bool
-  LostSupports::any() const
+  CoarseConstraintPenalty::any() const
   {
-    return Utilities::MPI::max(springs.empty() ? 0 : 1, comm) == 1;
+    return Utilities::MPI::max(penalties.empty() ? 0 : 1, comm) == 1;
   }
 
 
 
   void
-  LostSupports::add_to(LA::SparseMatrix &K) const
+  CoarseConstraintPenalty::add_to(LA::SparseMatrix &K) const
   {
-    for (const Spring &spring : springs)
-      for (const auto &[i, x] : spring.row)
-        for (const auto &[j, y] : spring.row)
-          K.add(i, j, spring.stiffness * x * y);
+    for (const Penalty &penalty : penalties)
+      for (const auto &[i, x] : penalty.row)
+        for (const auto &[j, y] : penalty.row)
+          K.add(i, j, penalty.stiffness * x * y);
   }
 
 
@@ -350,13 +351,13 @@ namespace Signorini
   template class LinearSpace<2>;
   template std::unique_ptr<const Prolongation>
   make_prolongation(const Elasticity<2> &, const LinearSpace<2> &);
-  template LostSupports::LostSupports(const Elasticity<2> &,
-                                      const LinearSpace<2> &,
-                                      const LA::Vector &);
+  template CoarseConstraintPenalty::CoarseConstraintPenalty(const Elasticity<2> &,
+                                                            const LinearSpace<2> &,
+                                                            const LA::Vector &);
   template class LinearSpace<3>;
   template std::unique_ptr<const Prolongation>
   make_prolongation(const Elasticity<3> &, const LinearSpace<3> &);
-  template LostSupports::LostSupports(const Elasticity<3> &,
-                                      const LinearSpace<3> &,
-                                      const LA::Vector &);
+  template CoarseConstraintPenalty::CoarseConstraintPenalty(const Elasticity<3> &,
+                                                            const LinearSpace<3> &,
+                                                            const LA::Vector &);
 } // namespace Signorini

@@ -35,8 +35,8 @@ namespace Signorini
   make_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space);
 
   /// What K has on its diagonal beyond the stiffness of cells on a level below another one: the
-  /// springs against free motions, each at the nodes that it moves, and what is prescribed to rigid
-  /// bodies. Collective.
+  /// springs against unconstrained rigid-body modes, each at the nodes that it moves, and what is
+  /// prescribed to rigid bodies. Collective.
   /// @param terms of the level above
   /// @param n_rigid degrees of freedom of rigid bodies, the last ones of both levels
   LA::Vector
@@ -47,14 +47,14 @@ namespace Signorini
 
   /// Supports at nodes of the bodies that the space of degree one has not: how far its
   /// displacements are from what they ask for, as springs of those nodes' stiffness.
-  class LostSupports
+  class CoarseConstraintPenalty
   {
   public:
     /// @param diagonal of the bodies' stiffness
     template <int dim>
-    LostSupports(const Elasticity<dim>  &fine,
-                 const LinearSpace<dim> &space,
-                 const LA::Vector       &diagonal);
+    CoarseConstraintPenalty(const Elasticity<dim>  &fine,
+                            const LinearSpace<dim> &space,
+                            const LA::Vector       &diagonal);
 
     /// On any rank? Collective.
     bool
@@ -65,13 +65,13 @@ namespace Signorini
     add_to(LA::SparseMatrix &K) const;
 
   private:
-    struct Spring
+    struct Penalty
     {
       double                                                          stiffness;
       std::vector<std::pair<dealii::types::global_dof_index, double>> row;
     };
 
-    std::vector<Spring> springs;
-    MPI_Comm            comm;
+    std::vector<Penalty> penalties;
+    MPI_Comm             comm;
   };
 } // namespace Signorini

@@ -36,11 +36,11 @@ namespace Signorini
 
     template <int dim>
     LA::SparseMatrix
-    assembled(const Elasticity<dim>  &elasticity,
-              const LinearSpace<dim> &space,
-              const CellTangents     *tangents,
-              const LostSupports     &lost,
-              const LA::Vector       &terms)
+    assembled(const Elasticity<dim>         &elasticity,
+              const LinearSpace<dim>        &space,
+              const CellTangents            *tangents,
+              const CoarseConstraintPenalty &lost,
+              const LA::Vector              &terms)
     {
       LA::SparseMatrix K;
       if constexpr (dim == 3)
@@ -121,10 +121,10 @@ namespace Signorini
     if (elasticity.degree() == 1)
       return to_coarser_meshes ? coarser_meshes(elasticity, tangents) : Spaces();
 
-    const LinearSpace<dim> space(elasticity);
-    auto                   P = make_prolongation(elasticity, space);
-    const LostSupports     lost(elasticity, space, stiffness.diagonal());
-    const LA::Vector       terms = restrict_terms(elasticity.diagonal_terms(),
+    const LinearSpace<dim>        space(elasticity);
+    auto                          P = make_prolongation(elasticity, space);
+    const CoarseConstraintPenalty lost(elasticity, space, stiffness.diagonal());
+    const LA::Vector              terms = restrict_terms(elasticity.diagonal_terms(),
                                             *P,
                                             space.owned,
                                             space.owned.size() - space.dofs.n_dofs());

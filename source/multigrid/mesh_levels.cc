@@ -1,10 +1,10 @@
 #include "multigrid/mesh_levels.h"
 
 #include "matrix_free/cell_operator.h"
+#include "multigrid/interpolation_transfer.h"
 #include "multigrid/level_tangents.h"
 #include "multigrid/level_vertices.h"
 #include "multigrid/linear_space.h"
-#include "multigrid/vertex_means.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ namespace Signorini
     constexpr unsigned int dim = 3, n_corners = 8;
 
     using Index = types::global_dof_index;
-    using Cell  = CellCurve::Cell;
+    using Cell  = SpaceFillingCurve::Cell;
 
     void
     add_material(const Cell &cell, const Material &material, KernelCells &cells)
@@ -32,20 +32,20 @@ namespace Signorini
       cells.mu.push_back(material.mu());
     }
 
-    using Place = CellCurve::Place;
+    using PlacedCell = SpaceFillingCurve::PlacedCell;
 
     /// Calls act(place) for what this rank knows of the cells that there are if none is finer than
     /// a level: its own leaves, and those that have such leaves in them.
     template <typename Action>
     void
-    for_each_cell(const int level, const CellCurve &curve, const Action &act)
+    for_each_cell(const int level, const SpaceFillingCurve &curve, const Action &act)
     {
-      for (const Place &leaf : curve.leaves())
+      for (const PlacedCell &leaf : curve.leaves())
         if (leaf.cell->level() <= level)
           act(leaf);
-      for (const Place &place : curve.ancestors())
-        if (place.cell->level() == level)
-          act(place);
+      for (const PlacedCell &cell_on_curve : curve.ancestors())
+        if (cell_on_curve.cell->level() == level)
+          act(cell_on_curve);
     }
 
     class Levels
@@ -88,10 +88,10 @@ namespace Signorini
       std::vector<Index>
       known_names(int level) const;
       Parents
-      parents(const Place &cell, unsigned int corner) const;
+      parents(const PlacedCell &cell, unsigned int corner) const;
       bool
-      loses_supports() const;
-      VertexMeans::Nodes
+      loses_constraints() const;
+      InterpolationTransfer::Nodes
       nodes_on(const VertexNumbers &coarse) const;
 
       const LinearDisplacements   &linear;
@@ -125,9 +125,9 @@ namespace Signorini
     Levels::known_names(const int at) const
     {
       std::vector<Index> known;
-      for_each_cell(at, vertices.curve(), [&](const Place &place) {
+      for_each_cell(at, vertices.curve(), [&](const PlacedCell &cell_on_curve) {
         for (unsigned int v = 0; v < n_corners; ++v)
-          known.push_back(vertices.name(place.cell, v));
+          known.push_back(vertices.name(cell_on_curve.cell, v));
       });
       vertices.add_masters(known);
       return known;
@@ -138,10 +138,10 @@ namespace Signorini
     {
       const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
       std::vector<Index> corners;
-      for_each_cell(at, vertices.curve(), [&](const Place &place) {
-        if (vertices.curve().owner(place.position) == rank)
+      for_each_cell(at, vertices.curve(), [&](const PlacedCell &cell_on_curve) {
+        if (vertices.curve().owner(cell_on_curve.position) == rank)
           for (unsigned int v = 0; v < n_corners; ++v)
-            corners.push_back(vertices.name(place.cell, v));
+            corners.push_back(vertices.name(cell_on_curve.cell, v));
       });
       return VertexNumbers(corners, known, linear.dofs.locally_owned_dofs(), n_rigid, comm);
     }
@@ -157,16 +157,18 @@ namespace Signorini
       space.owned = of_level.owned_dofs();
       constrain(known, of_level, space);
       space.cells.emplace_back();
-      for_each_cell(at, vertices.curve(), [&](const Place &place) {
-        if (vertices.curve().owner(place.position) != rank)
+      for_each_cell(at, vertices.curve(), [&](const PlacedCell &cell_on_curve) {
+        if (vertices.curve().owner(cell_on_curve.position) != rank)
           return;
         KernelCells &cells = space.cells.front();
         for (unsigned int v = 0; v < n_corners; ++v)
-          cells.nodes.push_back(of_level.dof(vertices.name(place.cell, v), 0));
+          cells.nodes.push_back(of_level.dof(vertices.name(cell_on_curve.cell, v), 0));
         if (tangents)
-          cells.tangents.push_back(tangents->of(place.cell));
+          cells.tangents.push_back(tangents->of(cell_on_curve.cell));
         else
-          add_material(place.cell, elasticity.material(place.cell->material_id()), cells);
+          add_material(cell_on_curve.cell,
+                       elasticity.material(cell_on_curve.cell->material_id()),
+                       cells);
       });
       return space;
     }
@@ -206,17 +208,18 @@ namespace Signorini
 
     /// Of its parent, if the cell is of the present level, or the corner itself.
     Levels::Parents
-    Levels::parents(const Place &place, const unsigned int corner) const
+    Levels::parents(const PlacedCell &cell_on_curve, const unsigned int corner) const
     {
       Parents result;
-      if (place.cell->level() < level)
-        result.names[result.n++] = vertices.name(place.cell, corner);
+      if (cell_on_curve.cell->level() < level)
+        result.names[result.n++] = vertices.name(cell_on_curve.cell, corner);
       else
         {
           // Along a direction in which child and corner are on the same side, it is the parent's
           // corner; along the others, in the middle.
-          const Cell         parent = place.cell->parent();
-          const unsigned int child = CellCurve::child_number(place), middle = child ^ corner;
+          const Cell         parent = cell_on_curve.cell->parent();
+          const unsigned int child  = SpaceFillingCurve::child_number(cell_on_curve),
+                             middle = child ^ corner;
           for (unsigned int v = 0; v < n_corners; ++v)
             if (((v ^ corner) & ~middle) == 0)
               result.names[result.n++] = vertices.name(parent, v);
@@ -226,15 +229,15 @@ namespace Signorini
 
     /// Is anything held that hangs on what is not, one level coarser?
     bool
-    Levels::loses_supports() const
+    Levels::loses_constraints() const
     {
       const unsigned int rank    = Utilities::MPI::this_mpi_process(comm);
-      const auto         is_lost = [&](const Place &place, const unsigned int corner) {
-        const Index name = vertices.name(place.cell, corner);
+      const auto         is_lost = [&](const PlacedCell &cell_on_curve, const unsigned int corner) {
+        const Index name = vertices.name(cell_on_curve.cell, corner);
         for (unsigned int c = 0; c < dim; ++c)
           if (const auto *line = vertices.line(name + c); line && !line->hangs)
             {
-              const Parents of = parents(place, corner);
+              const Parents of = parents(cell_on_curve, corner);
               for (unsigned int k = 0; k < of.n && of.n > 1; ++k)
                 if (!vertices.line(of.names[k] + c))
                   return true;
@@ -242,28 +245,29 @@ namespace Signorini
         return false;
       };
       bool any = false;
-      for_each_cell(level, vertices.curve(), [&](const Place &place) {
-        if (!any && place.cell->level() == level && vertices.curve().owner(place.position) == rank)
+      for_each_cell(level, vertices.curve(), [&](const PlacedCell &cell_on_curve) {
+        if (!any && cell_on_curve.cell->level() == level &&
+            vertices.curve().owner(cell_on_curve.position) == rank)
           for (unsigned int v = 0; v < n_corners && !any; ++v)
-            any = is_lost(place, v);
+            any = is_lost(cell_on_curve, v);
       });
       return Utilities::MPI::max(any ? 1 : 0, comm) == 1;
     }
 
     /// Of the present level, that this rank owns; by the vertices of the next coarser one.
-    VertexMeans::Nodes
+    InterpolationTransfer::Nodes
     Levels::nodes_on(const VertexNumbers &coarse) const
     {
-      const LA::OwnRange own(linear.dofs.locally_owned_dofs());
-      VertexMeans::Nodes nodes;
-      std::vector<bool>  is_done(own.size() / dim, false);
-      for_each_cell(level, vertices.curve(), [&](const Place &place) {
+      const LA::OwnRange           own(linear.dofs.locally_owned_dofs());
+      InterpolationTransfer::Nodes nodes;
+      std::vector<bool>            is_done(own.size() / dim, false);
+      for_each_cell(level, vertices.curve(), [&](const PlacedCell &cell_on_curve) {
         for (unsigned int v = 0; v < n_corners; ++v)
-          if (const Index name = vertices.name(place.cell, v);
-              own.has(name) && !is_done[own.place(name) / dim])
+          if (const Index name = vertices.name(cell_on_curve.cell, v);
+              own.has(name) && !is_done[own.local_index(name) / dim])
             {
-              is_done[own.place(name) / dim] = true;
-              Parents of                     = parents(place, v);
+              is_done[own.local_index(name) / dim] = true;
+              Parents of                           = parents(cell_on_curve, v);
               for (unsigned int k = 0; k < of.n; ++k)
                 of.names[k] = coarse.dof(of.names[k], 0);
               nodes.add(numbers.dof(name, 0), of.names.data(), of.n);
@@ -276,7 +280,7 @@ namespace Signorini
     Levels::can_coarsen() const
     {
       constexpr unsigned int few = 1000; // unknowns, which are factorised
-      return level > 0 && numbers.owned_dofs().size() > few && !loses_supports();
+      return level > 0 && numbers.owned_dofs().size() > few && !loses_constraints();
     }
 
     std::unique_ptr<const Prolongation>
@@ -287,16 +291,16 @@ namespace Signorini
       VertexNumbers            below     = number_vertices(level - 1, known);
       CellSpace                coarse    = make_space(level - 1, known, below);
       const LA::Vector        &terms     = is_finest ? linear.terms : present.diagonal_terms;
-      auto                     P         = std::make_unique<VertexMeans>(nodes_on(below),
-                                             VertexMeans::Side{numbers.owned_dofs(),
-                                                               is_finest ? linear.constraints :
-                                                                                                       present.constraints},
-                                             VertexMeans::Side{coarse.owned, coarse.constraints},
-                                             n_rigid,
-                                             comm);
-      coarse.diagonal_terms              = restrict_terms(terms, *P, coarse.owned, n_rigid);
-      present                            = std::move(coarse);
-      numbers                            = std::move(below);
+      auto                     P         = std::make_unique<InterpolationTransfer>(
+        nodes_on(below),
+        InterpolationTransfer::Side{numbers.owned_dofs(),
+                                    is_finest ? linear.constraints : present.constraints},
+        InterpolationTransfer::Side{coarse.owned, coarse.constraints},
+        n_rigid,
+        comm);
+      coarse.diagonal_terms = restrict_terms(terms, *P, coarse.owned, n_rigid);
+      present               = std::move(coarse);
+      numbers               = std::move(below);
       --level;
       return P;
     }

@@ -33,19 +33,19 @@ namespace Signorini
   public:
     explicit AssembledProlongation(LA::SparseMatrix &&matrix)
       : P(std::move(matrix))
-      , rounded(P)
+      , single_precision(P)
     {}
 
     void
     vmult_add(float *fine, const float *coarse) const override
     {
-      rounded.vmult_add(fine, coarse);
+      single_precision.vmult_add(fine, coarse);
     }
 
     void
     Tvmult(float *coarse, const float *fine) const override
     {
-      rounded.Tvmult(coarse, fine);
+      single_precision.Tvmult(coarse, fine);
     }
 
     LA::SparseMatrix
@@ -56,6 +56,6 @@ namespace Signorini
 
   private:
     const LA::SparseMatrix P;
-    const LA::LevelMatrix  rounded;
+    const LA::LevelMatrix  single_precision;
   };
 } // namespace Signorini

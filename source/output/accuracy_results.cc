@@ -16,19 +16,19 @@ namespace Signorini
       {
         const ErrorHistory     &history = control.quantities()[i];
         const QuantityEstimate &last    = history.last();
-        const ValueWithBar      now     = history.last_with_bar();
+        const BoundedValue      now     = history.last_bounded();
         Json                   &one     = quantities[goals.quantities[i]];
         one["value"]                    = now.value;
-        one["error_bound"]              = now.bar;
+        one["error_bound"]              = now.error_bound;
         if (now.value != 0)
-          one["relative_error_bound"] = now.bar / std::abs(now.value);
+          one["relative_error_bound"] = now.error_bound / std::abs(now.value);
         if (goals.has_targets())
           {
             one["target"] = goals.targets[i];
-            one["met"]    = now.bar <= goals.targets[i] * control.scale(i);
+            one["met"]    = now.error_bound <= goals.targets[i] * control.scale(i);
           }
         if (const auto better = history.extrapolated())
-          one["extrapolated"] = {{"value", better->value}, {"error_bound", better->bar}};
+          one["extrapolated"] = {{"value", better->value}, {"error_bound", better->error_bound}};
         one["parts"]                = {{"discretisation", last.parts.discretisation},
                                        {"geometry", last.parts.geometry},
                                        {"enforcement", last.parts.enforcement},
@@ -36,7 +36,7 @@ namespace Signorini
                                        {"nonlinear", last.parts.nonlinear},
                                        {"algebraic", last.parts.algebraic}};
         one["absolute"]             = last.absolute;
-        one["cauchy_schwarz_bound"] = last.most;
+        one["cauchy_schwarz_bound"] = last.cauchy_schwarz_bound;
         one["unresolved"]           = last.unresolved;
         one["regularised"]          = last.is_regularised;
       }
@@ -63,7 +63,7 @@ namespace Signorini
         read.parts.nonlinear      = parts.at("nonlinear");
         read.parts.algebraic      = parts.at("algebraic");
         read.absolute             = one.at("absolute");
-        read.most                 = one.at("cauchy_schwarz_bound");
+        read.cauchy_schwarz_bound = one.at("cauchy_schwarz_bound");
         read.unresolved           = one.at("unresolved");
         read.energy               = results.at("energy");
         read.is_regularised       = one.at("regularised");
@@ -87,11 +87,11 @@ namespace Signorini
       {
         const ErrorHistory &history = control.quantities()[i];
         const ErrorParts   &parts   = history.last().parts;
-        const ValueWithBar  now     = history.last_with_bar();
+        const BoundedValue  now     = history.last_bounded();
         const double        unit    = now.value != 0 ? std::abs(now.value) : 1;
         text << "  " << std::left << std::setw(widest) << goals.quantities[i] << std::right
              << std::setprecision(7) << std::setw(15) << now.value << std::setprecision(1)
-             << std::scientific << std::setw(9) << now.bar / unit << std::setw(9)
+             << std::scientific << std::setw(9) << now.error_bound / unit << std::setw(9)
              << parts.discretisation / unit << std::setw(9) << parts.geometry / unit << std::setw(9)
              << parts.enforcement / unit << std::setw(9) << parts.model / unit << std::setw(9)
              << (parts.algebraic + parts.nonlinear) / unit << std::defaultfloat << "\n";

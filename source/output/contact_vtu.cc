@@ -218,7 +218,7 @@ namespace Signorini
             data[d][q] = u[q][d];
           data[Row::pressure][q] = p[q];
           data[Row::status][q]   = active[q] >= 1.5 ? 2 : active[q] >= 0.5 ? 1 : 0;
-          // A gap of zero would look like contact where there is no partner at all.
+          // A gap of zero would look like contact where there is no projection at all.
           data[Row::gap][q] =
             coverage[q] > 1 - 1e-6 ? g[q] : std::numeric_limits<double>::quiet_NaN();
         }

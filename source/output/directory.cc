@@ -186,7 +186,7 @@ namespace Signorini
     }
 
     [[noreturn]] void
-    refuse_locked(const std::string &directory, const std::string &file, const Owner &owner)
+    reject_locked(const std::string &directory, const std::string &file, const Owner &owner)
     {
       throw SceneError("Output/Directory = " + directory + ": another run uses it (" +
                        owner.text() +
@@ -232,7 +232,7 @@ namespace Signorini
           if (!hold(lock, owner))
             {
               close(lock);
-              refuse_locked(directory, file, owner);
+              reject_locked(directory, file, owner);
             }
           if (is_there(lock, file))
             return {lock, owner};
@@ -252,7 +252,9 @@ namespace Signorini
 
 
 
-  OutputDirectory::OutputDirectory(const std::string &path, const MPI_Comm comm, const bool goes_on)
+  OutputDirectory::OutputDirectory(const std::string &path,
+                                   const MPI_Comm     comm,
+                                   const bool         is_restart)
     : path(path)
   {
     // All ranks have read the scene when they are here: it may lie in this directory.
@@ -265,12 +267,12 @@ namespace Signorini
           const auto [descriptor, former] = take_lock(path, path + "/run.lock");
           lock                            = descriptor;
           sign(lock, path + "/run.lock");
-          if (!goes_on)
+          if (!is_restart)
             remove_stale_files(path);
           create(path + "/profiles");
           if (former.process > 0)
             my_note = "the run of " + former.text() + " did not end properly; " +
-                      (goes_on ? "it goes on" : "its files in " + path + " are removed");
+                      (is_restart ? "it goes on" : "its files in " + path + " are removed");
         }
       catch (const std::exception &error)
         {

@@ -19,8 +19,8 @@ namespace Signorini
     /// that is impossible, another run holds it, or a file has one of the names that a run needs,
     /// but was not written by this program. Collective; the other ranks come back only when rank 0
     /// is ready.
-    /// @param goes_on the files of the earlier run stay: it is to go on
-    OutputDirectory(const std::string &path, MPI_Comm comm, bool goes_on = false);
+    /// @param is_restart the files of the earlier run stay: it is to go on
+    OutputDirectory(const std::string &path, MPI_Comm comm, bool is_restart = false);
     ~OutputDirectory();
 
     OutputDirectory(const OutputDirectory &) = delete;

@@ -44,12 +44,12 @@ namespace Signorini
     };
 
     PointCosts
-    point_costs(const unsigned int dim, const unsigned int degree, const bool follows)
+    point_costs(const unsigned int dim, const unsigned int degree, const bool uses_current_geometry)
     {
       if (dim == 2)
         return {30, 4000};
       const PointCosts costs = degree == 1 ? PointCosts{40, 5000} : PointCosts{2.5, 9000};
-      return follows ? costs : PointCosts{costs.assemblies / 4, costs.bytes / 2};
+      return uses_current_geometry ? costs : PointCosts{costs.assemblies / 4, costs.bytes / 2};
     }
 
     /// After the refinements to come, too.
@@ -133,7 +133,7 @@ namespace Signorini
     const MPI_Comm comm    = elasticity.mesh().communicator();
     const double   n_ranks = Utilities::MPI::n_mpi_processes(comm);
     const double   points  = Utilities::MPI::max(n_points, comm); // of one rank, whom others await
-    const bool     follows = scene.contact.geometry != ContactGeometry::reference;
+    const bool     uses_current_geometry = scene.contact.geometry != ContactGeometry::reference;
     // Refinement of the given share of the cells, as often as it is to come.
     const auto  &refinement = scene.refinement;
     const double growth     = refinement.strategy == RefinementSettings::Strategy::global ?
@@ -149,7 +149,7 @@ namespace Signorini
     const double dofs_per_node = elasticity.dof_handler().n_dofs() / nodes;
 
     // Points cost what the dearest cells cost.
-    const PointCosts of_points     = point_costs(dim, elasticity.degree(), follows);
+    const PointCosts of_points     = point_costs(dim, elasticity.degree(), uses_current_geometry);
     double           point_seconds = 0;
     for (const Cells &cells : counted)
       point_seconds = std::max(point_seconds, of_points.assemblies * cells.seconds);
@@ -158,8 +158,9 @@ namespace Signorini
     result.seconds_before = Utilities::MPI::max(seconds, elasticity.mesh().communicator());
     result.memory_mb      = base_memory_mb;
     const double most     = std::max(1., refinement.maximum_cells / all_cells);
-    const double loose = 1 + elasticity.free_motion_names().size() / 12.; // vectors of all unknowns
-    double       size  = 1; // of this mesh, in that of the first
+    const double loose =
+      1 + elasticity.unsupported_mode_names().size() / 12.; // vectors of all unknowns
+    double size = 1;                                        // of this mesh, in that of the first
     for (unsigned int cycle = 0; cycle <= refinement.cycles; ++cycle)
       {
         const double starts  = cycle == 0 ? 1 : warm_share, // in cold ones
@@ -194,7 +195,7 @@ namespace Signorini
     result.memory_mb += std::pow(size, (dim - 1.) / dim) * points * of_points.bytes / 1e6;
     // Nor is it known how large load steps of large deformation can be, and how many steps of
     // Newton's method they take.
-    if (elasticity.is_finite())
+    if (elasticity.is_finite_strain())
       result.seconds = std::numeric_limits<double>::quiet_NaN();
     // What a factorisation takes depends on the ordering that it finds, and on how often the active
     // set changes.

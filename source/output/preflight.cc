@@ -157,7 +157,7 @@ namespace Signorini
             {"youngs_modulus", scene.bodies[b].material.youngs_modulus},
             {"poissons_ratio", scene.bodies[b].material.poissons_ratio},
             {"formulation", decisions.has_pressure_field[b].front() ? "mixed" : "displacement"},
-            {"law", elasticity.is_finite() ? scene.bodies[b].material.law : "linear"}};
+            {"law", elasticity.is_finite_strain() ? scene.bodies[b].material.law : "linear"}};
           if (elasticity.thermal().expands(b))
             result[scene.bodies[b].name]["thermal"] = thermal(scene, elasticity, b);
         }
@@ -229,7 +229,7 @@ namespace Signorini
       double smallest = 1;
       for (const ContactPoint<dim> &point : surface.points)
         if (point.gap <= rounding)
-          smallest = std::min(smallest, point.facing);
+          smallest = std::min(smallest, point.normal_alignment);
       return std::acos(std::max(-1., Utilities::MPI::min(smallest, comm))) * 180 / numbers::PI;
     }
 
@@ -275,7 +275,7 @@ namespace Signorini
           Json                                   &warnings)
     {
       const MPI_Comm comm     = elasticity.mesh().communicator();
-      const double   rounding = 1e-10 * elasticity.lever();
+      const double   rounding = 1e-10 * elasticity.rotation_length_scale();
       Json           result   = Json::object();
       for (unsigned int i = 0; i < surfaces.size(); ++i)
         {
@@ -285,8 +285,8 @@ namespace Signorini
                                          {"slave_faces", slave.n},
                                          {"slave_face_size", slave.size},
                                          {"master", pair.master},
-                                         {"separates", pair.separates}};
-          if (surfaces[i].sees_nothing)
+                                         {"separates", pair.can_separate}};
+          if (surfaces[i].has_no_projection)
             warnings.push_back(
               "pair " + pair.name + ": no face of " + pair.slave + " faces " + pair.master +
               " within the search distance; if they should touch, choose other boundaries, or set "
@@ -299,7 +299,7 @@ namespace Signorini
             }
           one["candidates"]       = Utilities::MPI::sum(surfaces[i].points.size(), comm);
           one["covered_share"]    = covered_share(surfaces[i], comm);
-          one["reach"]            = surfaces[i].reach;
+          one["reach"]            = surfaces[i].candidate_gap;
           one["gap"]              = gaps(surfaces[i], rounding, comm);
           one["largest_angle"]    = largest_angle(surfaces[i], rounding, comm);
           const std::string where = "pair " + pair.name + ": ";
@@ -338,16 +338,16 @@ namespace Signorini
 
     template <int dim>
     Json
-    left_out(const Decisions<dim>                   &decisions,
-             const std::vector<ContactSurface<dim>> &surfaces,
-             const GapOperator                      &contact)
+    skipped_items(const Decisions<dim>                   &decisions,
+                  const std::vector<ContactSurface<dim>> &surfaces,
+                  const GapOperator                      &contact)
     {
       Json result = Json::array();
       for (unsigned int i = 0; i < surfaces.size(); ++i)
         if (surfaces[i].is_apart)
           result.push_back(
             "pair " + decisions.pairs[i].name +
-            (surfaces[i].sees_nothing ?
+            (surfaces[i].has_no_projection ?
                ": its surfaces do not face each other" :
                ": the initial gap is larger than the expected motion of the bodies") +
             " (checked after each solution)");
@@ -371,7 +371,7 @@ namespace Signorini
 
     template <int dim>
     void
-    warn_of_bodies(const Decisions<dim> &decisions, Json &warnings)
+    warn_about_bodies(const Decisions<dim> &decisions, Json &warnings)
     {
       const Scene<dim> &scene = decisions.scene;
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
@@ -401,7 +401,7 @@ namespace Signorini
   namespace
   {
     void
-    warn_of_heat(const Json &bodies, Json &warnings)
+    warn_about_heat(const Json &bodies, Json &warnings)
     {
       constexpr double small = 0.05; // more than materials bear, but a slip of units
       for (const auto &[name, body] : bodies.items())
@@ -440,9 +440,9 @@ namespace Signorini
       n_points += surface.points.size();
     const Prediction prediction = predict(scene, elasticity, n_points, seconds);
     Json             warnings   = Json::array();
-    warn_of_bodies(decisions, warnings);
+    warn_about_bodies(decisions, warnings);
     const Json of_bodies = bodies(decisions, elasticity);
-    warn_of_heat(of_bodies, warnings);
+    warn_about_heat(of_bodies, warnings);
     Json report = {
       {"model", scene.model},
       {"dofs", elasticity.dof_handler().n_dofs()},
@@ -450,9 +450,9 @@ namespace Signorini
       {"operator",
        word_of(stiffness_forms(),
                choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity))},
-      {"modes_constrained_by_contact", elasticity.free_motion_names()},
+      {"modes_constrained_by_contact", elasticity.unsupported_mode_names()},
       {"pairs", pairs(decisions, elasticity, surfaces, warnings)},
-      {"skipped", left_out(decisions, surfaces, contact)},
+      {"skipped", skipped_items(decisions, surfaces, contact)},
       {"warnings", warnings},
       {"predicted",
        {{"seconds", prediction.seconds},

@@ -51,7 +51,7 @@ namespace Signorini
 
     /// The temperatures are those at the end.
     std::string
-    words_on_heat(const Json &thermal)
+    heat_message(const Json &thermal)
     {
       std::ostringstream out;
       out << std::setprecision(4) << ", alpha";
@@ -102,7 +102,7 @@ namespace Signorini
             << body["poissons_ratio"].get<double>()
             << (body["formulation"] == "mixed" ? ", mixed" : "")
             << (body["law"] == "linear" ? "" : ", " + body["law"].get<std::string>())
-            << (body.contains("thermal") ? words_on_heat(body["thermal"]) : "") << "\n";
+            << (body.contains("thermal") ? heat_message(body["thermal"]) : "") << "\n";
         if (with_boundaries)
           for (const auto &[boundary, facts] : body["boundaries"].items())
             print_boundary(name + "." + boundary, facts, size, out);

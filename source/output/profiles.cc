@@ -48,7 +48,7 @@ namespace Signorini
               numbers.push_back(d < dim ? contact.geometry.position[d](*row) : 0.);
             numbers.push_back(contact.origin.node.empty() ? snapshot.pressure(*row) :
                                                             nodal(contact.origin.node[k]));
-            for (const LA::Vector *v : {&snapshot.gap, &snapshot.active, &contact.rest_gap})
+            for (const LA::Vector *v : {&snapshot.gap, &snapshot.active, &contact.reference_gap})
               numbers.push_back((*v)(*row));
             for (unsigned int d = 0; d < 3; ++d)
               numbers.push_back(d < dim ? normal[d] : 0.);

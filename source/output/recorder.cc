@@ -1,9 +1,9 @@
 #include "output/recorder.h"
 
 #include "output/summary.h"
+#include "scene/former_entries.h"
 #include "verdict/checks.h"
 #include <signorini/parameters/section.h>
-#include "scene/former_entries.h"
 
 #include <algorithm>
 #include <sstream>
@@ -56,8 +56,8 @@ namespace Signorini
         one["errors"]["displacement"] = deviation.displacement;
         one["errors"]["energy"]       = deviation.energy;
       }
-    if (!scene.known.bulk_stress.empty())
-      one["errors"]["volumetric_stress"] = deviation.bulk_stress;
+    if (!scene.known.volumetric_stress.empty())
+      one["errors"]["volumetric_stress"] = deviation.volumetric_stress;
     if (!scene.known.pressure.empty())
       {
         one["errors"]["pressure"]           = deviation.pressure;
@@ -73,18 +73,18 @@ namespace Signorini
                           const Timer          &clock,
                           const TimerOutput    &timer,
                           const MPI_Comm        comm,
-                          const bool            goes_on)
+                          const bool            is_restart)
     : decisions(decisions)
     , scene(decisions.scene)
     , clock(clock)
     , timer(timer)
     , comm(comm)
     , path(directory_of(scene))
-    , folder(path, comm, goes_on)
+    , folder(path, comm, is_restart)
     , writer(scene.output, path, comm)
     , seconds_before(Json::object())
   {
-    if (goes_on)
+    if (is_restart)
       return;
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       replace_file(path + "/scene.prm", text_with_defaults(decisions));
@@ -157,7 +157,7 @@ namespace Signorini
 
   template <int dim>
   const Json &
-  Recorder<dim>::memory()
+  Recorder<dim>::save()
   {
     add_costs();
     return results;
@@ -259,7 +259,7 @@ namespace Signorini
       {
         if (row.krylov_iterations > 0)
           krylov.push_back(row.krylov_iterations);
-        if (row.augments)
+        if (row.augmented)
           {
             augmentations.push_back(krylov.size() - before);
             before = krylov.size();
@@ -268,13 +268,13 @@ namespace Signorini
     Json result = {{"newton_iterations", krylov.size()},
                    {"active_points", report.steps.back().active},
                    {"residual", report.steps.back().residual},
-                   {"tangent_positive_definite", !report.curves_down},
-                   {"snap_through_ratio", report.jump},
+                   {"tangent_positive_definite", !report.tangent_is_indefinite},
+                   {"snap_through_ratio", report.speed_ratio},
                    {"krylov_iterations", krylov},
                    {"newton_iterations_before_augmentations", augmentations}};
-    if (!report.undetermined.empty())
-      result["stabilised_modes"] = {{"names", report.undetermined},
-                                    {"largest_force", report.holding_force}};
+    if (!report.undetermined_modes.empty())
+      result["stabilised_modes"] = {{"names", report.undetermined_modes},
+                                    {"largest_force", report.stabilisation_force}};
     return result;
   }
 
@@ -359,7 +359,7 @@ namespace Signorini
   Recorder<dim>::add_sizes(const Elasticity<dim>                  &elasticity,
                            const std::vector<ContactSurface<dim>> &surfaces,
                            const GapOperator                      &contact,
-                           const std::vector<std::string>         &left_out)
+                           const std::vector<std::string>         &skipped_items)
   {
     results["cells"] = elasticity.mesh().triangulation().n_global_active_cells();
     results["dofs"]  = elasticity.dof_handler().n_dofs();
@@ -367,7 +367,7 @@ namespace Signorini
       results["degrees"][scene.bodies[body].name] = decisions.degrees[body];
     results["multiplier_dofs"] =
       scene.contact.chosen().has_multipliers() ? contact.n_components() * contact.weight.size() : 0;
-    results["skipped"] = left_out;
+    results["skipped"] = skipped_items;
     unsigned int faces = 0, candidates = 0;
     for (const ContactSurface<dim> &surface : surfaces)
       {
@@ -376,7 +376,7 @@ namespace Signorini
       }
     results["contact_faces"]      = Utilities::MPI::sum(faces, comm);
     results["contact_candidates"] = Utilities::MPI::sum(candidates, comm);
-    results["contact_bytes"]      = Utilities::MPI::sum(contact.memory(), comm);
+    results["contact_bytes"]      = Utilities::MPI::sum(contact.memory_consumption(), comm);
     results["partition"]          = shares_of_ranks(elasticity, surfaces);
   }
 

@@ -37,12 +37,12 @@ namespace Signorini
   {
   public:
     /// Takes the output directory. Throws SceneError if that cannot be had. Collective.
-    /// @param goes_on what is there stays, and nothing is written before restore()
+    /// @param is_restart what is there stays, and nothing is written before restore()
     Recorder(const Decisions<dim>      &decisions,
              const dealii::Timer       &clock,
              const dealii::TimerOutput &timer,
              MPI_Comm                   comm,
-             bool                       goes_on = false);
+             bool                       is_restart = false);
 
     /// Goes on with the results of an earlier process, and drops what that one wrote later. Empty:
     /// from the beginning. Collective.
@@ -51,7 +51,7 @@ namespace Signorini
 
     /// What restore() needs. Collective.
     const Json &
-    memory();
+    save();
 
     const std::string &
     directory() const
@@ -109,7 +109,7 @@ namespace Signorini
     add_sizes(const Elasticity<dim>                  &elasticity,
               const std::vector<ContactSurface<dim>> &surfaces,
               const GapOperator                      &contact,
-              const std::vector<std::string>         &left_out);
+              const std::vector<std::string>         &skipped_items);
 
     /// The load step that was not solved: its last iterate, where `active` is 2 at contact points
     /// that change to and fro. Collective.

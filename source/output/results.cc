@@ -92,7 +92,7 @@ namespace Signorini
              complementarity = 0;
 
       void
-      over_ranks(const MPI_Comm comm)
+      reduce_over_ranks(const MPI_Comm comm)
       {
         for (double *x : {&active_points, &points})
           *x = Utilities::MPI::sum(*x, comm);
@@ -106,7 +106,7 @@ namespace Signorini
     double
     violation(const ContactPair<dim> &pair, const double gap)
     {
-      return pair.separates ? -gap : std::abs(gap);
+      return pair.can_separate ? -gap : std::abs(gap);
     }
 
     template <int dim>
@@ -131,7 +131,7 @@ namespace Signorini
       sums.patch     = contact_patch(s, pair, nodal);
       sums.pressure  = largest_pressure(s, pair, nodal, sums.patch);
       sums.sharpness = sharpness_of_peak(s, pair, nodal);
-      sums.over_ranks(s.elasticity.mesh().communicator());
+      sums.reduce_over_ranks(s.elasticity.mesh().communicator());
       return sums;
     }
 
@@ -150,7 +150,7 @@ namespace Signorini
       return result;
     }
 
-    /// How well the conditions of Hertz, Signorini and Moreau hold, thesis (11)-(13), at each
+    /// How well the conditions of Hertz, Signorini and Moreau hold (doc/theory, 1.3) at each
     /// contact point, where methods that sample at nodes need not fulfil them.
     template <int dim>
     Json
@@ -194,7 +194,7 @@ namespace Signorini
           {"contact_to", list(sums.patch.to)},
           {"points", sums.points},
           {"active_points", sums.active_points},
-          {"separates", snapshot.pairs[pair].separates},
+          {"separates", snapshot.pairs[pair].can_separate},
           {"max_pressure", sums.pressure},
           {"sharpness_of_peak", sums.sharpness},
           {"max_penetration", sums.penetration},
@@ -237,17 +237,17 @@ namespace Signorini
               f.push_back(on_circles && d == 0 ? 0. : 0. - force[first + d]);
             }
           for (unsigned int d = 0; d < Body::n_rotations; ++d)
-            moment[d] = force[first + dim + d] * e.lever();
+            moment[d] = force[first + dim + d] * e.rotation_length_scale();
           if (!s.contact.at_rest())
             {
               std::array<double, Body::n_dofs> now;
               std::copy_n(motion.begin() + first, now.size(), now.begin());
-              moment = RigidPose<dim>(e.rigid_bodies()[b].reference, now, e.lever())
-                         .moment_of(moment / e.lever());
+              moment = RigidPose<dim>(e.rigid_bodies()[b].reference, now, e.rotation_length_scale())
+                         .moment_of(moment / e.rotation_length_scale());
             }
           for (unsigned int d = 0; d < Body::n_rotations; ++d)
             {
-              w.push_back(motion[first + dim + d] / e.lever());
+              w.push_back(motion[first + dim + d] / e.rotation_length_scale());
               m.push_back(on_circles ? 0. : 0. - moment[d]);
             }
           result[e.rigid_bodies()[b].name] = {{"displacement", u},
@@ -331,8 +331,8 @@ namespace Signorini
                   {"moment_balance", moment.norm() / (scale * mesh.size())}};
     };
     const auto stresses = largest_stresses(s.elasticity, s.displacement);
-    const auto at_place = [&](const ValueAtPlace<dim> &one) {
-      return Json{{"value", one.value}, {"place", list(Tensor<1, dim>(one.place))}};
+    const auto at_place = [&](const ValueAtPosition<dim> &one) {
+      return Json{{"value", one.value}, {"place", list(Tensor<1, dim>(one.position))}};
     };
     for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
       {

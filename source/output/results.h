@@ -6,8 +6,8 @@
 namespace Signorini
 {
   /// Per contact pair: force and moment (about the origin) on the slave, contact area, and how well
-  /// the conditions (11)-(13) of the thesis hold. Forces act on the slave; pressure is positive in
-  /// compression.
+  /// the Hertz-Signorini-Moreau conditions (doc/theory, 1.3) hold. Forces act on the slave;
+  /// pressure is positive in compression.
   template <int dim>
   Json
   pair_results(const Snapshot<dim> &snapshot);

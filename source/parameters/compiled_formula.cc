@@ -69,7 +69,7 @@ namespace Signorini
 
     /// What muParser would take for an assignment, or for several formulas, is a slip here.
     void
-    refuse_slips(const std::string &formula)
+    reject_slips(const std::string &formula)
     {
       for (std::size_t i = 0; i < formula.size(); ++i)
         if (formula[i] == '=')
@@ -101,7 +101,7 @@ namespace Signorini
     }
 
     void
-    refuse_several(const mu::Parser &parser)
+    reject_several(const mu::Parser &parser)
     {
       if (parser.GetNumResults() > 1)
         throw SceneError("has a comma outside of brackets; write decimal points: 1.5");
@@ -140,7 +140,7 @@ namespace Signorini
     };
     // A formula in the first n_known of all names.
     const auto compile = [&](const std::string &text, const std::size_t n_known) {
-      refuse_slips(text);
+      reject_slips(text);
       mu::Parser parser = basic_parser();
       // To define a name takes longer than to see that it is not there.
       for (std::size_t i = 0; i < n_known; ++i)
@@ -190,7 +190,7 @@ namespace Signorini
                 program->steps.push_back({parsers[k], &program->values[n + k]});
             }
         program->formula.Eval(); // which reads it
-        refuse_several(program->formula);
+        reject_several(program->formula);
       }
     catch (const mu::ParserError &error)
       {

@@ -36,7 +36,7 @@ namespace Signorini
   {
     if (!is_name(name))
       throw SceneError("a name consists of letters, digits and _, and does not begin with a digit");
-    if (has_meaning(name) || knows(name))
+    if (has_meaning(name) || is_defined(name))
       throw SceneError("the name is already in use");
     try
       {
@@ -56,7 +56,7 @@ namespace Signorini
 
 
   bool
-  Definitions::knows(const std::string &name) const
+  Definitions::is_defined(const std::string &name) const
   {
     return std::any_of(formulas.begin(), formulas.end(), [&](const auto &one) {
       return one.first == name;

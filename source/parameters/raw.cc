@@ -37,7 +37,7 @@ namespace Signorini
 
     /// No scene has so many; what calls itself for each would run out of stack.
     void
-    refuse_depth(const std::size_t depth, const std::string &where)
+    reject_depth(const std::size_t depth, const std::string &where)
     {
       constexpr std::size_t deepest = 100;
       if (depth > deepest)
@@ -58,7 +58,7 @@ namespace Signorini
       void
       read(RawSection &section, const bool top)
       {
-        refuse_depth(++depth, where());
+        reject_depth(++depth, where());
         std::string line;
         while (next_line(in, line, number))
           if (line.empty())
@@ -204,7 +204,7 @@ namespace Signorini
     std::vector<std::string> parts = split(path, '/');
     if (parts.empty() || parts.back().empty())
       throw SceneError(where + ": expected SECTION/KEY=VALUE");
-    refuse_depth(parts.size(), where);
+    reject_depth(parts.size(), where);
     RawSection *section = &root;
     for (unsigned int i = 0; i + 1 < parts.size(); ++i)
       section = &section->get_section(parts[i], where);

@@ -196,13 +196,13 @@ namespace Signorini
   bool
   Section::defines(const std::string &name) const
   {
-    return definitions->knows(name);
+    return definitions->is_defined(name);
   }
 
 
 
   std::string
-  Section::place_of(const std::string &key) const
+  Section::source_of(const std::string &key) const
   {
     const RawSection::Value *entry = raw ? raw->find_value(key) : nullptr;
     if (entry)
@@ -221,7 +221,7 @@ namespace Signorini
         if (!value.used && nearest(value.key, {key}) == key)
           throw SceneError(value.where + ": unknown key '" + path_of(shortened(value.key)) +
                            "' = '" + shortened(value.text) + "'" + hint(value.key, {key}));
-    throw SceneError(place_of(key) + ": " + what);
+    throw SceneError(source_of(key) + ": " + what);
   }
 
 

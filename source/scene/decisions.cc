@@ -44,10 +44,10 @@ namespace Signorini
     /// where that is impossible. @param place of the material in the scene
     template <int dim>
     bool
-    is_mixed(const Scene<dim>  &scene,
-             const Body<dim>   &body,
-             const Material    &material,
-             const std::string &place)
+    is_up_formulation(const Scene<dim>  &scene,
+                      const Body<dim>   &body,
+                      const Material    &material,
+                      const std::string &place)
     {
       const std::string obstacle = obstacle_to_mixed(scene, body, material);
       if (material.formulation == Formulation::mixed && !obstacle.empty())
@@ -93,7 +93,7 @@ namespace Signorini
           {
             const std::string of_cells =
               flags.empty() ? "" : "/Materials/" + body.others[flags.size() - 1].name;
-            flags.push_back(is_mixed(scene, body, *material, place + of_cells));
+            flags.push_back(is_up_formulation(scene, body, *material, place + of_cells));
             if (is_open && (flags.back() || needs_degree_2(scene, *material)))
               degree = 2;
           }
@@ -128,9 +128,9 @@ namespace Signorini
     std::vector<Material> result;
     for (const Material *material : scene.bodies[body].materials())
       {
-        const bool is_mixed = has_pressure_field[body][result.size()];
+        const bool is_up_formulation = has_pressure_field[body][result.size()];
         result.push_back(*material);
-        result.back().is_mixed = is_mixed;
+        result.back().is_up_formulation = is_up_formulation;
         if (finite_strain && !material->constitutive_law)
           result.back().constitutive_law = law_of(*material).make(result.back());
       }

@@ -71,7 +71,7 @@ namespace Signorini
     explicit_scene() const;
 
     /// What a restart could not decide again by itself, but for the pairs, which
-    /// ContactSetup::memory() has.
+    /// ContactInterfaces::save() has.
     nlohmann::ordered_json
     save() const;
 

@@ -124,16 +124,16 @@ namespace Signorini
   expected_motion(const Scene<dim> &scene, const BoundingBox<dim> &extent)
   {
     const std::vector<Point<dim>> points = corners_and_center(extent), inside = lattice(extent);
-    const auto                   &bounds  = extent.get_boundary_points();
-    const double                  size    = bounds.first.distance(bounds.second);
-    double                        softest = std::numeric_limits<double>::max(), motion = 0;
+    const auto                   &bounds = extent.get_boundary_points();
+    const double                  size   = bounds.first.distance(bounds.second);
+    double minimal_penalty_scale = std::numeric_limits<double>::max(), motion = 0;
     for (const Body<dim> &body : scene.bodies)
       for (const Material *material : body.materials())
-        softest = std::min(softest, material->youngs_modulus);
+        minimal_penalty_scale = std::min(minimal_penalty_scale, material->youngs_modulus);
     for (const double t : scene.load_steps.ends())
       motion = std::max(motion,
                         prescribed_motion(scene, points, extent, t) +
-                          largest_load(scene, points, size, t) * size / softest +
+                          largest_load(scene, points, size, t) * size / minimal_penalty_scale +
                           largest_expansion(scene, inside, t) * size);
     return motion;
   }

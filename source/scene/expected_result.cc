@@ -1,7 +1,7 @@
 #include "parameters/compiled_formula.h"
+#include "scene/former_entries.h"
 #include <signorini/parameters/section.h>
 #include <signorini/scene/expected_result.h>
-#include "scene/former_entries.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,7 +33,7 @@ namespace Signorini
     section.add("Quantities",
                 quantities,
                 "NAME = PATH, ...: path of the number in results.json, or in its last load step");
-    place = section.place_of("Quantities");
+    place = section.source_of("Quantities");
     section.add("Value", value, "formula in these names");
     section.add("Reference", reference, "formula in these names");
     section.add("Tolerance", tolerance, "relative", non_negative);

@@ -1,5 +1,6 @@
-#include <signorini/parameters/raw.h>
 #include "scene/former_entries.h"
+
+#include <signorini/parameters/raw.h>
 
 #include <nlohmann/json.hpp>
 

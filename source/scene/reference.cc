@@ -33,7 +33,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
 )";
 
     /// A section as it is in either dimension; null where it is not there.
-    struct Both
+    struct SectionPair
     {
       const SectionDescription *two, *three;
 
@@ -64,8 +64,8 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
       return nullptr;
     }
 
-    Both
-    child(const Both &section, const std::string &name)
+    SectionPair
+    child(const SectionPair &section, const std::string &name)
     {
       return {find(section.two, name), find(section.three, name)};
     }
@@ -85,7 +85,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
     }
 
     std::vector<std::string>
-    key_names(const Both &section)
+    key_names(const SectionPair &section)
     {
       return united(section.two ? &section.two->keys : nullptr,
                     section.three ? &section.three->keys : nullptr,
@@ -93,7 +93,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
     }
 
     std::vector<std::string>
-    section_names(const Both &section)
+    section_names(const SectionPair &section)
     {
       return united(section.two ? &section.two->sections : nullptr,
                     section.three ? &section.three->sections : nullptr,
@@ -169,7 +169,9 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
 
     /// @param without keys that stand elsewhere
     void
-    print_keys(const Both &section, std::ostream &out, const std::vector<std::string> &without = {})
+    print_keys(const SectionPair              &section,
+               std::ostream                   &out,
+               const std::vector<std::string> &without = {})
     {
       std::vector<std::string> names = key_names(section);
       for (const std::string &key : without)
@@ -302,7 +304,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
     }
 
     void
-    print_section(const Both        &section,
+    print_section(const SectionPair &section,
                   const std::string &path,
                   unsigned int       level,
                   std::ostream      &out);
@@ -315,7 +317,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
     }
 
     void
-    print_body(const Both &section, const unsigned int level, std::ostream &out)
+    print_body(const SectionPair &section, const unsigned int level, std::ostream &out)
     {
       print_keys(section,
                  out,
@@ -328,7 +330,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
     }
 
     void
-    print_obstacle(const Both &section, const unsigned int level, std::ostream &out)
+    print_obstacle(const SectionPair &section, const unsigned int level, std::ostream &out)
     {
       print_keys(section,
                  out,
@@ -339,7 +341,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
     }
 
     void
-    print_section(const Both        &section,
+    print_section(const SectionPair &section,
                   const std::string &path,
                   const unsigned int level,
                   std::ostream      &out)
@@ -376,7 +378,7 @@ of a line continues it. NAME below stands for a name of yours. Units are any tha
     Scene<2>                 scene_2;
     Scene<3>                 scene_3;
     const SectionDescription two = described(scene_2), three = described(scene_3);
-    const Both               all{&two, &three};
+    const SectionPair        all{&two, &three};
     out << introduction;
     heading(2, "At the top", out);
     print_keys(all, out);

@@ -1,5 +1,5 @@
 #include "scene/descriptions.h"
-#include "scene/left_out.h"
+#include "scene/skipped_items.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/section.h>
 #include <signorini/scene/scene.h>
@@ -19,7 +19,7 @@ namespace Signorini
                 expansion,
                 "alpha, one number, or three along x, y, z; empty: that of the body, whose "
                 "temperature it is [1/temperature]");
-    place = section.place_of("Cells");
+    place = section.source_of("Cells");
     if (section.reading() && expansion.size() != 0 && expansion.size() != 1 &&
         expansion.size() != 3)
       section.fail("Thermal expansion", "needs one number, or three along x, y, z");
@@ -63,7 +63,8 @@ namespace Signorini
     const std::vector<std::string> sets = mesh.generator->cell_sets();
     for (const MaterialOfCells &one : others)
       if (std::find(sets.begin(), sets.end(), one.cells) == sets.end())
-        throw SceneError(one.place + ": the mesh has no cell set of that name; it has: " + join(sets));
+        throw SceneError(one.place +
+                         ": the mesh has no cell set of that name; it has: " + join(sets));
   }
 
 
@@ -131,12 +132,12 @@ namespace Signorini
     section.rename_key("Left out", "Not imported");
     section.add(
       "Not imported",
-      left_out,
+      skipped_items,
       "features of an imported deck that are not supported, separated by ;   each KIND: what, where. They are printed; "
       "the verdict warns if a load, support, motion, pair, body or material is missing, and fails if nothing is loaded "
       "without it");
     if (section.reading())
-      left_out_of(left_out);
+      skipped_in(skipped_items);
 
     section.add_definitions("Definitions",
                             definitions,
@@ -183,7 +184,7 @@ namespace Signorini
                         });
     section.add_section("Load steps", "Load history.", [&](Section &s) { load_steps.declare(s); });
     if (section.reading())
-      end_steps_where_supports_change();
+      end_steps_at_support_changes();
     section.add_section("Newton", "Nonlinear solver.", [&](Section &s) { newton.declare(s); });
     section.add_section("Solver", "Linear solver.", [&](Section &s) { solver.declare(s); });
     section.add_section("Output", "Files that are written.", [&](Section &s) {
@@ -200,7 +201,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Scene<dim>::end_steps_where_supports_change()
+  Scene<dim>::end_steps_at_support_changes()
   {
     load_steps.changes.clear();
     for (const Support<dim> &support : supports)
@@ -239,7 +240,7 @@ namespace Signorini
 
   template <int dim>
   unsigned int
-  Scene<dim>::most_cycles() const
+  Scene<dim>::maximum_cycles() const
   {
     constexpr unsigned int most = 40; // cells are too many before, or too small
     return goals.has_targets() && refinement.cycles == 0 ? most : refinement.cycles;

@@ -116,7 +116,7 @@ namespace Signorini
         for (unsigned int j = 0; j < i; ++j)
           if ((pairs[i].slave == pairs[j].slave && pairs[i].master == pairs[j].master) ||
               (pairs[i].slave == pairs[j].master && pairs[i].master == pairs[j].slave))
-            throw SceneError(pairs[i].slave_place + ": pairs '" + pairs[j].name + "' and '" +
+            throw SceneError(pairs[i].slave_location + ": pairs '" + pairs[j].name + "' and '" +
                              pairs[i].name + "' have the same surfaces; remove one");
     }
 
@@ -125,11 +125,11 @@ namespace Signorini
     void
     check_self(const ContactPair<dim> &pair)
     {
-      const std::string place = pair.master_place + ": self-contact ";
-      if (pair.gap_is_given() || pair.closed_up_to >= 0)
+      const std::string place = pair.master_location + ": self-contact ";
+      if (pair.gap_is_given() || pair.closes_below >= 0)
         throw SceneError(
           place + "requires the gaps of the geometry; remove Initial gap and Closure tolerance");
-      if (!pair.separates)
+      if (!pair.can_separate)
         throw SceneError(place + "requires Separation = allowed; remove Separation");
     }
 
@@ -178,9 +178,9 @@ namespace Signorini
       for (const std::string &set : nodes.sets)
         if (!is_node_number(bodies, set))
           named.push_back(set);
-      require("set of nodes", named, sets, nodes.sets_place);
+      require("set of nodes", named, sets, nodes.sets_location);
       if (!nodes.body.empty())
-        require("body", {nodes.body}, body_names, nodes.point_place);
+        require("body", {nodes.body}, body_names, nodes.point_location);
     };
     for (const Support<dim> &support : supports)
       {
@@ -191,28 +191,28 @@ namespace Signorini
       {
         require("boundary", load.boundaries, boundaries, load.place, sets);
         require_nodes(load.nodes);
-        require("body or set of cells", load.bodies, with_cells, load.bodies_place);
+        require("body or set of cells", load.bodies, with_cells, load.bodies_location);
       }
     std::vector<std::string> masters = boundaries;
     masters.insert(masters.end(), obstacle_names.begin(), obstacle_names.end());
     for (const ContactPair<dim> &pair : named_pairs())
       {
-        require("boundary", {pair.slave}, boundaries, pair.slave_place, sets);
-        require("boundary or obstacle", {pair.master}, masters, pair.master_place, sets);
+        require("boundary", {pair.slave}, boundaries, pair.slave_location, sets);
+        require("boundary or obstacle", {pair.master}, masters, pair.master_location, sets);
         if (pair.is_self())
           check_self(pair);
         if (obstacle_of(pair) && std::count(boundaries.begin(), boundaries.end(), pair.master))
-          throw SceneError(pair.master_place +
+          throw SceneError(pair.master_location +
                            ": is the name of a boundary and of an obstacle; rename the obstacle");
       }
     check_same_pairs(named_pairs());
-    for (const RefinementZone<dim> &zone : mesh.zones)
-      require("body", zone.bodies, body_names, zone.place);
+    for (const RefinementRegion<dim> &region : mesh.refinement_regions)
+      require("body", region.bodies, body_names, region.place);
     check_pieces(*this);
     check_axisymmetric(*this);
     check_contrast(bodies);
     Decisions<dim>(*this).check();
-    if (mesh.distribution == Distribution::METIS && most_cycles() > 0)
+    if (mesh.distribution == Distribution::METIS && maximum_cycles() > 0)
       throw SceneError(
         "Mesh/Distribution = METIS cannot refine the mesh, but " +
         (goals.has_targets() ?

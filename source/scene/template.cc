@@ -125,7 +125,7 @@ end
 
     /// What the words mean in that dimension.
     template <int dim>
-    struct Meaning
+    struct TemplateWords
     {
       Scene<dim>               scene;
       std::vector<std::string> sections; ///< in which something is chosen
@@ -133,7 +133,7 @@ end
       unsigned int             n_meanings = 0;
       std::vector<std::string> unknown, known;
 
-      explicit Meaning(const std::vector<std::string> &words)
+      explicit TemplateWords(const std::vector<std::string> &words)
       {
         SectionDescription all;
         Section            section(all);
@@ -195,7 +195,7 @@ end
     {
       std::istringstream in(text);
       std::string        line, result, waiting, top;
-      unsigned int       depth = 0, left_out = 0; // depth from which on all is left out
+      unsigned int       depth = 0, skipped_items = 0; // depth from which on all is left out
       while (std::getline(in, line))
         {
           const std::string word  = trim(line);
@@ -209,13 +209,13 @@ end
             top = word.substr(11);
           const bool is_other_method = opens && depth == 2 && top == "Contact method" &&
                                        !methods.empty() && !is_in(word.substr(11), methods);
-          if (left_out == 0 && (is_other_method || depth == 0 || !is_in(top, sections)))
-            left_out = std::max(depth, 1u);
-          if (left_out == 0)
+          if (skipped_items == 0 && (is_other_method || depth == 0 || !is_in(top, sections)))
+            skipped_items = std::max(depth, 1u);
+          if (skipped_items == 0)
             result += waiting + line + "\n";
           waiting.clear();
-          if (left_out > 0 && ((closes && depth == left_out) || depth == 0))
-            left_out = 0;
+          if (skipped_items > 0 && ((closes && depth == skipped_items) || depth == 0))
+            skipped_items = 0;
           depth -= closes;
         }
       return result;
@@ -225,7 +225,7 @@ end
     std::string
     of_words(const TemplateRequest &request)
     {
-      Meaning<dim> meaning(request.words);
+      TemplateWords<dim> meaning(request.words);
       if (!meaning.unknown.empty())
         {
           const std::string word = meaning.unknown[0], close = nearest(word, meaning.known);
@@ -258,7 +258,10 @@ end
     {
       if (request.dimension > 0)
         return request.dimension;
-      return Meaning<3>(request.words).n_meanings > Meaning<2>(request.words).n_meanings ? 3 : 2;
+      return TemplateWords<3>(request.words).n_meanings >
+                 TemplateWords<2>(request.words).n_meanings ?
+               3 :
+               2;
     }
   } // namespace
 

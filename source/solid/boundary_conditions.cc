@@ -17,8 +17,8 @@ namespace Signorini
     section.add("Point body", body, "body that contains the point; empty: the only one there");
     if (!section.reading())
       return;
-    sets_place  = section.place_of("Nodes");
-    point_place = section.place_of("Point");
+    sets_location  = section.source_of("Nodes");
+    point_location = section.source_of("Point");
     if (!point.empty() && point.size() != dim)
       section.fail("Point", "needs " + std::to_string(dim) + " coordinates, separated by commas");
     if (!body.empty() && point.empty())
@@ -65,7 +65,7 @@ namespace Signorini
                 non_negative);
     if (!section.reading())
       return;
-    place = section.place_of("Boundaries");
+    place = section.source_of("Boundaries");
     if (until > 0 && until <= from)
       section.fail("End time",
                    "must be later than Start time, or 0 for a support that is never removed");
@@ -129,8 +129,8 @@ namespace Signorini
                 "one formula in x,y,z,t a component, separated by ';' [force/volume]");
     if (!section.reading())
       return;
-    place        = section.place_of("Boundaries");
-    bodies_place = section.place_of("Bodies");
+    place           = section.source_of("Boundaries");
+    bodies_location = section.source_of("Bodies");
     if (boundaries.empty() && bodies.empty() && nodes.empty())
       section.fail("Boundaries",
                    "a load needs Boundaries (for a traction, pressure or total force), Nodes or a "

@@ -30,16 +30,16 @@ namespace Signorini
     /// Of m ln J: S = m C^-1, whose derivative is -m P with P_ijkl = (A_ik A_jl + A_il A_jk)/2 and
     /// A = C^-1.
     void
-    add_bulk_stress(const double                 m,
-                    const SymmetricTensor<2, 3> &C,
-                    const UpTo                   wanted,
-                    ConstitutiveResponse        &state)
+    add_volumetric_stress(const double                 m,
+                          const SymmetricTensor<2, 3> &C,
+                          const ResponseOrder          wanted,
+                          ConstitutiveResponse        &state)
     {
       const SymmetricTensor<2, 3> A = invert(C);
       const double                J = std::sqrt(determinant(C));
       state.energy += m * std::log(J);
       state.stress += m * A;
-      if (wanted == UpTo::stress)
+      if (wanted == ResponseOrder::stress)
         return;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = i; j < 3; ++j)
@@ -58,7 +58,7 @@ namespace Signorini
       constexpr double       enough = 1e-14, longest = 0.5;
       for (unsigned int i = 0; i < most; ++i)
         {
-          const ConstitutiveResponse state = point.at(C, UpTo::tangent);
+          const ConstitutiveResponse state = point.at(C, ResponseOrder::tangent);
           const double               slope = state.tangent[2][2][2][2] / 2 * C[2][2];
           if (std::abs(state.stress[2][2]) <= enough * std::abs(slope))
             return state;
@@ -74,12 +74,12 @@ namespace Signorini
 
 
   MaterialPoint::MaterialPoint(const Material     &material,
-                               const double        bulk_stress,
+                               const double        volumetric_stress,
                                const double *const internal,
                                const double        duration,
                                const double        temperature_rise)
     : strain_measure(material.constitutive_law ? material.strain_measure : StrainMeasure::small)
-    , bulk_stress(bulk_stress)
+    , volumetric_stress(volumetric_stress)
     , law(material.constitutive_law.get())
     , linear(material.lambda(), material.mu())
     , internal(internal)
@@ -89,9 +89,9 @@ namespace Signorini
 
 
 
-  MaterialPoint::MaterialPoint(const ConstitutiveLaw &law, const double bulk_stress)
+  MaterialPoint::MaterialPoint(const ConstitutiveLaw &law, const double volumetric_stress)
     : strain_measure(StrainMeasure::finite)
-    , bulk_stress(bulk_stress)
+    , volumetric_stress(volumetric_stress)
     , law(&law)
     , linear(0, 0)
     , internal(nullptr)
@@ -102,7 +102,7 @@ namespace Signorini
 
 
   ConstitutiveResponse
-  MaterialPoint::at(const SymmetricTensor<2, 3> &C, const UpTo wanted) const
+  MaterialPoint::at(const SymmetricTensor<2, 3> &C, const ResponseOrder wanted) const
   {
     return law ? law->response({C, internal, duration, temperature_rise}, wanted) :
                  linear.at(C, wanted);
@@ -111,25 +111,28 @@ namespace Signorini
 
 
   ConstitutiveResponse
-  response_at(const Model model, const MaterialPoint &point, Tensor<2, 3> &F, const UpTo wanted)
+  response_at(const Model          model,
+              const MaterialPoint &point,
+              Tensor<2, 3>        &F,
+              const ResponseOrder  wanted)
   {
-    const bool            is_finite = point.strain_measure == StrainMeasure::finite;
-    SymmetricTensor<2, 3> C =
-      is_finite ? symmetrize(transpose(F) * F) : 2. * symmetrize(F) - unit_symmetric_tensor<3>();
+    const bool            is_finite_strain = point.strain_measure == StrainMeasure::finite;
+    SymmetricTensor<2, 3> C                = is_finite_strain ? symmetrize(transpose(F) * F) :
+                                                                2. * symmetrize(F) - unit_symmetric_tensor<3>();
     if (model != Model::plane_stress)
       {
         ConstitutiveResponse state = point.at(C, wanted);
-        if (point.bulk_stress != 0 && is_finite)
-          add_bulk_stress(point.bulk_stress, C, wanted, state);
-        else if (point.bulk_stress != 0)
-          state.stress += point.bulk_stress * unit_symmetric_tensor<3>();
+        if (point.volumetric_stress != 0 && is_finite_strain)
+          add_volumetric_stress(point.volumetric_stress, C, wanted, state);
+        else if (point.volumetric_stress != 0)
+          state.stress += point.volumetric_stress * unit_symmetric_tensor<3>();
         return state;
       }
     ConstitutiveResponse        state  = without_thickness_stress(point, C);
     const SymmetricTensor<4, 3> T      = state.tangent;
     const double                across = T[2][2][2][2];
-    F[2][2]                            = is_finite ? std::sqrt(C[2][2]) : 1 + (C[2][2] - 1) / 2;
-    state.stress[2][2]                 = 0;
+    F[2][2]            = is_finite_strain ? std::sqrt(C[2][2]) : 1 + (C[2][2] - 1) / 2;
+    state.stress[2][2] = 0;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = i; j < 3; ++j)
         for (unsigned int k = 0; k < 3; ++k)
@@ -141,7 +144,10 @@ namespace Signorini
 
 
   std::optional<ConstitutiveResponse>
-  response_if_any(const Model model, const MaterialPoint &point, Tensor<2, 3> &F, const UpTo wanted)
+  response_if_any(const Model          model,
+                  const MaterialPoint &point,
+                  Tensor<2, 3>        &F,
+                  const ResponseOrder  wanted)
   {
     if (point.strain_measure == StrainMeasure::finite && !(determinant(F) > 0))
       return {};
@@ -160,7 +166,7 @@ namespace Signorini
   SymmetricTensor<2, 3>
   cauchy_stress(const Model model, const MaterialPoint &point, Tensor<2, 3> F)
   {
-    const ConstitutiveResponse state = response_at(model, point, F, UpTo::stress);
+    const ConstitutiveResponse state = response_at(model, point, F, ResponseOrder::stress);
     if (point.strain_measure == StrainMeasure::small)
       return state.stress;
     return symmetrize(F * Tensor<2, 3>(state.stress) * transpose(F)) / determinant(F);

@@ -8,7 +8,7 @@
 
 namespace Signorini
 {
-  /// F = I + Grad u in space, thesis after (5). Axisymmetric: F_zz = 1 + u_r/R; plane stress: 1,
+  /// F = I + Grad u in space (doc/theory, 6.1). Axisymmetric: F_zz = 1 + u_r/R; plane stress: 1,
   /// see fill_thickness().
   /// @param gradient of the displacement: [component][derivative]
   /// @param u the displacement at X, at rest
@@ -25,19 +25,19 @@ namespace Signorini
     /// Refers to the material. Without a constitutive law of its own it has that of linear
     /// elasticity, lambda tr(eps) I + 2 mu eps.
     explicit MaterialPoint(const Material &material,
-                           double          bulk_stress      = 0,
-                           const double   *internal         = nullptr,
-                           double          duration         = 0,
-                           double          temperature_rise = 0);
+                           double          volumetric_stress = 0,
+                           const double   *internal          = nullptr,
+                           double          duration          = 0,
+                           double          temperature_rise  = 0);
 
     /// Of a law that remembers nothing.
-    MaterialPoint(const ConstitutiveLaw &law, double bulk_stress = 0);
+    MaterialPoint(const ConstitutiveLaw &law, double volumetric_stress = 0);
 
     ConstitutiveResponse
-    at(const dealii::SymmetricTensor<2, 3> &C, UpTo wanted) const;
+    at(const dealii::SymmetricTensor<2, 3> &C, ResponseOrder wanted) const;
 
     StrainMeasure strain_measure;
-    double        bulk_stress; ///< m, of a mixed body
+    double        volumetric_stress; ///< m, of a mixed body
 
   private:
     const ConstitutiveLaw     *law; ///< null: linear elasticity
@@ -46,22 +46,22 @@ namespace Signorini
     double                     duration, temperature_rise;
   };
 
-  /// The response where a body is deformed by F, whose bulk stress m, if it has one of its own,
-  /// adds m ln J to W (see BulkStress). In plane stress F_zz becomes that which makes S_zz zero,
-  /// and the tangent that of the stresses in the plane. Throws std::domain_error if there is none.
-  /// J = det F is positive.
+  /// The response where a body is deformed by F, whose volumetric stress m, if it has one of its
+  /// own, adds m ln J to W (see VolumetricStress). In plane stress F_zz becomes that which makes
+  /// S_zz zero, and the tangent that of the stresses in the plane. Throws std::domain_error if
+  /// there is none. J = det F is positive.
   ConstitutiveResponse
   response_at(Model                 model,
               const MaterialPoint  &point,
               dealii::Tensor<2, 3> &F,
-              UpTo                  wanted = UpTo::tangent);
+              ResponseOrder         wanted = ResponseOrder::tangent);
 
   /// The same, or nothing where there is none: where J <= 0, or a sheet has no thickness.
   std::optional<ConstitutiveResponse>
   response_if_any(Model                 model,
                   const MaterialPoint  &point,
                   dealii::Tensor<2, 3> &F,
-                  UpTo                  wanted = UpTo::tangent);
+                  ResponseOrder         wanted = ResponseOrder::tangent);
 
   /// sigma = F S F^T/J, the stress on areas as they are now, tension positive; of small strain S.
   dealii::SymmetricTensor<2, 3>

@@ -33,8 +33,9 @@ namespace Signorini
       Tensor<2, 3>       F = deformation_gradient(elasticity.model(), gradient, u, x);
       const Tensor<2, 3> H = F - Tensor<2, 3>(unit_symmetric_tensor<3>()),
                          sigma(elasticity.stress(cell, gradient, u, x));
-      const auto state =
-        response_if_any(elasticity.model(), {law, elasticity.bulk_stress().value(cell, x)}, F);
+      const auto state = response_if_any(elasticity.model(),
+                                         {law, elasticity.volumetric_stress().value(cell, x)},
+                                         F);
       return {std::abs(scalar_product(sigma, H)),
               state ? std::abs(scalar_product(F * Tensor<2, 3>(state->stress) - sigma, H)) :
                       std::nan("")};
@@ -83,14 +84,15 @@ namespace Signorini
               sum.change += weight * work.change;
               const Tensor<2, dim> strain(symmetrize(gradients[q]));
               change.strain = std::max(change.strain, strain.norm());
-              change.turn   = std::max(change.turn, (gradients[q] - strain).norm() / std::sqrt(2));
+              change.largest_rotation =
+                std::max(change.largest_rotation, (gradients[q] - strain).norm() / std::sqrt(2));
             }
         }
-    const MPI_Comm comm  = mesh.communicator();
-    const double   whole = Utilities::MPI::sum(sum.of_small, comm),
-                 part    = Utilities::MPI::sum(sum.change, comm);
-    change.strain        = Utilities::MPI::max(change.strain, comm);
-    change.turn          = Utilities::MPI::max(change.turn, comm);
+    const MPI_Comm comm     = mesh.communicator();
+    const double   whole    = Utilities::MPI::sum(sum.of_small, comm),
+                 part       = Utilities::MPI::sum(sum.change, comm);
+    change.strain           = Utilities::MPI::max(change.strain, comm);
+    change.largest_rotation = Utilities::MPI::max(change.largest_rotation, comm);
     change.work = part < whole ? part / whole : part == 0 ? 0. : 1.; // folded: not a number
     return change;
   }

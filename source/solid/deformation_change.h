@@ -12,7 +12,7 @@ namespace Signorini
   {
     double work   = 0; ///< int |(P - sigma) : Grad u| dV over int |sigma : Grad u| dV; at most 1
     double strain = 0; ///< largest norm of the linear strain
-    double turn   = 0; ///< largest angle of the linear rotation [radian]
+    double largest_rotation = 0; ///< largest angle of the linear rotation [radian]
   };
 
   /// At the solution u, whose stress is sigma at small strain; P is the first Piola-Kirchhoff

@@ -13,11 +13,11 @@ namespace Signorini
   DeformationKernel<dim>::DeformationKernel(const Mesh<dim>             &mesh,
                                             const hp::FECollection<dim> &all_elements,
                                             const Model                  model,
-                                            const BulkStress<dim>       *bulk_stress,
+                                            const VolumetricStress<dim> *volumetric_stress,
                                             const MaterialHistory<dim>  *history,
                                             const ThermalStrain<dim>    *thermal)
     : model(model)
-    , bulk_stress(bulk_stress)
+    , volumetric_stress(volumetric_stress)
     , history(history)
     , thermal(thermal)
     , n_components(dim * dim + (model == Model::axisymmetric ? 1 : 0))
@@ -120,18 +120,19 @@ namespace Signorini
 
   template <int dim>
   std::optional<ConstitutiveResponse>
-  DeformationKernel<dim>::state(const Cell        &cell,
-                                const unsigned int q,
-                                const Material    &material,
-                                const UpTo         wanted,
-                                Tensor<2, 3>      &F)
+  DeformationKernel<dim>::state(const Cell         &cell,
+                                const unsigned int  q,
+                                const Material     &material,
+                                const ResponseOrder wanted,
+                                Tensor<2, 3>       &F)
   {
     const Point<dim>   &x = values->quadrature_point(q);
     const MaterialPoint point(material,
-                              bulk_stress ? bulk_stress->value(*cell, x) : 0.,
+                              volumetric_stress ? volumetric_stress->value(*cell, x) : 0.,
                               history ? history->at(*cell, q) : nullptr,
                               history ? history->duration() : 0.,
-                              thermal && thermal->any() ? thermal->rise(*cell, x) : 0.);
+                              thermal && thermal->any() ? thermal->temperature_change(*cell, x) :
+                                                          0.);
     is_small    = point.strain_measure == StrainMeasure::small;
     auto result = response_if_any(model, point, F, wanted);
     if (is_small)
@@ -187,7 +188,7 @@ namespace Signorini
       {
         Tensor<2, 3>                              F = gradient(q, u);
         const std::optional<ConstitutiveResponse> found =
-          state(cell, q, material, UpTo::tangent, F);
+          state(cell, q, material, ResponseOrder::tangent, F);
         if (!found)
           return false;
         points.push_back(in_unit_coordinates(derivative(F, *found), q));
@@ -265,7 +266,7 @@ namespace Signorini
       {
         Tensor<2, 3>                              F = gradient(q, u);
         const std::optional<ConstitutiveResponse> found =
-          state(cell, q, material, tangent ? UpTo::tangent : UpTo::stress, F);
+          state(cell, q, material, tangent ? ResponseOrder::tangent : ResponseOrder::stress, F);
         if (!found)
           return false;
         const double weight = values->JxW(q) * measure(model, values->quadrature_point(q));
@@ -296,11 +297,11 @@ namespace Signorini
   {
     reinit(cell);
     PointVariables result;
-    result.points_a_line = cell->get_fe().degree + 1;
+    result.points_per_line = cell->get_fe().degree + 1;
     for (const unsigned int q : values->quadrature_point_indices())
       {
         Tensor<2, 3> F     = gradient(q, u);
-        const auto   found = state(cell, q, material, UpTo::stress, F);
+        const auto   found = state(cell, q, material, ResponseOrder::stress, F);
         if (!found)
           return {};
         result.values.insert(result.values.end(), found->internal.begin(), found->internal.end());

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "mesh/mesh.h"
-#include "solid/bulk_stress.h"
 #include "solid/cell_tangents.h"
 #include "solid/deformation.h"
 #include "solid/material_history.h"
 #include "solid/thermal_strain.h"
+#include "solid/volumetric_stress.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/hp/fe_values.h>
@@ -16,24 +16,25 @@ namespace Signorini
 {
   /// Forces of one cell by its constitutive law, int P : Grad v dV over the cell at rest; and how
   /// they change with its displacement, int Grad v : (dP/dF) : Grad du dV. At finite strain P = F
-  /// S, thesis (3), and dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK; at small strain P
-  /// is sigma, and dP/dF = 2 dS/dC.
+  /// S (doc/theory, 6.1), and dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK; at small
+  /// strain P is sigma, and dP/dF = 2 dS/dC.
   template <int dim>
   class DeformationKernel
   {
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    /// Refers to the bulk stress of mixed bodies, to the history of materials, to temperatures.
+    /// Refers to the volumetric stress of mixed bodies, to the history of materials, to
+    /// temperatures.
     /// @param elements that cells have, by their index
     /// @param history null: no law remembers anything
     /// @param thermal null: no temperature changes
     DeformationKernel(const Mesh<dim>                     &mesh,
                       const dealii::hp::FECollection<dim> &elements,
                       Model                                model,
-                      const BulkStress<dim>               *bulk_stress = nullptr,
-                      const MaterialHistory<dim>          *history     = nullptr,
-                      const ThermalStrain<dim>            *thermal     = nullptr);
+                      const VolumetricStress<dim>         *volumetric_stress = nullptr,
+                      const MaterialHistory<dim>          *history           = nullptr,
+                      const ThermalStrain<dim>            *thermal           = nullptr);
 
     /// Returns false, and leaves nothing that means anything, where the cell is folded: det F <= 0.
     /// @param u the displacement at the degrees of freedom of the cell
@@ -66,9 +67,9 @@ namespace Signorini
   private:
     /// Of a tensor that acts on gradients: those in the plane or in space, row by row, then the
     /// hoop's if there is one.
-    static constexpr unsigned int most_components = dim * dim + (dim == 2 ? 1 : 0);
-    using Components                              = std::array<double, most_components>;
-    using Tangent                                 = std::array<Components, most_components>;
+    static constexpr unsigned int maximum_components = dim * dim + (dim == 2 ? 1 : 0);
+    using Components                                 = std::array<double, maximum_components>;
+    using Tangent                                    = std::array<Components, maximum_components>;
 
     void
     reinit(const Cell &cell);
@@ -84,7 +85,7 @@ namespace Signorini
     state(const Cell           &cell,
           unsigned int          q,
           const Material       &material,
-          UpTo                  wanted,
+          ResponseOrder         wanted,
           dealii::Tensor<2, 3> &F);
     CellTangent
     in_unit_coordinates(const Tangent &D, unsigned int q) const;
@@ -95,9 +96,9 @@ namespace Signorini
     add_tangent(const Tangent &D, double weight);
 
     const Model                                  model;
-    const BulkStress<dim> *const                 bulk_stress; ///< null: none
-    const MaterialHistory<dim> *const            history;     ///< likewise
-    const ThermalStrain<dim> *const              thermal;     ///< likewise
+    const VolumetricStress<dim> *const           volumetric_stress; ///< null: none
+    const MaterialHistory<dim> *const            history;           ///< likewise
+    const ThermalStrain<dim> *const              thermal;           ///< likewise
     const unsigned int                           n_components;
     const dealii::hp::FECollection<dim>          elements; ///< scalar: the values refer to them
     dealii::hp::FEValues<dim>                    all_values;

@@ -51,7 +51,7 @@ namespace Signorini
       if (cell->is_locally_owned())
         cell->set_active_fe_index(element_of_body[my_mesh.body(cell)]);
     dofs.distribute_dofs(elements);
-    my_lever = my_mesh.size() / 2;
+    my_rotation_length_scale = my_mesh.size() / 2;
     number_dofs();
 
     Compatibility::reinit(hanging, locally_owned, locally_relevant);
@@ -59,7 +59,7 @@ namespace Signorini
     hanging.close();
 
     my_time_of_supports = t;
-    held                = find_held_nodes(my_mesh, dofs, hanging, my_supports, t, my_model);
+    constrained         = find_constrained_nodes(my_mesh, dofs, hanging, my_supports, t, my_model);
     make_constraints(t);
     inclined = find_inclined_supports();
   }
@@ -101,7 +101,7 @@ namespace Signorini
   Displacements<dim>::find_inclined_supports() const
   {
     bool any = false;
-    for (const auto &[index, node] : held)
+    for (const auto &[index, node] : constrained)
       for (const auto dof : node.dofs)
         any |= all_constraints.is_constrained(dof) &&
                !all_constraints.get_constraint_entries(dof)->empty();
@@ -151,14 +151,15 @@ namespace Signorini
     my_time = t;
     Compatibility::reinit(all_constraints, locally_owned, locally_relevant);
     all_constraints.merge(hanging);
-    constrain(held, my_mesh, t, all_constraints);
+    constrain(constrained, my_mesh, t, all_constraints);
     for (unsigned int body = 0; body < my_rigid_bodies.size(); ++body)
       for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
         if (!my_rigid_bodies[body].is_free(i))
           {
             all_constraints.add_line(first_dof(body) + i);
-            all_constraints.set_inhomogeneity(first_dof(body) + i,
-                                              my_rigid_bodies[body].prescribed(i, t, my_lever));
+            all_constraints.set_inhomogeneity(
+              first_dof(body) + i,
+              my_rigid_bodies[body].prescribed(i, t, my_rotation_length_scale));
           }
     all_constraints.close();
   }

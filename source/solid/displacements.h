@@ -2,7 +2,7 @@
 
 #include "linear_algebra/types.h"
 #include "mesh/mesh.h"
-#include "solid/held_nodes.h"
+#include "solid/constrained_nodes.h"
 #include <signorini/solid/model.h>
 #include <signorini/solid/rigid_body.h>
 
@@ -130,10 +130,10 @@ namespace Signorini
     bool
     has_supports_of(double t) const;
 
-    const HeldNodes<dim> &
-    held_nodes() const
+    const ConstrainedNodes<dim> &
+    constrained_nodes() const
     {
-      return held;
+      return constrained;
     }
 
     /// True if degrees of freedom are tied to others by supports that are not along the axes.
@@ -160,9 +160,9 @@ namespace Signorini
 
     /// Arm by which rotations of rigid bodies are measured.
     double
-    lever() const
+    rotation_length_scale() const
     {
-      return my_lever;
+      return my_rotation_length_scale;
     }
 
     /// The values of all degrees of freedom of rigid bodies, on all ranks. Collective.
@@ -242,9 +242,9 @@ namespace Signorini
     dealii::DoFHandler<dim>           dofs;
     dealii::IndexSet                  locally_owned, locally_relevant;
     dealii::AffineConstraints<double> hanging, all_constraints;
-    HeldNodes<dim>                    held;
-    double                            my_time = 0, my_time_of_supports = 0, my_lever = 1;
-    bool                              inclined = false;
-    mutable LA::Vector                zero_with_ghosts; ///< of the mesh; empty: nobody asked yet
+    ConstrainedNodes<dim>             constrained;
+    double             my_time = 0, my_time_of_supports = 0, my_rotation_length_scale = 1;
+    bool               inclined = false;
+    mutable LA::Vector zero_with_ghosts; ///< of the mesh; empty: nobody asked yet
   };
 } // namespace Signorini

@@ -20,16 +20,16 @@ namespace Signorini
   {
     template <int dim>
     std::vector<unsigned int>
-    one_a_body(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
+    one_per_body(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
     {
       return degrees.size() == 1 ? std::vector<unsigned int>(mesh.n_bodies(), degrees[0]) : degrees;
     }
 
     template <int dim>
     std::vector<unsigned int>
-    one_a_material(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
+    one_per_material(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
     {
-      const std::vector<unsigned int> of_bodies = one_a_body(degrees, mesh);
+      const std::vector<unsigned int> of_bodies = one_per_body(degrees, mesh);
       std::vector<unsigned int>       result;
       for (unsigned int id = 0; id < mesh.n_materials(); ++id)
         result.push_back(of_bodies[mesh.body_of_material(id)]);
@@ -49,14 +49,14 @@ namespace Signorini
                               const std::vector<RigidBody<dim>>        &rigid_bodies,
                               const double                              stabilisation,
                               const std::vector<ThermalExpansion<dim>> &expansions)
-    : Displacements<dim>(mesh, supports, one_a_body(degrees, mesh), model, rigid_bodies)
+    : Displacements<dim>(mesh, supports, one_per_body(degrees, mesh), model, rigid_bodies)
     , materials(materials)
     , my_loads(loads)
     , strength(stabilisation)
-    , thermal_strain(mesh, expansions, one_a_material(degrees, mesh), model)
-    , my_bulk_stress(mesh, materials, model)
+    , thermal_strain(mesh, expansions, one_per_material(degrees, mesh), model)
+    , my_volumetric_stress(mesh, materials, model)
     , my_history(mesh, this->dof_handler(), materials)
-    , unheld(*this)
+    , unsupported(*this)
   {}
 
 
@@ -66,10 +66,10 @@ namespace Signorini
   Elasticity<dim>::setup(const double t)
   {
     this->distribute_dofs(t);
-    unheld.find();
-    stabilisation = unheld.springs(materials, rigid_stiffness(), strength);
+    unsupported.find();
+    stabilisation = unsupported.stabilisation(materials, rigid_stiffness(), strength);
     thermal_strain.reinit();
-    my_bulk_stress.reinit();
+    my_volumetric_stress.reinit();
     my_history.reinit();
   }
 
@@ -94,7 +94,7 @@ namespace Signorini
     for (const Material &material : materials)
       largest = std::max(largest, material.youngs_modulus);
     const bool depends_on_size = dim == 3 || this->model() == Model::axisymmetric;
-    return largest * (depends_on_size ? this->lever() : 1.);
+    return largest * (depends_on_size ? this->rotation_length_scale() : 1.);
   }
 
 
@@ -130,7 +130,7 @@ namespace Signorini
   Elasticity<dim>::diagonal_terms() const
   {
     LA::Vector result = this->zero_vector();
-    if (has_free_motions())
+    if (has_unsupported_modes())
       result = stabilisation;
     for (auto i = this->dof_handler().n_dofs(); i < this->owned().size(); ++i)
       if (this->owned().is_element(i) && this->constraints().is_constrained(i))
@@ -203,29 +203,31 @@ namespace Signorini
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
         if (const auto dof = this->first_dof(b) + i; this->owned().is_element(dof))
-          f(dof) += bodies[b].load(i, this->time(), this->lever());
+          f(dof) += bodies[b].load(i, this->time(), this->rotation_length_scale());
   }
 
 
 
   template <int dim>
   void
-  Elasticity<dim>::turn_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const
+  Elasticity<dim>::rotate_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const
   {
-    using Body                      = RigidBody<dim>;
-    const std::vector<Body> &bodies = this->rigid_bodies();
-    const double             lever  = this->lever();
+    using Body                                     = RigidBody<dim>;
+    const std::vector<Body> &bodies                = this->rigid_bodies();
+    const double             rotation_length_scale = this->rotation_length_scale();
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         std::array<double, Body::n_dofs> motion;
         std::copy_n(rigid_motion.begin() + b * Body::n_dofs, motion.size(), motion.begin());
         typename RigidPose<dim>::Moment moment;
         for (unsigned int i = 0; i < Body::n_rotations; ++i)
-          moment[i] = bodies[b].load(dim + i, this->time(), lever) * lever;
-        const auto turned = RigidPose<dim>(bodies[b].reference, motion, lever).on_rotations(moment);
+          moment[i] =
+            bodies[b].load(dim + i, this->time(), rotation_length_scale) * rotation_length_scale;
+        const auto rotated =
+          RigidPose<dim>(bodies[b].reference, motion, rotation_length_scale).on_rotations(moment);
         for (unsigned int i = 0; i < Body::n_rotations; ++i)
           if (const auto dof = this->first_dof(b) + dim + i; this->owned().is_element(dof))
-            load(dof) = turned[i];
+            load(dof) = rotated[i];
       }
     load.compress(VectorOperation::insert);
     this->constraints().set_zero(load);
@@ -248,12 +250,12 @@ namespace Signorini
                              material_point(cell, x, internal),
                              deformation_gradient(this->model(), gradient, u, x));
       }
-    const double                bulk = my_bulk_stress.value(cell, x);
+    const double                volumetric = my_volumetric_stress.value(cell, x);
     const SymmetricTensor<2, 3> of_displacement =
       thermal_strain.expands(cell.material_id()) ?
         elastic_strain(this->model(), material, gradient, u, x, thermal_strain.strain(cell, x)) :
         strain(this->model(), material, gradient, u, x);
-    return Signorini::stress(material, of_displacement) + bulk * unit_symmetric_tensor<3>();
+    return Signorini::stress(material, of_displacement) + volumetric * unit_symmetric_tensor<3>();
   }
 
 
@@ -274,10 +276,10 @@ namespace Signorini
           my_history.at(cell, this->mesh().mapping().transform_real_to_unit_cell(iterator, x));
       }
     return MaterialPoint(materials[cell.material_id()],
-                         my_bulk_stress.value(cell, x),
+                         my_volumetric_stress.value(cell, x),
                          internal.empty() ? nullptr : internal.data(),
                          my_history.duration(),
-                         thermal_strain.any() ? thermal_strain.rise(cell, x) : 0.);
+                         thermal_strain.any() ? thermal_strain.temperature_change(cell, x) : 0.);
   }
 
 
@@ -292,7 +294,7 @@ namespace Signorini
     DeformationKernel<dim> kernel(this->mesh(),
                                   this->finite_elements(),
                                   this->model(),
-                                  &my_bulk_stress,
+                                  &my_volumetric_stress,
                                   &my_history,
                                   &thermal_strain);
     const LA::Vector       ghosted = this->with_ghosts(u);

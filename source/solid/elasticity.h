@@ -1,20 +1,20 @@
 #pragma once
 
 #include "solid/assembly.h"
-#include "solid/bulk_stress.h"
 #include "solid/deformation.h"
 #include "solid/displacements.h"
 #include "solid/material_history.h"
 #include "solid/surface_loads.h"
 #include "solid/thermal_strain.h"
-#include "solid/unheld_motions.h"
+#include "solid/unsupported_modes.h"
+#include "solid/volumetric_stress.h"
 
 #include <algorithm>
 
 namespace Signorini
 {
   /// Linear elasticity of all bodies on the present mesh: sum over bodies of the virtual work
-  /// int sigma(u):eps(v) dV = int b.v dV + int t.v dA, thesis (28), discretised to K d = f
+  /// int sigma(u):eps(v) dV = int b.v dV + int t.v dA (doc/theory, 1.1), discretised to K d = f
   /// (38)-(41) in the space of displacements that it extends. K is assembled once per mesh;
   /// supports, loads and thermal strains, which are loads here, depend on time.
   template <int dim>
@@ -33,8 +33,9 @@ namespace Signorini
                double                                    stabilisation = default_stabilisation,
                const std::vector<ThermalExpansion<dim>> &expansions    = {});
 
-    /// Of free motions: springs in units of E times the size of the body. With this, forces push
-    /// bodies about as far as contact then gives way, from where it is found soonest.
+    /// Of unconstrained rigid-body modes: springs in units of E times the size of the body. With
+    /// this, forces push bodies about as far as contact then gives way, from where it is found
+    /// soonest.
     static constexpr double default_stabilisation = 0.25;
 
     /// Distribute degrees of freedom on the mesh as it is now, with the supports that act at time
@@ -42,7 +43,7 @@ namespace Signorini
     void
     setup(double t = 0);
 
-    /// Assemble K; once per mesh. That of mixed bodies knows nothing of their bulk stress.
+    /// Assemble K; once per mesh. That of mixed bodies knows nothing of their volumetric stress.
     void
     assemble();
 
@@ -86,14 +87,14 @@ namespace Signorini
 
     /// Do bodies deform by any amount, by the laws of their materials?
     bool
-    is_finite() const
+    is_finite_strain() const
     {
       return std::any_of(materials.begin(), materials.end(), [](const Material &material) {
         return material.constitutive_law && material.strain_measure == StrainMeasure::finite;
       });
     }
 
-    /// A material at a point of a locally owned or ghost cell, with its bulk stress and its
+    /// A material at a point of a locally owned or ghost cell, with its volumetric stress and its
     /// history.
     /// @param internal gets the internal variables, which the result refers to
     MaterialPoint
@@ -104,10 +105,10 @@ namespace Signorini
     /// In such a load, moments that act on rigid bodies that have turned so far, see
     /// RigidPose::on_rotations(). Collective.
     void
-    turn_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const;
+    rotate_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const;
 
     /// The stress in space, without the thermal strain, at a point x of a locally owned or ghost
-    /// cell; Cauchy's of large deformation. In mixed bodies with bulk_stress() as it is now.
+    /// cell; Cauchy's of large deformation. In mixed bodies with volumetric_stress() as it is now.
     /// @param gradient of the displacement: [component][derivative]
     /// @param u the displacement at x
     dealii::SymmetricTensor<2, 3>
@@ -142,16 +143,16 @@ namespace Signorini
     }
 
     /// Of mixed bodies; nothing if there are none. What solves for the displacement keeps it.
-    const BulkStress<dim> &
-    bulk_stress() const
+    const VolumetricStress<dim> &
+    volumetric_stress() const
     {
-      return my_bulk_stress;
+      return my_volumetric_stress;
     }
 
-    BulkStress<dim> &
-    bulk_stress()
+    VolumetricStress<dim> &
+    volumetric_stress()
     {
-      return my_bulk_stress;
+      return my_volumetric_stress;
     }
 
     /// What the constitutive laws remember; empty if they have no internal variables.
@@ -173,29 +174,29 @@ namespace Signorini
 
     /// Motions without deformation that no support holds: of elastic bodies, and of rigid ones
     /// along free components. They vanish at all constrained degrees of freedom.
-    std::vector<FreeMotion>
-    free_motions() const
+    std::vector<UnconstrainedMode>
+    unconstrained_modes() const
     {
-      return unheld.motions();
+      return unsupported.motions();
     }
 
     std::vector<std::string>
-    free_motion_names() const
+    unsupported_mode_names() const
     {
-      return unheld.names();
+      return unsupported.names();
     }
 
     /// True if there are any. Known after setup().
     bool
-    has_free_motions() const
+    has_unsupported_modes() const
     {
       return stabilisation.size() > 0;
     }
 
-    /// What K has on its diagonal beyond the stiffness where free motions would make it singular;
-    /// empty if there are none. Newton's method takes it out of the residual.
+    /// What K has on its diagonal beyond the stiffness where unconstrained rigid-body modes would
+    /// make it singular; empty if there are none. Newton's method takes it out of the residual.
     const LA::Vector &
-    stabilising_springs() const
+    stabilising_stiffness() const
     {
       return stabilisation;
     }
@@ -212,10 +213,10 @@ namespace Signorini
     const std::vector<Load<dim>> my_loads;
     const double                 strength; ///< of the stabilisation
     ThermalStrain<dim>           thermal_strain;
-    BulkStress<dim>              my_bulk_stress;
+    VolumetricStress<dim>        my_volumetric_stress;
     MaterialHistory<dim>         my_history;
     LA::SparseMatrix             matrix;
-    UnheldMotions<dim>           unheld;
+    UnsupportedModes<dim>        unsupported;
     LA::Vector                   stabilisation;
   };
 

@@ -1,6 +1,6 @@
 #include "solid/kernel.h"
 
-#include "solid/not_finite.h"
+#include "solid/nan_check.h"
 #include "solid/scalar_elements.h"
 
 namespace Signorini
@@ -204,8 +204,8 @@ namespace Signorini
                          const std::string &formula,
                          const Point<dim>  &x)
   {
-    if (!std::isfinite(size) && what_is_wrong.empty())
-      what_is_wrong = not_finite("Loads/" + load.name + "/" + key, formula, x, t);
+    if (!std::isfinite(size) && error_message.empty())
+      error_message = not_finite("Loads/" + load.name + "/" + key, formula, x, t);
   }
 
 

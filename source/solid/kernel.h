@@ -15,7 +15,7 @@
 
 namespace Signorini
 {
-  /// Stiffness matrix of one cell, thesis (38).
+  /// Stiffness matrix of one cell (doc/theory, 1.1).
   template <int dim>
   class StiffnessKernel
   {
@@ -47,7 +47,7 @@ namespace Signorini
     const std::vector<std::vector<unsigned int>> dofs;    ///< see dofs_of_nodes()
   };
 
-  /// Load vector of one cell: body forces, tractions and pressures, thesis (39), and forces at
+  /// Load vector of one cell: body forces, tractions and pressures (doc/theory, 1.1), and forces at
   /// nodes.
   template <int dim>
   class LoadKernel
@@ -70,7 +70,7 @@ namespace Signorini
     const std::string &
     fault() const
     {
-      return what_is_wrong.empty() ? surface_loads.fault() : what_is_wrong;
+      return error_message.empty() ? surface_loads.fault() : error_message;
     }
 
   private:
@@ -100,7 +100,7 @@ namespace Signorini
     dealii::hp::FEValues<dim>           all_values;
     dealii::hp::FEFaceValues<dim>       all_face_values;
 
-    std::string what_is_wrong;
+    std::string error_message;
 
     std::map<unsigned int, std::vector<const Load<dim> *>>                  by_material;
     std::map<dealii::types::coarse_cell_id, std::vector<const Load<dim> *>> by_cell; ///< of sets

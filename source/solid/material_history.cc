@@ -19,7 +19,7 @@ namespace Signorini
     std::vector<double>
     interpolated(const PointVariables &from, const Point<dim> &unit_point)
     {
-      const unsigned int n = from.points_a_line, n_points = Utilities::fixed_power<dim>(n),
+      const unsigned int n = from.points_per_line, n_points = Utilities::fixed_power<dim>(n),
                          n_internal = from.values.size() / n_points;
       const auto basis = Polynomials::generate_complete_Lagrange_basis(QGauss<1>(n).get_points());
       std::vector<double> result(n_internal, 0.);
@@ -38,7 +38,7 @@ namespace Signorini
     /// none is known.
     template <int dim>
     std::vector<double>
-    known_at(const CellVariables &known, const CellId &id, const Point<dim> &unit_point)
+    gathered_at(const CellVariables &known, const CellId &id, const Point<dim> &unit_point)
     {
       using Geometry = GeometryInfo<dim>;
       if (const auto own = known.find(id); own != known.end())
@@ -85,8 +85,8 @@ namespace Signorini
       if (!cell->is_artificial() && n_internal(cell->material_id()) > 0)
         {
           PointVariables &variables = cells[cell->active_cell_index()];
-          variables.points_a_line   = cell->get_fe().degree + 1;
-          variables.values.assign(Utilities::fixed_power<dim>(variables.points_a_line) *
+          variables.points_per_line = cell->get_fe().degree + 1;
+          variables.values.assign(Utilities::fixed_power<dim>(variables.points_per_line) *
                                     n_internal(cell->material_id()),
                                   0.);
         }
@@ -112,7 +112,7 @@ namespace Signorini
           for (unsigned int c = 0; c < GeometryInfo<dim>::max_children_per_cell; ++c)
             wanted.push_back(child_of(cell->id(), c));
         }
-    const CellVariables known = look_up(before, wanted, mesh.communicator());
+    const CellVariables known = gather_values(before, wanted, mesh.communicator());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         PointVariables &variables = cells[cell->active_cell_index()];
@@ -120,16 +120,16 @@ namespace Signorini
           continue;
         const CellId id = cell->id();
         if (const auto own = known.find(id);
-            own != known.end() && own->second.points_a_line == variables.points_a_line)
+            own != known.end() && own->second.points_per_line == variables.points_per_line)
           {
             variables.values = own->second.values; // to the last digit
             continue;
           }
-        const QGauss<dim>  rule(variables.points_a_line);
+        const QGauss<dim>  rule(variables.points_per_line);
         const unsigned int n = n_internal(cell->material_id());
         for (unsigned int q = 0; q < rule.size(); ++q)
           {
-            const std::vector<double> values = known_at<dim>(known, id, rule.point(q));
+            const std::vector<double> values = gathered_at<dim>(known, id, rule.point(q));
             std::copy(values.begin(), values.end(), variables.values.begin() + q * n);
           }
       }

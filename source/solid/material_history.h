@@ -16,14 +16,14 @@ namespace Signorini
   /// with so many points a line, lexicographic; point by point.
   struct PointVariables
   {
-    unsigned int        points_a_line = 0;
+    unsigned int        points_per_line = 0;
     std::vector<double> values;
 
     template <class Archive>
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &points_a_line &values;
+      ar &points_per_line &values;
     }
   };
 

@@ -1,6 +1,6 @@
 #include "solid/nodal_forces.h"
 
-#include "solid/node_places.h"
+#include "solid/node_location.h"
 
 namespace Signorini
 {
@@ -36,7 +36,7 @@ namespace Signorini
                             const Load<dim>                &load,
                             const std::vector<std::string> &sets)
   {
-    const auto precedes = [](const NodePlace<dim> &a, const NodePlace<dim> &b) {
+    const auto precedes = [](const NodeLocation<dim> &a, const NodeLocation<dim> &b) {
       if (a.cell != b.cell)
         return a.cell < b.cell;
       for (unsigned int d = 0; d < dim; ++d)
@@ -44,14 +44,15 @@ namespace Signorini
           return a.unit[d] < b.unit[d];
       return false;
     };
-    std::set<NodePlace<dim>, decltype(precedes)> nodes(precedes);
+    std::set<NodeLocation<dim>, decltype(precedes)> nodes(precedes);
     for (const std::string &set : sets)
       for (const auto &places : mesh.node_set(set))
-        if (!places.at(0).is_made) // what a force on each node was meant for are those of the file
+        if (!places.at(0)
+               .is_inserted) // what a force on each node was meant for are those of the file
           nodes.insert(places.at(0));
 
     std::map<unsigned int, std::vector<Point<dim>>> by_coarse_cell;
-    for (const NodePlace<dim> &node : nodes)
+    for (const NodeLocation<dim> &node : nodes)
       by_coarse_cell[node.cell].push_back(node.unit);
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -75,8 +76,8 @@ namespace Signorini
     Point<dim> x;
     for (unsigned int d = 0; d < dim; ++d)
       x[d] = load.nodes.point[d];
-    const PointPlace<dim> place = locate(mesh, x, load.nodes.body, load.nodes.point_place);
-    if (place.is_here)
+    const PointLocation<dim> place = locate(mesh, x, load.nodes.body, load.nodes.point_location);
+    if (place.is_on_this_rank)
       by_cell[place.active_cell].push_back({&load, place.unit, x, 1});
   }
 

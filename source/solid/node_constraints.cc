@@ -1,5 +1,5 @@
-#include "solid/held_nodes.h"
-#include "solid/not_finite.h"
+#include "solid/constrained_nodes.h"
+#include "solid/nan_check.h"
 #include <signorini/parameters/raw.h>
 
 #include <deal.II/base/utilities.h>
@@ -56,13 +56,16 @@ namespace Signorini
 
     template <int dim>
     double
-    prescribed(const HeldNode<dim> &node, const Hold<dim> &hold, const double t)
+    prescribed(const ConstrainedNode<dim>     &node,
+               const DirectionConstraint<dim> &constraint_at_node,
+               const double                    t)
     {
-      if (!hold.support)
+      if (!constraint_at_node.support)
         return 0;
-      return hold.support->type == SupportType::displacement ?
-               hold.support->displacement.value(node.position, t) * hold.direction :
-               hold.support->normal_displacement.value(node.position, t);
+      return constraint_at_node.support->type == SupportType::displacement ?
+               constraint_at_node.support->displacement.value(node.position, t) *
+                 constraint_at_node.direction :
+               constraint_at_node.support->normal_displacement.value(node.position, t);
     }
 
     template <int dim>
@@ -80,11 +83,11 @@ namespace Signorini
 
     template <int dim>
     std::string
-    contradiction(const HeldNode<dim> &node, const Support<dim> &support, const double t)
+    contradiction(const ConstrainedNode<dim> &node, const Support<dim> &support, const double t)
     {
       const std::string what =
         support.place + ": what the support '" + support.name + "' prescribes contradicts ";
-      if (!node.holds.front().support)
+      if (!node.prescribed_directions.front().support)
         return what + "the axis of symmetry, on which the radial displacement is zero";
       return what + "an earlier support at shared nodes at t = " + Utilities::to_string(t) +
              "; set that component of one of them to 'free'";
@@ -95,27 +98,29 @@ namespace Signorini
 
   template <int dim>
   void
-  constrain(const HeldNodes<dim>      &nodes,
-            const Mesh<dim>           &mesh,
-            const double               t,
-            AffineConstraints<double> &constraints)
+  constrain(const ConstrainedNodes<dim> &nodes,
+            const Mesh<dim>             &mesh,
+            const double                 t,
+            AffineConstraints<double>   &constraints)
   {
     const double negligible = 1e-12 * mesh.size(); // collective
     std::string  wrong;
     for (const auto &[index, node] : nodes)
       {
         std::vector<Equation<dim>> equations;
-        for (const Hold<dim> &hold : node.holds)
+        for (const DirectionConstraint<dim> &constraint_at_node : node.prescribed_directions)
           {
-            double value = prescribed(node, hold, t);
+            double value = prescribed(node, constraint_at_node, t);
             if (!std::isfinite(value))
               {
                 if (t > 0) // the start is not solved for, and formulas may begin after it
-                  wrong = not_finite(*hold.support, node.position, t);
+                  wrong = not_finite(*constraint_at_node.support, node.position, t);
                 value = 0;
               }
-            if (!eliminate(equations, Equation<dim>{hold.direction, value, 0}, negligible))
-              wrong = contradiction(node, *hold.support, t);
+            if (!eliminate(equations,
+                           Equation<dim>{constraint_at_node.direction, value, 0},
+                           negligible))
+              wrong = contradiction(node, *constraint_at_node.support, t);
           }
         for (const Equation<dim> &one : equations)
           {
@@ -135,7 +140,7 @@ namespace Signorini
 
 
   template void
-  constrain(const HeldNodes<2> &, const Mesh<2> &, double, AffineConstraints<double> &);
+  constrain(const ConstrainedNodes<2> &, const Mesh<2> &, double, AffineConstraints<double> &);
   template void
-  constrain(const HeldNodes<3> &, const Mesh<3> &, double, AffineConstraints<double> &);
+  constrain(const ConstrainedNodes<3> &, const Mesh<3> &, double, AffineConstraints<double> &);
 } // namespace Signorini

@@ -1,7 +1,7 @@
 #include "solid/pressure_kernel.h"
 
 #include "solid/gradient_at_point.h"
-#include "solid/not_finite.h"
+#include "solid/nan_check.h"
 #include "solid/scalar_elements.h"
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace Signorini
   {
     template <int dim>
     bool
-    follows(const Load<dim> &load)
+    is_follower_load(const Load<dim> &load)
     {
       return !load.boundaries.empty() && !load.pressure.is_zero();
     }
@@ -27,7 +27,7 @@ namespace Signorini
   dead_loads(const Elasticity<dim> &elasticity)
   {
     std::vector<Load<dim>> result = elasticity.loads();
-    if (elasticity.is_finite())
+    if (elasticity.is_finite_strain())
       for (Load<dim> &load : result)
         load.pressure = Expression<dim>();
     return result;
@@ -50,10 +50,10 @@ namespace Signorini
                     update_values | update_gradients | update_quadrature_points)
     , all_dofs(dofs_of_nodes(elasticity.finite_elements()))
   {
-    if (!elasticity.is_finite())
+    if (!elasticity.is_finite_strain())
       return;
     for (const Load<dim> &load : elasticity.loads())
-      if (follows(load))
+      if (is_follower_load(load))
         {
           BoundaryIds ids; // names may have faces in common, which are loaded once
           for (const std::string &boundary : load.boundaries)
@@ -77,8 +77,8 @@ namespace Signorini
     for (const Load<dim> *load : loads)
       {
         const double p = load->pressure.value(x, t);
-        if (!std::isfinite(p) && what_is_wrong.empty())
-          what_is_wrong =
+        if (!std::isfinite(p) && error_message.empty())
+          error_message =
             not_finite("Loads/" + load->name + "/Pressure", load->pressure.formula(), x, t);
         sum += p;
       }

@@ -52,7 +52,7 @@ namespace Signorini
     const std::string &
     fault() const
     {
-      return what_is_wrong;
+      return error_message;
     }
 
   private:
@@ -74,7 +74,7 @@ namespace Signorini
     dealii::hp::FEFaceValues<dim>                all_gradients;
     const std::vector<std::vector<unsigned int>> all_dofs; ///< see dofs_of_nodes()
     std::map<dealii::types::boundary_id, Loads>  by_boundary;
-    std::string                                  what_is_wrong;
+    std::string                                  error_message;
 
     // Of the present face:
     const dealii::FEFaceValues<dim> *values    = nullptr;

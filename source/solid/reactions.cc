@@ -17,16 +17,16 @@ namespace Signorini
   {
     /// Internal forces and those of thermal strain on the nodes of a cell.
     template <int dim>
-    class ForcesOfCell
+    class CellForces
     {
     public:
-      ForcesOfCell(const Elasticity<dim> &e)
+      CellForces(const Elasticity<dim> &e)
         : elasticity(e)
         , kernel(e.mesh(), e.finite_elements(), e.model())
         , of_deformation(e.mesh(),
                          e.finite_elements(),
                          e.model(),
-                         &e.bulk_stress(),
+                         &e.volumetric_stress(),
                          &e.material_history(),
                          &e.thermal())
         , thermal_load(e.mesh(), e.finite_elements(), e.thermal(), e.model())
@@ -50,7 +50,7 @@ namespace Signorini
             kernel.assemble(cell, material, matrix);
             force.reinit(matrix.m());
             matrix.vmult(force, values);
-            add_bulk_stress(cell);
+            add_volumetric_stress(cell);
           }
         thermal_load.add(cell, material, cell_load);
         force -= cell_load;
@@ -60,12 +60,12 @@ namespace Signorini
     private:
       /// Small deformation: B^T m.
       void
-      add_bulk_stress(const typename DoFHandler<dim>::active_cell_iterator &cell)
+      add_volumetric_stress(const typename DoFHandler<dim>::active_cell_iterator &cell)
       {
-        if (!elasticity.bulk_stress().is_on(*cell))
+        if (!elasticity.volumetric_stress().is_on(*cell))
           return;
         of_volume.assemble(cell, values, changes, &slopes);
-        const auto &m = elasticity.bulk_stress().coefficients(*cell);
+        const auto &m = elasticity.volumetric_stress().coefficients(*cell);
         for (unsigned int k = 0; k < m.size(); ++k)
           for (unsigned int i = 0; i < force.size(); ++i)
             force(i) += m[k] * slopes(k, i);
@@ -98,7 +98,7 @@ namespace Signorini
       }
 
       /// The loads, and what is left of internal forces minus loads on the cells where they or
-      /// supports are, hanging nodes resolved.
+      /// supports are, hanging nodes condensed.
       LA::Vector
       add_loads();
 
@@ -106,7 +106,7 @@ namespace Signorini
       add_supports(const LA::Vector &residual);
 
       Reactions<dim>
-      over_ranks();
+      reduce_over_ranks();
 
     private:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
@@ -121,7 +121,7 @@ namespace Signorini
                const std::vector<types::global_dof_index> &indices,
                const Vector<double>                       &cell_load);
       void
-      add_support(const HeldNode<dim> &node, const Tensor<1, dim> &force);
+      add_support(const ConstrainedNode<dim> &node, const Tensor<1, dim> &force);
       void
       sum_over_ranks(Resultant<dim> &resultant) const;
 
@@ -140,7 +140,7 @@ namespace Signorini
     Sums<dim>::place(const Point<dim> &x, const Indices &indices) const
     {
       Point<dim> result = x;
-      if (elasticity.is_finite())
+      if (elasticity.is_finite_strain())
         for (unsigned int d = 0; d < dim; ++d)
           result[d] += displacement(indices[d]);
       return result;
@@ -179,7 +179,7 @@ namespace Signorini
     Sums<dim>::add_loads()
     {
       LA::Vector                   residual = elasticity.zero_vector();
-      ForcesOfCell                 forces(elasticity);
+      CellForces                   forces(elasticity);
       const std::vector<Load<dim>> dead = dead_loads(elasticity);
       LoadKernel<dim>              load_kernel(elasticity.mesh(),
                                   elasticity.finite_elements(),
@@ -223,11 +223,11 @@ namespace Signorini
     // Where supports meet, the first one takes what it can.
     template <int dim>
     void
-    Sums<dim>::add_support(const HeldNode<dim> &node, const Tensor<1, dim> &force)
+    Sums<dim>::add_support(const ConstrainedNode<dim> &node, const Tensor<1, dim> &force)
     {
       const auto directions = node.orthonormal();
       for (unsigned int k = 0; k < directions.size(); ++k)
-        if (const Support<dim> *support = node.holds[k].support)
+        if (const Support<dim> *support = node.prescribed_directions[k].support)
           {
             Tensor<1, dim> share = (force * directions[k]) * directions[k];
             if (axisymmetric)
@@ -244,7 +244,7 @@ namespace Signorini
     void
     Sums<dim>::add_supports(const LA::Vector &residual)
     {
-      for (const auto &[index, node] : elasticity.held_nodes())
+      for (const auto &[index, node] : elasticity.constrained_nodes())
         if (elasticity.owned().is_element(index))
           {
             Tensor<1, dim> force;
@@ -271,7 +271,7 @@ namespace Signorini
 
     template <int dim>
     Reactions<dim>
-    Sums<dim>::over_ranks()
+    Sums<dim>::reduce_over_ranks()
     {
       sum_over_ranks(result.load);
       for (auto *list : {&result.supports, &result.bodies})
@@ -291,7 +291,7 @@ namespace Signorini
     LA::Vector residual = sums.add_loads();
     residual -= contact_force;
     sums.add_supports(residual);
-    return sums.over_ranks();
+    return sums.reduce_over_ranks();
   }
 
 

@@ -20,7 +20,7 @@ namespace Signorini
   /// contact forces at the degrees of freedom of each. Axisymmetric: along the axis alone, as the
   /// circumference is in balance, and no moments. Collective.
   /// @param u displacement of all degrees of freedom
-  /// @param contact_force forces of contact on all degrees of freedom, hanging nodes resolved
+  /// @param contact_force forces of contact on all degrees of freedom, hanging nodes condensed
   template <int dim>
   Reactions<dim>
   reactions(const Elasticity<dim> &elasticity,

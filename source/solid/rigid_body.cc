@@ -90,22 +90,29 @@ namespace Signorini
 
   template <int dim>
   double
-  RigidBody<dim>::prescribed(const unsigned int i, const double t, const double lever) const
+  RigidBody<dim>::prescribed(const unsigned int i,
+                             const double       t,
+                             const double       rotation_length_scale) const
   {
     if (i < dim)
       return displacement.value(Point<dim>(), t)[i];
-    return i - dim < n_rotations ? rotation.value(Point<dim>(), t)[i - dim] * lever : 0.;
+    return i - dim < n_rotations ?
+             rotation.value(Point<dim>(), t)[i - dim] * rotation_length_scale :
+             0.;
   }
 
 
 
   template <int dim>
   double
-  RigidBody<dim>::load(const unsigned int i, const double t, const double lever) const
+  RigidBody<dim>::load(const unsigned int i,
+                       const double       t,
+                       const double       rotation_length_scale) const
   {
     if (i < dim)
       return force.value(Point<dim>(), t)[i];
-    return i - dim < n_rotations ? moment.value(Point<dim>(), t)[i - dim] / lever : 0.;
+    return i - dim < n_rotations ? moment.value(Point<dim>(), t)[i - dim] / rotation_length_scale :
+                                   0.;
   }
 
 

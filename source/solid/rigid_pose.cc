@@ -46,7 +46,7 @@ namespace Signorini
   template <int dim>
   RigidPose<dim>::RigidPose(const Point<dim>                 &reference,
                             const std::array<double, n_dofs> &motion,
-                            const double                      lever)
+                            const double                      rotation_length_scale)
     : reference(reference)
     , center(reference)
   {
@@ -54,7 +54,7 @@ namespace Signorini
       center[d] += motion[d];
     if constexpr (dim == 2)
       {
-        const double angle = motion[2] / lever;
+        const double angle = motion[2] / rotation_length_scale;
         turn[0][0] = turn[1][1] = std::cos(angle);
         turn[1][0]              = std::sin(angle);
         turn[0][1]              = -turn[1][0];
@@ -64,14 +64,14 @@ namespace Signorini
       {
         Tensor<1, 3> w;
         for (unsigned int d = 0; d < 3; ++d)
-          w[d] = motion[3 + d] / lever;
+          w[d] = motion[3 + d] / rotation_length_scale;
         const Tensor<2, 3> W = cross_matrix(w), I = identity<3>();
         const auto [b, c] = coefficients(w.norm());
         // sin(a)/a = 1 - c a^2
         turn     = I + (1 - c * w.norm_square()) * W + b * W * W;
         jacobian = I + b * W + c * W * W;
       }
-    jacobian /= lever;
+    jacobian /= rotation_length_scale;
   }
 
 
@@ -137,10 +137,10 @@ namespace Signorini
       return on_rotations * invert(jacobian);
     // J leaves the axis as it is, and takes what is across to nothing.
     Moment       result;
-    const double lever = std::sqrt(1 / (jacobian * transpose(jacobian)).norm());
+    const double rotation_length_scale = std::sqrt(1 / (jacobian * transpose(jacobian)).norm());
     for (unsigned int i = 0; i < n_rotations; ++i)
-      result[i] = std::abs(lever * jacobian[i][i] - 1) < singular ?
-                    lever * on_rotations[i] :
+      result[i] = std::abs(rotation_length_scale * jacobian[i][i] - 1) < singular ?
+                    rotation_length_scale * on_rotations[i] :
                     std::numeric_limits<double>::quiet_NaN();
     return result;
   }

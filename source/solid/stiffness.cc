@@ -20,7 +20,7 @@ namespace Signorini
 
   AssembledOperator::AssembledOperator(const LA::SparseMatrix &K)
     : K(K)
-    , K_rounded(K)
+    , K_single(K)
     , result(K.locally_owned_range_indices().n_elements())
   {}
 
@@ -37,7 +37,7 @@ namespace Signorini
 
 
   std::vector<float>
-  AssembledOperator::row_sizes() const
+  AssembledOperator::row_l1_norms() const
   {
     std::vector<float> sums;
     for (unsigned int i = 0; i < result.size(); ++i)
@@ -62,10 +62,10 @@ namespace Signorini
 
 
   const StiffnessOperator<float> &
-  AssembledStiffness::rounded() const
+  AssembledStiffness::single_precision() const
   {
-    if (!my_rounded)
-      my_rounded = std::make_unique<const AssembledOperator>(K);
-    return *my_rounded;
+    if (!my_single_precision)
+      my_single_precision = std::make_unique<const AssembledOperator>(K);
+    return *my_single_precision;
   }
 } // namespace Signorini

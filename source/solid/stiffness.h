@@ -30,7 +30,7 @@ namespace Signorini
     /// How large each row is as a whole: the sum of its absolute values, or about as much. Beside
     /// the diagonal it is large where cells are of bad shape.
     virtual std::vector<Number>
-    row_sizes() const = 0;
+    row_l1_norms() const = 0;
 
     /// The degrees of freedom of this rank.
     virtual dealii::IndexSet
@@ -49,7 +49,7 @@ namespace Signorini
     float *
     product(const float *x) const override
     {
-      K_rounded.vmult(result.data(), x);
+      K_single.vmult(result.data(), x);
       return result.data();
     }
 
@@ -57,7 +57,7 @@ namespace Signorini
     diagonal() const override;
 
     std::vector<float>
-    row_sizes() const override;
+    row_l1_norms() const override;
 
     dealii::IndexSet
     owned() const override
@@ -73,7 +73,7 @@ namespace Signorini
 
   private:
     const LA::SparseMatrix    &K;
-    const LA::LevelMatrix      K_rounded;
+    const LA::LevelMatrix      K_single;
     mutable std::vector<float> result;
   };
 
@@ -97,7 +97,7 @@ namespace Signorini
 
     /// The same for the finest level of multigrid. Collective.
     virtual const StiffnessOperator<float> &
-    rounded() const = 0;
+    single_precision() const = 0;
 
     /// A matrix in which at least the rows of some degrees of freedom of this rank are complete.
     /// Collective. @param marker nonzero there
@@ -147,7 +147,7 @@ namespace Signorini
     has_changed()
     {
       ++my_version;
-      my_rounded.reset();
+      my_single_precision.reset();
     }
 
     void
@@ -166,7 +166,7 @@ namespace Signorini
     diagonal() const override;
 
     const StiffnessOperator<float> &
-    rounded() const override;
+    single_precision() const override;
 
     const LA::SparseMatrix &
     rows(const LA::Vector & /*marker*/) const override
@@ -201,6 +201,6 @@ namespace Signorini
   private:
     const LA::SparseMatrix                          &K;
     unsigned int                                     my_version = 1;
-    mutable std::unique_ptr<const AssembledOperator> my_rounded; ///< null: nobody asked
+    mutable std::unique_ptr<const AssembledOperator> my_single_precision; ///< null: nobody asked
   };
 } // namespace Signorini

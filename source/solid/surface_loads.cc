@@ -1,6 +1,6 @@
 #include "solid/surface_loads.h"
 
-#include "solid/not_finite.h"
+#include "solid/nan_check.h"
 #include "solid/scalar_elements.h"
 
 #include <deal.II/hp/fe_values.h>
@@ -84,16 +84,16 @@ namespace Signorini
 
   template <int dim>
   bool
-  SurfaceLoads<dim>::is_finite(const double       size,
-                               const Load<dim>   &load,
-                               const std::string &key,
-                               const std::string &formula,
-                               const Point<dim>  &x)
+  SurfaceLoads<dim>::check_finite_value(const double       size,
+                                        const Load<dim>   &load,
+                                        const std::string &key,
+                                        const std::string &formula,
+                                        const Point<dim>  &x)
   {
     if (std::isfinite(size))
       return true;
-    if (what_is_wrong.empty())
-      what_is_wrong = not_finite("Loads/" + load.name + "/" + key, formula, x, t);
+    if (error_message.empty())
+      error_message = not_finite("Loads/" + load.name + "/" + key, formula, x, t);
     return false;
   }
 
@@ -111,15 +111,15 @@ namespace Signorini
       {
         const Tensor<1, dim> traction = load->traction.value(x, t);
         const double         pressure = load->pressure.value(x, t);
-        if (is_finite(traction.norm(), *load, "Traction", load->traction.text(), x))
+        if (check_finite_value(traction.norm(), *load, "Traction", load->traction.text(), x))
           result.traction += traction;
-        if (is_finite(pressure, *load, "Pressure", load->pressure.formula(), x))
+        if (check_finite_value(pressure, *load, "Pressure", load->pressure.formula(), x))
           result.pressure += pressure;
         const auto area = areas.find(load);
         if (area == areas.end())
           continue;
         const Tensor<1, dim> total = load->total_force.value(x, t);
-        if (is_finite(total.norm(), *load, "Total force", load->total_force.text(), x))
+        if (check_finite_value(total.norm(), *load, "Total force", load->total_force.text(), x))
           result.traction += total / area->second;
       }
     return result;

@@ -57,7 +57,7 @@ namespace Signorini
     const std::string &
     fault() const
     {
-      return what_is_wrong;
+      return error_message;
     }
 
   private:
@@ -67,16 +67,16 @@ namespace Signorini
                        Model                                model);
     /// False, and remembered, if that is not a number.
     bool
-    is_finite(double                    size,
-              const Load<dim>          &load,
-              const std::string        &key,
-              const std::string        &formula,
-              const dealii::Point<dim> &x);
+    check_finite_value(double                    size,
+                       const Load<dim>          &load,
+                       const std::string        &key,
+                       const std::string        &formula,
+                       const dealii::Point<dim> &x);
 
     const double                                                         t;
     std::map<dealii::types::boundary_id, std::vector<const Load<dim> *>> by_boundary;
     std::map<const Load<dim> *, double> areas; ///< of the boundaries of total forces
-    std::string                         what_is_wrong;
+    std::string                         error_message;
   };
 
   /// Of these boundaries, do loads act on any, with values that depend on time?

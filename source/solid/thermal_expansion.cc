@@ -40,7 +40,7 @@ namespace Signorini
                 "temperature of zero thermal strain [temperature]");
     if (!section.reading())
       return;
-    place = section.place_of("Temperature");
+    place = section.source_of("Temperature");
     if (!given())
       {
         if (!temperature.empty())

@@ -115,9 +115,9 @@ namespace Signorini
 
   template <int dim>
   void
-  ThermalStrain<dim>::refuse_if_bad(const unsigned int             id,
-                                    const double                   t,
-                                    const std::vector<Point<dim>> &bad) const
+  ThermalStrain<dim>::throw_if_invalid(const unsigned int             id,
+                                       const double                   t,
+                                       const std::vector<Point<dim>> &bad) const
   {
     for (const auto &of_rank : Utilities::MPI::all_gather(mesh.communicator(), bad))
       if (!of_rank.empty())
@@ -148,10 +148,11 @@ namespace Signorini
         const Point<dim> &x      = values.quadrature_point(q);
         const Monomials   phi    = monomials(*cell, x);
         const double      weight = values.JxW(q) * measure(model, x);
-        const double rise = temperature(values, q, t) - expansions[cell->material_id()].reference;
+        const double      temperature_change =
+          temperature(values, q, t) - expansions[cell->material_id()].reference;
         for (unsigned int i = 0; i < n; ++i)
           {
-            rhs[i] += weight * phi[i] * rise;
+            rhs[i] += weight * phi[i] * temperature_change;
             for (unsigned int j = 0; j < n; ++j)
               mass(i, j) += weight * phi[i] * phi[j];
           }
@@ -190,7 +191,7 @@ namespace Signorini
               }))
             bad.assign(1, cell->center());
         });
-        refuse_if_bad(id, t, bad);
+        throw_if_invalid(id, t, bad);
       }
   }
 
@@ -198,7 +199,7 @@ namespace Signorini
 
   template <int dim>
   double
-  ThermalStrain<dim>::rise(const Cell &cell, const Point<dim> &x) const
+  ThermalStrain<dim>::temperature_change(const Cell &cell, const Point<dim> &x) const
   {
     if (!expands(cell.material_id()))
       return 0;
@@ -218,7 +219,7 @@ namespace Signorini
   {
     if (!expands(cell.material_id()))
       return {};
-    return rise(cell, x) * expansions[cell.material_id()].alpha();
+    return temperature_change(cell, x) * expansions[cell.material_id()].alpha();
   }
 
 
@@ -287,7 +288,7 @@ namespace Signorini
     if (!expansions[id].depends_on_place())
       {
         const double T = expansions[id].value({}, t, 0);
-        refuse_if_bad(id, t, std::vector<Point<dim>>(std::isfinite(T) ? 0 : 1));
+        throw_if_invalid(id, t, std::vector<Point<dim>>(std::isfinite(T) ? 0 : 1));
         return {T, T};
       }
     std::array<double, 2>   extremes{{std::numeric_limits<double>::max(),
@@ -305,7 +306,7 @@ namespace Signorini
           extremes[1] = std::min(extremes[1], -T);
         }
     });
-    refuse_if_bad(id, t, bad);
+    throw_if_invalid(id, t, bad);
     return {Utilities::MPI::min(extremes[0], mesh.communicator()),
             -Utilities::MPI::min(extremes[1], mesh.communicator())};
   }
@@ -353,8 +354,9 @@ namespace Signorini
     const FEValues<dim> &values = all_values.get_present_fe_values();
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const Point<dim> &x      = values.quadrature_point(q);
-        const double      weight = thermal.rise(*cell, x) * values.JxW(q) * measure(model, x);
+        const Point<dim> &x = values.quadrature_point(q);
+        const double      weight =
+          thermal.temperature_change(*cell, x) * values.JxW(q) * measure(model, x);
         for (const unsigned int i : values.dof_indices())
           {
             const unsigned int d = cell->get_fe().system_to_component_index(i).first;

@@ -50,7 +50,7 @@ namespace Signorini
 
     /// T - T_0 at a point of a locally owned or ghost cell.
     double
-    rise(const Cell &cell, const dealii::Point<dim> &x) const;
+    temperature_change(const Cell &cell, const dealii::Point<dim> &x) const;
 
     /// alpha_i (T - T_0) at a point of a locally owned or ghost cell.
     dealii::Tensor<1, 3>
@@ -68,7 +68,7 @@ namespace Signorini
 
     // For what refers to rises on other ranks:
 
-    /// rise() as a combination of coefficients(), by their indices.
+    /// temperature_change() as a combination of coefficients(), by their indices.
     std::vector<std::pair<dealii::types::global_dof_index, double>>
     row(const Cell &cell, const dealii::Point<dim> &x) const;
 
@@ -95,7 +95,7 @@ namespace Signorini
     double
     temperature(const dealii::FEValues<dim> &values, unsigned int q, double t) const;
     void
-    refuse_if_bad(unsigned int id, double t, const std::vector<dealii::Point<dim>> &bad) const;
+    throw_if_invalid(unsigned int id, double t, const std::vector<dealii::Point<dim>> &bad) const;
 
     const Mesh<dim>                         &mesh;
     const std::vector<ThermalExpansion<dim>> expansions;

@@ -29,44 +29,45 @@ namespace Signorini
                               Vector<double>       &changes,
                               FullMatrix<double>   *slopes)
   {
-    constexpr unsigned int n_functions = BulkStress<dim>::functions_a_cell;
+    constexpr unsigned int n_functions = VolumetricStress<dim>::functions_per_cell;
     const auto             index       = cell->active_fe_index();
     all_values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell),
                       index,
                       0,
                       index);
-    const FEValues<dim>             &values  = all_values.get_present_fe_values();
-    const std::vector<unsigned int> &dofs    = all_dofs[index];
-    const unsigned int               n_nodes = dofs.size() / dim;
-    const Model                      model   = elasticity.model();
-    const bool is_finite = elasticity.is_finite(), has_hoop = model == Model::axisymmetric,
+    const FEValues<dim>             &values           = all_values.get_present_fe_values();
+    const std::vector<unsigned int> &dofs             = all_dofs[index];
+    const unsigned int               n_nodes          = dofs.size() / dim;
+    const Model                      model            = elasticity.model();
+    const bool                       is_finite_strain = elasticity.is_finite_strain(),
+               has_hoop                               = model == Model::axisymmetric,
                expands = elasticity.thermal().expands(cell->material_id());
     changes.reinit(n_functions);
     if (slopes)
       slopes->reinit(n_functions, dofs.size());
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const Point<dim>  &x           = values.quadrature_point(q);
-        const Tensor<2, 3> F           = gradient_at_point(model, values, dofs, q, u);
-        double             theta       = trace(F) - 3;
+        const Point<dim>  &x                 = values.quadrature_point(q);
+        const Tensor<2, 3> F                 = gradient_at_point(model, values, dofs, q, u);
+        double             volumetric_strain = trace(F) - 3;
         Tensor<2, 3>       by_gradient = unit_symmetric_tensor<3>(); // [derivative][component]
-        if (is_finite)
+        if (is_finite_strain)
           {
             const double J = determinant(F);
             if (!(J > 0))
               return false;
-            theta       = std::log(J);
-            by_gradient = invert(F);
+            volumetric_strain = std::log(J);
+            by_gradient       = invert(F);
           }
         else if (expands)
           {
             const Tensor<1, 3> strain = elasticity.thermal().strain(*cell, x);
-            theta -= strain[0] + strain[1] + strain[2];
+            volumetric_strain -= strain[0] + strain[1] + strain[2];
           }
-        const auto   phi    = elasticity.bulk_stress().functions(*cell, x);
+        const auto   phi    = elasticity.volumetric_stress().functions(*cell, x);
         const double weight = values.JxW(q) * measure(model, x);
         for (unsigned int k = 0; k < n_functions; ++k)
-          changes(k) += weight * phi[k] * theta;
+          changes(k) += weight * phi[k] * volumetric_strain;
         if (!slopes)
           continue;
         for (unsigned int i = 0; i < n_nodes; ++i)

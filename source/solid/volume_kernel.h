@@ -7,9 +7,9 @@
 
 namespace Signorini
 {
-  /// The changes of volume of one cell of a mixed body, as BulkStress sees them: int phi theta dV
-  /// with theta = tr eps without thermal strain (small deformation) or ln J (large), and how they
-  /// change with the displacement, int phi tr(Grad v F^-1) dV with F = I if that is small.
+  /// The changes of volume of one cell of a mixed body, as VolumetricStress sees them: int phi
+  /// theta dV with theta = tr eps without thermal strain (small deformation) or ln J (large), and
+  /// how they change with the displacement, int phi tr(Grad v F^-1) dV with F = I if that is small.
   template <int dim>
   class VolumeKernel
   {

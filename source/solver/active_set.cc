@@ -26,10 +26,10 @@ namespace Signorini
 
   ActiveSet::ActiveSet(const GapOperator &contact)
     : contact(contact)
-    , now(contact.coefficients.permanent)
-    , last(contact.coefficients.permanent)
+    , now(contact.coefficients.bilateral)
+    , last(contact.coefficients.bilateral)
     , changes(contact.zero())
-    , n_permanent(count(contact.coefficients.permanent))
+    , n_bilateral(count(contact.coefficients.bilateral))
   {}
 
 
@@ -49,7 +49,7 @@ namespace Signorini
     unsigned int n_changes = 0;
     for (const auto i : now.locally_owned_elements())
       {
-        const double value = std::max(contact.coefficients.permanent(i), status(i));
+        const double value = std::max(contact.coefficients.bilateral(i), status(i));
         n_changes += value != now(i);
         now(i) = value;
       }
@@ -77,18 +77,18 @@ namespace Signorini
 
 
   unsigned int
-  ActiveSet::size_of_separating() const
+  ActiveSet::n_active_unilateral() const
   {
-    return count(now) - n_permanent;
+    return count(now) - n_bilateral;
   }
 
 
 
   bool
-  ActiveSet::keep_last_if_any()
+  ActiveSet::restore_previous_if_active()
   {
     const unsigned int n = count(last);
-    if (n <= n_permanent || n == size())
+    if (n <= n_bilateral || n == size())
       return false;
     now = last;
     return true;
@@ -97,12 +97,12 @@ namespace Signorini
 
 
   bool
-  ActiveSet::take_if_empty(const LA::Vector &status)
+  ActiveSet::replace_if_empty(const LA::Vector &status)
   {
-    if (size_of_separating() > 0)
+    if (n_active_unilateral() > 0)
       return false;
     now = status;
-    return size_of_separating() > 0;
+    return n_active_unilateral() > 0;
   }
 
 
@@ -124,7 +124,7 @@ namespace Signorini
 
 
   unsigned int
-  ActiveSet::keep_deepest(const LA::Vector &gap, const bool step_by_step)
+  ActiveSet::restrict_to_deepest(const LA::Vector &gap, const bool step_by_step)
   {
     // Refined once, an area has four times as many points: that is how a zone grows without losing
     // its shape.
@@ -145,7 +145,7 @@ namespace Signorini
     Utilities::MPI::min(deepest, comm, deepest);
 
     const auto stays = [&](const auto i, const unsigned int pair) {
-      return is_closed(last(i)) || contact.coefficients.permanent(i) > 0 ||
+      return is_closed(last(i)) || contact.coefficients.bilateral(i) > 0 ||
              deepest[pair] >= -rounding || gap(i) <= share[pair] * deepest[pair];
     };
     constexpr unsigned int most_trials = 10;
@@ -178,7 +178,7 @@ namespace Signorini
 
 
   void
-  ActiveSet::open_pulling_regions(const LA::Vector &trial)
+  ActiveSet::deactivate_tensile_regions(const LA::Vector &trial)
   {
     if (contact.origin.regions.empty())
       return;
@@ -192,7 +192,7 @@ namespace Signorini
     force.compress(VectorOperation::insert);
     const LA::Vector sums    = contact.origin.regions.sums(either, force);
     const auto       is_left = [&](const auto i) {
-      return is_closed(now(i)) && (sums(i) >= 0 || contact.coefficients.permanent(i) > 0);
+      return is_closed(now(i)) && (sums(i) >= 0 || contact.coefficients.bilateral(i) > 0);
     };
     std::vector<unsigned int> left(contact.n_pairs(), 0);
     auto                      pair = contact.origin.pair.begin();
@@ -234,24 +234,24 @@ namespace Signorini
 
 
   unsigned int
-  ActiveSet::drop_touching(const LA::Vector &gap)
+  ActiveSet::deactivate_zero_gap(const LA::Vector &gap)
   {
     double deepest = 0;
     for (const auto i : gap.locally_owned_elements())
-      if (contact.coefficients.permanent(i) == 0)
+      if (contact.coefficients.bilateral(i) == 0)
         deepest = std::max(deepest, -gap(i));
     deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
     // So is a single one that overlaps, as the tip of a cone does by the mean over its faces.
-    if (deepest > coordinate_rounding() && size_of_separating() > 1)
-      return keep_deepest(gap);
-    now = contact.coefficients.permanent;
+    if (deepest > coordinate_rounding() && n_active_unilateral() > 1)
+      return restrict_to_deepest(gap);
+    now = contact.coefficients.bilateral;
     return count(now);
   }
 
 
 
   unsigned int
-  ActiveSet::add_touching(const LA::Vector &gap)
+  ActiveSet::activate_zero_gap(const LA::Vector &gap)
   {
     const double rounding = coordinate_rounding();
     for (const auto i : gap.locally_owned_elements())
@@ -264,7 +264,7 @@ namespace Signorini
 
 
   void
-  ActiveSet::keep_all_but_the_worst(const LA::Vector &trial)
+  ActiveSet::change_only_most_violated(const LA::Vector &trial)
   {
     const auto violation = [&](const auto i) {
       return now(i) == last(i) ? 0. : std::abs(trial(i));
@@ -282,7 +282,7 @@ namespace Signorini
 
 
   bool
-  ActiveSet::seen_before()
+  ActiveSet::is_cycling()
   {
     // A sum of well-mixed numbers, one a closed point: independent of order and ranks.
     uint64_t   hash  = 0;

@@ -29,7 +29,7 @@ namespace Signorini
 
     /// Without those of pairs that never separate.
     unsigned int
-    size_of_separating() const;
+    n_active_unilateral() const;
 
     /// Keep the set, but forget the way to it.
     void
@@ -48,42 +48,42 @@ namespace Signorini
     /// become active. Returns the number of active points.
     /// @param step_by_step nor so many that there are more than four times those of the last set
     unsigned int
-    keep_deepest(const LA::Vector &gap, bool step_by_step = false);
+    restrict_to_deepest(const LA::Vector &gap, bool step_by_step = false);
 
     /// A region of points that pulls as a whole does not stay, nor do the points beside it that
     /// overlap because it was turned about: left to themselves, they would wander along a lever
     /// that lifts off, a point a step. Of each pair something must be left.
     /// @param trial normal component of that of the law: the pressure that points would have
     void
-    open_pulling_regions(const LA::Vector &trial);
+    deactivate_tensile_regions(const LA::Vector &trial);
 
     /// Bodies that stand on each other do not fall. Returns the number of active points.
     unsigned int
-    add_touching(const LA::Vector &gap);
+    activate_zero_gap(const LA::Vector &gap);
 
     /// A body that nothing but contact holds, or an obstacle under a given force, rests on a point
     /// at first; better it is pushed in a little before that point counts. Returns the number of
     /// active points.
     unsigned int
-    drop_touching(const LA::Vector &gap);
+    deactivate_zero_gap(const LA::Vector &gap);
 
     /// Of all changes, make the one that violates the law most.
     /// @param trial normal component of that of the law
     void
-    keep_all_but_the_worst(const LA::Vector &trial);
+    change_only_most_violated(const LA::Vector &trial);
 
     /// Take back all changes if there was an active point that may separate. Returns true if that
     /// changes anything.
     bool
-    keep_last_if_any();
+    restore_previous_if_active();
 
     /// Instead of a set without points that may separate. Returns true if it has some then.
     bool
-    take_if_empty(const LA::Vector &status);
+    replace_if_empty(const LA::Vector &status);
 
     /// True if the set is one of those since restart(), but not the last one.
     bool
-    seen_before();
+    is_cycling();
 
     /// Number of points whose status is not the last one.
     unsigned int
@@ -104,7 +104,7 @@ namespace Signorini
 
     const GapOperator &contact;
     LA::Vector         now, last, changes;
-    const unsigned int n_permanent;
+    const unsigned int n_bilateral;
     std::set<uint64_t> history;
   };
 } // namespace Signorini

@@ -13,16 +13,16 @@ namespace Signorini
     ContactSolver(const NewtonSettings       &newton_settings,
                   const LinearSolverSettings &linear_settings,
                   const ContactMethod        &method,
-                  Bodies                     &bodies,
+                  SolidResidual              &bodies,
                   const GapOperator          &contact,
-                  FreeMotions                 free_motions,
-                  BodiesHierarchy            &hierarchies,
+                  UnconstrainedModes          unconstrained_modes,
+                  SolidHierarchy             &hierarchies,
                   dealii::TimerOutput        &timer)
       : law(method.make_law(contact))
       , system(bodies.stiffness(),
                *law,
-               std::move(free_motions),
-               bodies.bulk() ? &bodies.bulk()->coupling() : nullptr,
+               std::move(unconstrained_modes),
+               bodies.volumetric() ? &bodies.volumetric()->coupling() : nullptr,
                bodies.is_symmetric())
       , linear_solver(linear_settings, system, hierarchies, timer)
       , newton(newton_settings, bodies, *law, system, linear_solver)

@@ -13,18 +13,18 @@ namespace Signorini
 {
   using namespace dealii;
 
-  ContactSystem::ContactSystem(const Stiffness    &stiffness,
-                               const ContactLaw   &law,
-                               FreeMotions         free_motions,
-                               const BulkCoupling *bulk,
-                               const bool          symmetric_bodies)
+  ContactSystem::ContactSystem(const Stiffness          &stiffness,
+                               const ContactLaw         &law,
+                               UnconstrainedModes        unconstrained_modes,
+                               const VolumetricCoupling *volumetric,
+                               const bool                symmetric_bodies)
     : K(stiffness)
     , law(law)
     , contact(law.gap_operator())
-    , my_bulk(bulk)
+    , my_volumetric(volumetric)
     , saddle(law.has_multiplier())
     , symmetric_bodies(symmetric_bodies)
-    , motions(std::move(free_motions))
+    , motions(std::move(unconstrained_modes))
     , D(law.n_components(), contact.zeros())
     , X(D)
     , Y(D)
@@ -251,7 +251,7 @@ namespace Signorini
 
 
   PointVectors
-  ContactSystem::springs() const
+  ContactSystem::contact_stiffness() const
   {
     PointVectors result;
     for (unsigned int a = 0; a < D.size(); ++a)
@@ -262,7 +262,7 @@ namespace Signorini
 
 
   bool
-  ContactSystem::presses(const types::global_dof_index point) const
+  ContactSystem::is_active_point(const types::global_dof_index point) const
   {
     bool any = A(point) != 0;
     for (unsigned int a = 0; a < D.size(); ++a)
@@ -278,8 +278,8 @@ namespace Signorini
     std::vector<IndexSet> blocks = {K.owned()};
     blocks.resize(1 + n_multiplier_blocks(),
                   saddle ? contact.weight.locally_owned_elements() : IndexSet(0));
-    if (my_bulk)
-      blocks.push_back(my_bulk->compliance.locally_owned_elements());
+    if (my_volumetric)
+      blocks.push_back(my_volumetric->compliance.locally_owned_elements());
     return LA::BlockVector(blocks, K.communicator());
   }
 
@@ -290,37 +290,37 @@ namespace Signorini
   {
     constexpr unsigned int often = 8; // hundreds of products take hardly a second, or minutes
     if (++n_products % often == 0)
-      look_for_interruption();
+      check_for_interruption();
     contact_terms(dst, src);
     LA::Vector &force = workspace;
     force.reinit(src.block(0), true);
     internal_force(force, src.block(0));
     dst.block(0) += force;
-    motions.add_loose(dst.block(0), src.block(0));
-    if (my_bulk)
-      add_bulk(dst, src);
+    motions.add_unconstrained_stiffness(dst.block(0), src.block(0));
+    if (my_volumetric)
+      add_volumetric(dst, src);
   }
 
 
 
   void
-  ContactSystem::add_bulk(LA::BlockVector &dst, const LA::BlockVector &src) const
+  ContactSystem::add_volumetric(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
-    const unsigned int m = bulk_block();
-    my_bulk->B.Tvmult_add(dst.block(0), src.block(m));
+    const unsigned int m = volumetric_block();
+    my_volumetric->B.Tvmult_add(dst.block(0), src.block(m));
     LA::Vector volume = src.block(m);
-    volume.scale(my_bulk->compliance);
+    volume.scale(my_volumetric->compliance);
     volume *= -1;
-    my_bulk->B.vmult_add(volume, src.block(0));
+    my_volumetric->B.vmult_add(volume, src.block(0));
     dst.block(m) += volume;
-    if (contact.has_bulk_stress())
-      add_bulk_at_contact(dst, src);
+    if (contact.has_volumetric_stress())
+      add_volumetric_at_contact(dst, src);
   }
 
 
 
   void
-  ContactSystem::add_bulk_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const
+  ContactSystem::add_volumetric_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
     Assert(!transposed, dealii::StandardExceptions::ExcNotImplemented());
     const auto product = [](const LA::Vector &block, const LA::Vector &v, const double factor) {
@@ -329,21 +329,21 @@ namespace Signorini
       result *= factor;
       return result;
     };
-    const unsigned int m     = bulk_block();
+    const unsigned int m     = volumetric_block();
     const double       theta = contact.theta;
-    LA::Vector         gap = contact.zero(), stress = gap, of_bulk = gap;
+    LA::Vector         gap = contact.zero(), stress = gap, of_volumetric = gap;
     contact.S_free.vmult(stress, src.block(0));
-    contact.S_bulk.vmult(of_bulk, src.block(m));
-    contact.S_free.Tvmult_add(dst.block(0), product(Y[0][0], of_bulk, -theta));
-    stress += of_bulk;
+    contact.S_volumetric.vmult(of_volumetric, src.block(m));
+    contact.S_free.Tvmult_add(dst.block(0), product(Y[0][0], of_volumetric, -theta));
+    stress += of_volumetric;
     LA::Vector sum = product(Y[0][0], stress, -theta);
     for (unsigned int a = 0; a < law.n_components(); ++a)
       {
-        contact.free_rows(a).Tvmult_add(dst.block(0), product(X[a][0], of_bulk, -1));
+        contact.free_rows(a).Tvmult_add(dst.block(0), product(X[a][0], of_volumetric, -1));
         contact.free_rows(a).vmult(gap, src.block(0));
         sum += product(Z[0][a], gap, -theta);
       }
-    contact.S_bulk.Tvmult_add(dst.block(m), sum);
+    contact.S_volumetric.Tvmult_add(dst.block(m), sum);
   }
 
 
@@ -352,9 +352,9 @@ namespace Signorini
   ContactSystem::internal_force(LA::Vector &dst, const LA::Vector &du) const
   {
     K.vmult(dst, du);
-    if (turns)
+    if (uses_geometric)
       contact.subtract_geometric(dst, du);
-    motions.subtract_springs(dst, du);
+    motions.subtract_stabilisation(dst, du);
   }
 
 

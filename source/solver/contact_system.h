@@ -3,8 +3,8 @@
 #include "contact/laws/contact_law.h"
 #include "linear_algebra/columns.h"
 #include "solid/stiffness.h"
-#include "solver/bulk_equations.h"
-#include "solver/free_motions.h"
+#include "solver/unconstrained_modes.h"
+#include "solver/volumetric_equations.h"
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -26,7 +26,7 @@ namespace Signorini
   ///     K + [B; S]^T [ D          -X       ] [B; S],   X = dp/ds W,
   ///                  [ -theta Z   -theta Y ]           Y = (1 - dp/ds) W/eps,   Z = D/eps.
   ///
-  /// Saddle point (the traction is unknown), thesis (49):
+  /// Saddle point (the traction is unknown; doc/theory, 4.3):
   ///     [  K      -B^T A ] [du]   [  r   ]
   ///     [ -C B     -I    ] [q ] = [ k W d ],   dp = k q,
   /// with the residual d of the constraint, zero at open points, A = k W on closed points,
@@ -36,8 +36,9 @@ namespace Signorini
   ///
   /// Where surfaces move, K - G takes the place of K, see MovedContact.
   ///
-  /// Bodies that are mixed have one more row and column in either form, those of the bulk stress,
-  /// see BulkCoupling; contact touches them with Nitsche's method alone, where S is [S T].
+  /// Bodies that are mixed have one more row and column in either form, those of the volumetric
+  /// stress, see VolumetricCoupling; contact touches them with Nitsche's method alone, where S is
+  /// [S T].
   ///
   /// Vectors are blocks (u, q), q with a block a component, and with mixed bodies (u, q, m); q is
   /// one empty block in the condensed form. K belongs to the bodies and is never touched; what
@@ -48,14 +49,14 @@ namespace Signorini
     /// A diagonal matrix of the points for each two components, [a][b].
     using Blocks = std::vector<PointVectors>;
 
-    /// Refers to all but the free motions, which must live as long.
-    /// @param bulk null: no body is mixed
-    /// @param symmetric_bodies see Bodies::is_symmetric()
-    ContactSystem(const Stiffness    &stiffness,
-                  const ContactLaw   &law,
-                  FreeMotions         free_motions     = FreeMotions(),
-                  const BulkCoupling *bulk             = nullptr,
-                  bool                symmetric_bodies = true);
+    /// Refers to all but the unconstrained rigid-body modes, which must live as long.
+    /// @param volumetric null: no body is mixed
+    /// @param symmetric_bodies see SolidResidual::is_symmetric()
+    ContactSystem(const Stiffness          &stiffness,
+                  const ContactLaw         &law,
+                  UnconstrainedModes        unconstrained_modes = UnconstrainedModes(),
+                  const VolumetricCoupling *volumetric          = nullptr,
+                  bool                      symmetric_bodies    = true);
 
     /// Linearise the law at these inputs, with these statuses.
     void
@@ -84,36 +85,36 @@ namespace Signorini
 
     /// False: K takes the place of K - G, until this is taken back.
     void
-    turn_forces(const bool wanted)
+    use_geometric_stiffness(const bool wanted)
     {
-      turns = wanted;
+      uses_geometric = wanted;
     }
 
     bool
-    turns_forces() const
+    uses_geometric_stiffness() const
     {
-      return turns;
+      return uses_geometric;
     }
 
     /// How the forces that are not the law's change: (K - G) du without the springs that K has
-    /// against free motions.
+    /// against unconstrained rigid-body modes.
     void
     internal_force(LA::Vector &dst, const LA::Vector &du) const;
 
-    const FreeMotions &
-    free_motions() const
+    const UnconstrainedModes &
+    unconstrained_modes() const
     {
       return motions;
     }
 
     /// Find the loose ones of these statuses, without the system for it.
     void
-    find_loose_motions(const LA::Vector &status)
+    find_unconstrained_modes(const LA::Vector &status)
     {
       motions.set_status(status);
     }
 
-    /// The same without K and the bulk stress, which get zero.
+    /// The same without K and the volumetric stress, which get zero.
     void
     contact_terms(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
@@ -128,9 +129,9 @@ namespace Signorini
       return saddle ? law.n_components() : 1;
     }
 
-    /// The block of the bulk stress, if there is one.
+    /// The block of the volumetric stress, if there is one.
     unsigned int
-    bulk_block() const
+    volumetric_block() const
     {
       return 1 + n_multiplier_blocks();
     }
@@ -148,7 +149,8 @@ namespace Signorini
              (!contact.has_stress() || contact.theta == 1);
     }
 
-    /// K, with springs against free motions: that is what preconditioners are built of.
+    /// K, with springs against unconstrained rigid-body modes: that is what preconditioners are
+    /// built of.
     const Stiffness &
     stiffness() const
     {
@@ -156,10 +158,10 @@ namespace Signorini
     }
 
     /// Null: no body is mixed.
-    const BulkCoupling *
-    bulk() const
+    const VolumetricCoupling *
+    volumetric() const
     {
-      return my_bulk;
+      return my_volumetric;
     }
 
     const GapOperator &
@@ -170,11 +172,11 @@ namespace Signorini
 
     /// D_aa of each component a.
     PointVectors
-    springs() const;
+    contact_stiffness() const;
 
     /// Is the point closed, in the condensed form with any stiffness?
     bool
-    presses(dealii::types::global_dof_index point) const;
+    is_active_point(dealii::types::global_dof_index point) const;
 
     /// What the points of this rank add to K in the condensed form: a matrix on the local columns
     /// of GapOperator::B_free. Empty in the saddle point form, and without points.
@@ -226,25 +228,25 @@ namespace Signorini
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
     void
     add_multipliers(LA::BlockVector &dst, const LA::BlockVector &src) const;
-    /// What the rows and columns of the bulk stress are.
+    /// What the rows and columns of the volumetric stress are.
     void
-    add_bulk(LA::BlockVector &dst, const LA::BlockVector &src) const;
+    add_volumetric(LA::BlockVector &dst, const LA::BlockVector &src) const;
     /// With Nitsche's method normal stresses have T dm beside S du.
     void
-    add_bulk_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const;
+    add_volumetric_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
-    const Stiffness          &K;
-    const ContactLaw         &law;
-    const GapOperator        &contact;
-    const BulkCoupling *const my_bulk;
-    const bool                saddle, symmetric_bodies;
-    bool                      transposed = false;
-    bool                      turns      = true; ///< see turn_forces()
-    FreeMotions               motions;
-    Blocks                    D, X, Y, Z, C, I;
-    LA::Vector                A;
-    mutable LA::Vector        workspace;
-    mutable unsigned int      n_products = 0;
+    const Stiffness                &K;
+    const ContactLaw               &law;
+    const GapOperator              &contact;
+    const VolumetricCoupling *const my_volumetric;
+    const bool                      saddle, symmetric_bodies;
+    bool                            transposed     = false;
+    bool                            uses_geometric = true; ///< see use_geometric_stiffness()
+    UnconstrainedModes              motions;
+    Blocks                          D, X, Y, Z, C, I;
+    LA::Vector                      A;
+    mutable LA::Vector              workspace;
+    mutable unsigned int            n_products = 0;
 
     Sums                              sums; ///< those in `surface`
     dealii::SparsityPattern           pattern;

@@ -10,11 +10,11 @@ namespace Signorini
     /// from the response of the law.
     template <typename Derivative>
     PointVectors
-    through_law(const ContactLaw   &law,
-                const LawInputs    &in,
-                const LA::Vector   &status,
-                const PointVectors &of_traction,
-                const Derivative   &derivative)
+    derivative_by_law(const ContactLaw   &law,
+                      const LawInputs    &in,
+                      const LA::Vector   &status,
+                      const PointVectors &of_traction,
+                      const Derivative   &derivative)
     {
       PointVectors result = law.gap_operator().zeros();
       for (const auto i : status.locally_owned_elements())
@@ -65,12 +65,12 @@ namespace Signorini
             }
           return result;
         }
-      const PointVectors by = through_law(law, in, status, of_traction, by_gap);
+      const PointVectors by = derivative_by_law(law, in, status, of_traction, by_gap);
       for (unsigned int a = 0; a < by.size(); ++a)
         contact.free_rows(a).Tvmult_add(result.block(0), by[a]);
       if (contact.has_stress())
         contact.S_free.Tvmult_add(result.block(0),
-                                  through_law(law, in, status, of_traction, by_stress)[0]);
+                                  derivative_by_law(law, in, status, of_traction, by_stress)[0]);
       return result;
     }
   } // namespace
@@ -84,14 +84,14 @@ namespace Signorini
                const LA::Vector   &of_pressure,
                const double        reduction)
   {
-    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.bulk_stress())};
+    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.volumetric_stress())};
     const LawInputs    in{gaps, s, state.traction, state.internal};
     const unsigned int n_q = system.is_saddle_point() ? law.n_components() : 0;
     linearise(u, in);
     LA::BlockVector left = system.zero();
-    left.block(0)        = balance.residual(u, in, state.status);
-    if (bodies.bulk())
-      left.block(system.bulk_block()) = bodies.bulk()->residual(u);
+    left.block(0)        = convergence.residual(u, in, state.status);
+    if (bodies.volumetric())
+      left.block(system.volumetric_block()) = bodies.volumetric()->residual(u);
     if (system.is_saddle_point())
       {
         const PointVectors residual = law.residual(in, state.status);
@@ -135,7 +135,7 @@ namespace Signorini
         result.zeta[a].scale(contact.weight);
         result.zeta[a] += of_traction[a];
       }
-    result.zeta = through_law(law, in, state.status, result.zeta, by_gap);
+    result.zeta = derivative_by_law(law, in, state.status, result.zeta, by_gap);
     for (LA::Vector &component : result.zeta)
       {
         for (const auto i : component.locally_owned_elements())

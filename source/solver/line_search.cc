@@ -156,18 +156,18 @@ namespace Signorini
   bool
   has_energy(const ContactSystem &system)
   {
-    return !system.gap_operator().empty() && !system.is_saddle_point() && !system.bulk() &&
+    return !system.gap_operator().empty() && !system.is_saddle_point() && !system.volumetric() &&
            system.is_symmetric();
   }
 
 
 
   double
-  best_step(const ContactSystem &system,
-            const ContactLaw    &law,
-            const LA::Vector    &r,
-            const LawInputs     &in,
-            const LA::Vector    &du)
+  energy_minimising_step(const ContactSystem &system,
+                         const ContactLaw    &law,
+                         const LA::Vector    &r,
+                         const LawInputs     &in,
+                         const LA::Vector    &du)
   {
     const Slope slope(system, law, r, in, du);
     if (std::abs(slope(1)) <= 0.1 * std::abs(slope.at_start()))

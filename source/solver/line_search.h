@@ -14,9 +14,9 @@ namespace Signorini
   /// @param r forces out of balance at u
   /// @param in gap, stress and pressure at u
   double
-  best_step(const ContactSystem &system,
-            const ContactLaw    &law,
-            const LA::Vector    &r,
-            const LawInputs     &in,
-            const LA::Vector    &du);
+  energy_minimising_step(const ContactSystem &system,
+                         const ContactLaw    &law,
+                         const LA::Vector    &r,
+                         const LawInputs     &in,
+                         const LA::Vector    &du);
 } // namespace Signorini

@@ -2,7 +2,7 @@
 
 #include "contact/laws/normal_contact.h"
 #include "matrix_free/make_stiffness.h"
-#include "solver/bulk_balance.h"
+#include "solver/volume_constraint.h"
 
 #include <deal.II/base/timer.h>
 
@@ -48,13 +48,16 @@ namespace Signorini
       const LA::Vector f      = elasticity.load();
       result.seconds_assembly = lap();
 
-      const GapOperator   contact = nothing(elasticity.owned(), comm);
-      const NormalContact law     = NormalContact::springs(contact, 0);
-      const auto          bulk    = BulkBalance<dim>::create(elasticity);
-      if (bulk)
-        bulk->linearise(f);
-      const ContactSystem system(*stiffness, law, {}, bulk ? &bulk->coupling() : nullptr);
-      BodiesHierarchy     hierarchies(settings, *stiffness, elasticity);
+      const GapOperator   contact    = nothing(elasticity.owned(), comm);
+      const NormalContact law        = NormalContact::springs(contact, 0);
+      const auto          volumetric = VolumeConstraint<dim>::create(elasticity);
+      if (volumetric)
+        volumetric->linearise(f);
+      const ContactSystem system(*stiffness,
+                                 law,
+                                 {},
+                                 volumetric ? &volumetric->coupling() : nullptr);
+      SolidHierarchy      hierarchies(settings, *stiffness, elasticity);
       LinearSolver        solver(settings, system, hierarchies, timer);
       solver.update();
       result.seconds_preconditioner = lap();

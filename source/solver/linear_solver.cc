@@ -1,8 +1,8 @@
 #include "solver/linear_solver.h"
 
 #include "linear_algebra/direct_solver.h"
-#include "solver/preconditioners/bulk_schur.h"
 #include "solver/preconditioners/schur_complement.h"
+#include "solver/preconditioners/volumetric_schur.h"
 #include <signorini/base/text.h>
 
 #include <deal.II/lac/solver_cg.h>
@@ -23,7 +23,7 @@ namespace Signorini
     LA::DirectLibrary
     choose_direct(const LinearSolverSettings &settings,
                   const Stiffness            &stiffness,
-                  const bool                  zone_turns)
+                  const bool                  interface_includes_geometric)
     {
       const bool has_mumps = LA::DirectSolver::is_available(LA::DirectLibrary::MUMPS);
       if (settings.direct_solver == LA::DirectLibrary::MUMPS && !has_mumps)
@@ -33,8 +33,8 @@ namespace Signorini
         return *settings.direct_solver;
       constexpr unsigned int small = 2000;
       const bool is_serial         = Utilities::MPI::n_mpi_processes(stiffness.communicator()) == 1,
-                 is_large =
-                   zone_turns || (settings.preconditioner == "direct" && stiffness.size() > small);
+                 is_large          = interface_includes_geometric ||
+                            (settings.preconditioner == "direct" && stiffness.size() > small);
       return has_mumps && (!is_serial || is_large) ? LA::DirectLibrary::MUMPS :
                                                      LA::DirectLibrary::KLU;
     }
@@ -44,7 +44,7 @@ namespace Signorini
                   const ContactSystem        &system,
                   const Preconditioner       &preconditioner)
     {
-      if (system.bulk())
+      if (system.volumetric())
         {
           if (settings.krylov && *settings.krylov != Krylov::FGMRES)
             throw SceneError(
@@ -74,10 +74,10 @@ namespace Signorini
           return settings.krylov.value_or(Krylov::CG);
         }
       if (!settings.krylov)
-        return preconditioner.keeps_constraints()    ? Krylov::CG :
-               preconditioner.is_positive_definite() ? Krylov::MINRES :
-                                                       Krylov::FGMRES;
-      if (settings.krylov == Krylov::CG && !preconditioner.keeps_constraints())
+        return preconditioner.preserves_constraints() ? Krylov::CG :
+               preconditioner.is_positive_definite()  ? Krylov::MINRES :
+                                                        Krylov::FGMRES;
+      if (settings.krylov == Krylov::CG && !preconditioner.preserves_constraints())
         throw SceneError(
           "Solver/Krylov method = CG with multipliers requires a constraint preconditioner, but "
           "Solver/Preconditioner = " +
@@ -97,7 +97,7 @@ namespace Signorini
 
   LinearSolver::LinearSolver(const LinearSolverSettings &settings,
                              const ContactSystem        &system,
-                             BodiesHierarchy            &hierarchies,
+                             SolidHierarchy             &hierarchies,
                              TimerOutput                &timer)
     : settings(settings)
     , system(system)
@@ -123,12 +123,16 @@ namespace Signorini
     if (settings.preconditioner != "direct")
       hierarchy = hierarchies.get();
     LinearSolverSettings chosen = settings;
-    chosen.direct_solver = choose_direct(settings, system.stiffness(), hierarchies.zones_turn());
-    preconditioner =
-      Preconditioner::create(chosen, system, hierarchy.get(), hierarchies.zones_turn());
-    if (system.bulk())
+    chosen.direct_solver        = choose_direct(settings,
+                                         system.stiffness(),
+                                         hierarchies.interface_includes_geometric_stiffness());
+    preconditioner              = Preconditioner::create(chosen,
+                                            system,
+                                            hierarchy.get(),
+                                            hierarchies.interface_includes_geometric_stiffness());
+    if (system.volumetric())
       preconditioner =
-        std::make_unique<BulkSchur>(system, *system.bulk(), std::move(preconditioner));
+        std::make_unique<VolumetricSchur>(system, *system.volumetric(), std::move(preconditioner));
     version = system.stiffness().version();
   }
 
@@ -156,20 +160,21 @@ namespace Signorini
 
 
   bool
-  LinearSolver::lacks_turning_zone() const
+  LinearSolver::interface_lacks_geometric() const
   {
-    return settings.preconditioner == "interface multigrid" && system.turns_forces() &&
-           !system.gap_operator().at_rest() && !hierarchies.zones_turn();
+    return settings.preconditioner == "interface multigrid" && system.uses_geometric_stiffness() &&
+           !system.gap_operator().at_rest() &&
+           !hierarchies.interface_includes_geometric_stiffness();
   }
 
 
 
   bool
-  LinearSolver::let_zones_turn(const bool wanted)
+  LinearSolver::include_geometric_in_interface(const bool wanted)
   {
-    const bool did     = hierarchies.zones_turn();
-    const bool is_news = wanted && lacks_turning_zone();
-    hierarchies.let_zones_turn(wanted);
+    const bool did     = hierarchies.interface_includes_geometric_stiffness();
+    const bool is_news = wanted && interface_lacks_geometric();
+    hierarchies.include_geometric_in_interface(wanted);
     if (is_news)
       {
         make_preconditioner();
@@ -181,13 +186,14 @@ namespace Signorini
 
 
   bool
-  LinearSolver::renew()
+  LinearSolver::request_rebuild()
   {
     if (settings.preconditioner == "direct")
       return false; // factors are always of the stiffness as it is now
-    if (!hierarchies.renew())
-      return lacks_turning_zone() && !let_zones_turn(true);
-    hierarchies.let_zones_turn(hierarchies.zones_turn() || lacks_turning_zone());
+    if (!hierarchies.request_rebuild())
+      return interface_lacks_geometric() && !include_geometric_in_interface(true);
+    hierarchies.include_geometric_in_interface(
+      hierarchies.interface_includes_geometric_stiffness() || interface_lacks_geometric());
     make_preconditioner();
     preconditioner->update();
     return true;
@@ -198,9 +204,9 @@ namespace Signorini
   bool
   LinearSolver::factorise(const NegativeCurvature curvature)
   {
-    if (curvature == NegativeCurvature::is_told || !can_factorise())
+    if (curvature == NegativeCurvature::report || !can_factorise())
       return false; // factors would tell nothing
-    has_given_up_iterating  = true;
+    has_failed_iterating    = true;
     settings.preconditioner = "direct";
     make_preconditioner();
     preconditioner->update();
@@ -229,7 +235,7 @@ namespace Signorini
         }
       catch (const SolverFailure &)
         {
-          if (!renew() && !factorise(curvature))
+          if (!request_rebuild() && !factorise(curvature))
             throw;
         }
   }
@@ -248,7 +254,7 @@ namespace Signorini
 
     x = 0;
     // What CG has seen before it gave up, factors do not.
-    is_indefinite = is_indefinite && has_given_up_iterating;
+    is_indefinite = is_indefinite && has_failed_iterating;
     if (preconditioner->is_exact() && !system.is_transposed())
       {
         preconditioner->vmult(x, rhs);
@@ -289,7 +295,7 @@ namespace Signorini
   {
     constexpr unsigned int patience = 50;
     const bool             is_limited =
-      curvature == NegativeCurvature::refuses || curvature == NegativeCurvature::stops;
+      curvature == NegativeCurvature::reject || curvature == NegativeCurvature::truncate;
     const LA::BlockVector     start = x;
     unsigned int              n     = 0;
     IterationNumberControl    limited(patience, control.tolerance());
@@ -300,30 +306,30 @@ namespace Signorini
     solver.connect_coefficients_slot([&](const double alpha, const double beta) {
       ++n;
       is_indefinite = is_indefinite || alpha < 0 || beta < 0;
-      if (is_indefinite && curvature != NegativeCurvature::goes_on)
+      if (is_indefinite && curvature != NegativeCurvature::ignore)
         throw IndefiniteSystem("the system is not positive definite");
-      was_indefinite = was_indefinite || is_indefinite;
+      was_ever_indefinite = was_ever_indefinite || is_indefinite;
     });
     try
       {
         solver.solve(system, x, rhs, *preconditioner);
-        if (curvature == NegativeCurvature::refuses && chosen.last_value() > chosen.tolerance())
+        if (curvature == NegativeCurvature::reject && chosen.last_value() > chosen.tolerance())
           throw IndefiniteSystem("the system is nearly indefinite");
-        judge(chosen.last_step(), chosen.initial_value(), chosen.last_value());
+        record_iterations(chosen.last_step(), chosen.initial_value(), chosen.last_value());
         return chosen.last_step();
       }
     catch (const IndefiniteSystem &)
       {
-        if (curvature != NegativeCurvature::stops)
+        if (curvature != NegativeCurvature::truncate)
           throw;
       }
     x = start;
-    if (renew()) // it may have been that of the preconditioner
+    if (request_rebuild()) // it may have been that of the preconditioner
       {
         is_indefinite = false;
         return n + conjugate_gradients(control, x, rhs, curvature);
       }
-    was_indefinite = true;
+    was_ever_indefinite = true;
     if (n == 1)
       {
         LA::BlockVector rest = rhs, down = rhs;
@@ -341,16 +347,16 @@ namespace Signorini
 
 
   unsigned int
-  LinearSolver::most_iterations(const NegativeCurvature curvature) const
+  LinearSolver::iteration_limit(const NegativeCurvature curvature) const
   {
     // From there on a factorisation is quicker, or a zone that knows of forces that turn; and what
     // curves down has been seen.
     constexpr unsigned int patience = 200, little_patience = 50;
-    const bool             is_limited = curvature == NegativeCurvature::is_told || can_factorise();
+    const bool             is_limited = curvature == NegativeCurvature::report || can_factorise();
     return std::min(settings.maximum_iterations,
-                    lacks_turning_zone() ? little_patience :
-                    is_limited           ? patience :
-                                           settings.maximum_iterations);
+                    interface_lacks_geometric() ? little_patience :
+                    is_limited                  ? patience :
+                                                  settings.maximum_iterations);
   }
 
 
@@ -362,7 +368,7 @@ namespace Signorini
                         const LA::BlockVector  &rhs,
                         const NegativeCurvature curvature)
   {
-    SolverControl control(most_iterations(curvature), tolerance);
+    SolverControl control(iteration_limit(curvature), tolerance);
     try
       {
         switch (krylov)
@@ -378,7 +384,7 @@ namespace Signorini
                 .solve(system, x, rhs, *preconditioner);
               break;
           }
-        judge(control.last_step(), control.initial_value(), control.last_value());
+        record_iterations(control.last_step(), control.initial_value(), control.last_value());
         return control.last_step();
       }
     catch (const SolverControl::NoConvergence &stop)
@@ -398,13 +404,15 @@ namespace Signorini
 
 
   void
-  LinearSolver::judge(const unsigned int iterations, const double first, const double last)
+  LinearSolver::record_iterations(const unsigned int iterations,
+                                  const double       first,
+                                  const double       last)
   {
     constexpr unsigned int many = 20;
-    if (iterations > many && lacks_turning_zone())
-      hierarchies.let_zones_turn(true); // of the next system
+    if (iterations > many && interface_lacks_geometric())
+      hierarchies.include_geometric_in_interface(true); // of the next system
     const double digits = last > 0 ? std::log10(first / last) : 0;
     if (hierarchy && digits >= 1)
-      hierarchies.judge(iterations / digits);
+      hierarchies.record_iterations(iterations / digits);
   }
 } // namespace Signorini

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/solver_failure.h"
-#include "solver/bodies_hierarchy.h"
 #include "solver/preconditioner.h"
+#include "solver/solid_hierarchy.h"
 
 #include <deal.II/base/timer.h>
 #include <deal.II/lac/solver_control.h>
@@ -15,10 +15,10 @@ namespace Signorini
   /// What CG does where it meets a direction along which the system is not positive.
   enum class NegativeCurvature
   {
-    goes_on,
-    is_told, ///< throws IndefiniteSystem
-    refuses, ///< likewise, also if it takes so many iterations that one cannot be far
-    stops    ///< with what it had before (Steihaug, SIAM J. Numer. Anal. 20 (1983) 626), likewise
+    ignore,
+    report,  ///< throws IndefiniteSystem
+    reject,  ///< likewise, also if it takes so many iterations that one cannot be far
+    truncate ///< with what it had before (Steihaug, SIAM J. Numer. Anal. 20 (1983) 626), likewise
   };
 
   /// Solves the contact systems of one mesh. Rebuilds as much as has changed: with the active set,
@@ -30,7 +30,7 @@ namespace Signorini
     /// Refers to all but the settings.
     LinearSolver(const LinearSolverSettings &settings,
                  const ContactSystem        &system,
-                 BodiesHierarchy            &hierarchies,
+                 SolidHierarchy             &hierarchies,
                  dealii::TimerOutput        &timer);
 
     /// The system's active set has changed, or the stiffness. Collective; before the first solve().
@@ -40,24 +40,24 @@ namespace Signorini
     /// Solve from a zero start until the residual has fallen by the reduction, or below the
     /// absolute tolerance. What the preconditioner's start achieves does not count as reduction: it
     /// takes away the forces of stiff penalties, next to which all others look small. Returns the
-    /// number of iterations; throws SolverFailure. Where the contact filter does not get there and
-    /// the system is not too large for it, it is factorised from then on.
+    /// number of iterations; throws SolverFailure. Where the interface multigrid does not get there
+    /// and the system is not too large for it, it is factorised from then on.
     unsigned int
     solve(LA::BlockVector       &x,
           const LA::BlockVector &rhs,
           double                 reduction,
           double                 absolute_tolerance,
-          NegativeCurvature      curvature = NegativeCurvature::goes_on);
+          NegativeCurvature      curvature = NegativeCurvature::ignore);
 
-    /// See BodiesHierarchy::zones_turn(). Returns whether they did. Those that there are stay as
-    /// they are if that is not wanted any more.
+    /// See SolidHierarchy::interface_includes_geometric_stiffness(). Returns whether they did.
+    /// Those that there are stay as they are if that is not wanted any more.
     bool
-    let_zones_turn(bool wanted);
+    include_geometric_in_interface(bool wanted);
 
     /// Take a hierarchy of the stiffness as it is now, and zones that know of forces that turn.
     /// @return false: it was that, or the system is factorised
     bool
-    renew();
+    request_rebuild();
 
     unsigned int
     multigrid_cycles() const
@@ -67,32 +67,32 @@ namespace Signorini
 
     /// True: the Krylov method did not converge, and the system is factorised instead.
     bool
-    has_given_up() const
+    has_fallen_back() const
     {
-      return has_given_up_iterating;
+      return has_failed_iterating;
     }
 
     /// CG has met a direction in the last solve along which the system is not positive.
     bool
-    curves_down() const
+    tangent_is_indefinite() const
     {
       return is_indefinite;
     }
 
     /// So in any solve so far that went on from there.
     bool
-    has_curved_down() const
+    met_negative_curvature() const
     {
-      return was_indefinite;
+      return was_ever_indefinite;
     }
 
   private:
     /// Zones do not know of forces that turn, and the system does.
     bool
-    lacks_turning_zone() const;
+    interface_lacks_geometric() const;
     /// After which there are other ways than more of them.
     unsigned int
-    most_iterations(NegativeCurvature curvature) const;
+    iteration_limit(NegativeCurvature curvature) const;
     /// See solve(), with the preconditioner at hand.
     unsigned int
     solve_once(LA::BlockVector       &x,
@@ -125,18 +125,18 @@ namespace Signorini
     factorise(NegativeCurvature curvature);
     /// Take the iterations of a solution that has begun with a residual, and ended with another.
     void
-    judge(unsigned int iterations, double first, double last);
+    record_iterations(unsigned int iterations, double first, double last);
 
     LinearSolverSettings             settings;
     const ContactSystem             &system;
-    BodiesHierarchy                 &hierarchies;
+    SolidHierarchy                  &hierarchies;
     dealii::TimerOutput             &timer;
     std::shared_ptr<const Hierarchy> hierarchy;
     std::unique_ptr<Preconditioner>  preconditioner;
-    unsigned int                     version                = 0; ///< of the stiffness, made for
-    bool                             has_given_up_iterating = false;
-    bool                             is_indefinite          = false; ///< see curves_down()
-    bool                             was_indefinite         = false; ///< see has_curved_down()
-    unsigned int                     cycles_before          = 0;     ///< of former preconditioners
+    unsigned int                     version              = 0; ///< of the stiffness, made for
+    bool                             has_failed_iterating = false;
+    bool                             is_indefinite        = false; ///< see tangent_is_indefinite()
+    bool                             was_ever_indefinite  = false; ///< see met_negative_curvature()
+    unsigned int                     cycles_before        = 0;     ///< of former preconditioners
   };
 } // namespace Signorini

@@ -3,6 +3,7 @@
 #include "solid/deformation_kernel.h"
 #include "solid/elasticity.h"
 #include "solid/pressure_kernel.h"
+#include "solid/stiffness.h"
 
 #include <memory>
 
@@ -25,7 +26,7 @@ namespace Signorini
 
     /// Linearise at u. Throws SolverFailure where cells are folded: then the stiffness means
     /// nothing. Collective.
-    /// @param u with ghosts, obeys constraints
+    /// @param u with ghosts, satisfies the constraints
     virtual void
     linearise(const LA::Vector &u) = 0;
 

@@ -36,7 +36,7 @@ namespace Signorini
 
 
   Newton::Newton(const NewtonSettings &settings,
-                 Bodies               &bodies,
+                 SolidResidual        &bodies,
                  ContactLaw           &law,
                  ContactSystem        &system,
                  LinearSolver         &linear_solver)
@@ -46,9 +46,9 @@ namespace Signorini
     , contact(law.gap_operator())
     , system(system)
     , linear_solver(linear_solver)
-    , balance(bodies, law, settings.tolerance)
+    , convergence(bodies, law, settings.tolerance)
     , strategy(system, law, settings.reduction)
-    , goal{settings.tolerance}
+    , stopping{settings.tolerance}
     , x(system.zero())
   {}
 
@@ -59,7 +59,7 @@ namespace Signorini
   {
     if (strategy.start(state.pressure(), state.status))
       is_same = false;
-    balance.restart();
+    convergence.restart();
     if (law.augments())
       law.augment(state.traction);
 
@@ -71,13 +71,13 @@ namespace Signorini
         stage.step         = NewtonStep();
         stage.step.damping = stage.damping;
         evaluate(u, state, report, stage);
-        judge(state, report, stage);
-        if (!report.is_over() && !stage.step.augments)
+        assess(state, report, stage);
+        if (!report.is_finished() && !stage.step.augmented)
           advance(u, state, report, stage);
         visit(stage.step);
         report.steps.push_back(stage.step);
       }
-    while (!report.is_over());
+    while (!report.is_finished());
     return report;
   }
 
@@ -86,10 +86,10 @@ namespace Signorini
   void
   Newton::evaluate(const LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage)
   {
-    NewtonStep &step         = stage.step;
-    stage.gap                = contact.gaps(u);
-    stage.stress             = {contact.stress(u, bodies.bulk_stress())};
-    const bool      was_soft = law.is_soft();
+    NewtonStep &step           = stage.step;
+    stage.gap                  = contact.gaps(u);
+    stage.stress               = {contact.stress(u, bodies.volumetric_stress())};
+    const bool      was_scaled = law.has_scaled_penalty();
     const LawInputs in{stage.gap, stage.stress, state.traction, state.internal};
     if (!contact.empty())
       {
@@ -100,35 +100,37 @@ namespace Signorini
         state.status   = strategy.status();
         state.traction = law.traction(in, state.status);
       }
-    stage.softness_changed = law.is_soft() != was_soft;
+    stage.penalty_scale_changed = law.has_scaled_penalty() != was_scaled;
 
     LA::Vector &r = stage.rhs.block(0);
-    r             = balance.residual(u, in, state.status);
+    r             = convergence.residual(u, in, state.status);
     PointVectors gap_residual;
     if (system.is_saddle_point() || law.augments())
       {
         gap_residual = law.residual(in, state.status);
-        balance.set_forces_of_gaps(norm(gap_residual));
+        convergence.set_gap_forces(norm(gap_residual));
       }
     if (!is_same)
-      system.find_loose_motions(state.status);
-    if (settings.undetermined == Undetermined::hold)
-      report.holding_force = system.free_motions().hold(r, state.traction, stage.stress[0]);
-    step.residual           = r.l2_norm() / balance.scale();
-    step.residual_of_bodies = balance.residual_of_bodies(r);
-    if (bodies.bulk())
+      system.find_unconstrained_modes(state.status);
+    if (settings.undetermined_modes == UnconstrainedModeTreatment::hold)
+      report.stabilisation_force =
+        system.unconstrained_modes().project_out(r, state.traction, stage.stress[0]);
+    step.residual           = r.l2_norm() / convergence.scale();
+    step.residual_of_bodies = convergence.residual_of_bodies(r);
+    if (bodies.volumetric())
       {
-        LA::Vector &m = stage.rhs.block(system.bulk_block());
-        m             = bodies.bulk()->residual(u);
-        if (contact.has_bulk_stress())
-          m += contact.force_on_bulk(state.traction, stage.stress[0]);
-        const double volume     = m.l2_norm();
-        step.residual           = std::hypot(step.residual, volume / balance.scale());
-        step.residual_of_bodies = std::max(step.residual_of_bodies, volume / balance.least());
+        LA::Vector &m = stage.rhs.block(system.volumetric_block());
+        m             = bodies.volumetric()->residual(u);
+        if (contact.has_volumetric_stress())
+          m += contact.force_on_volumetric_stress(state.traction, stage.stress[0]);
+        const double volume = m.l2_norm();
+        step.residual       = std::hypot(step.residual, volume / convergence.scale());
+        step.residual_of_bodies =
+          std::max(step.residual_of_bodies, volume / convergence.smallest_reference_force());
       }
     if (system.is_saddle_point() || law.augments())
       {
-        step.gap_residual = norm(gap_residual) / balance.least();
+        step.gap_residual = norm(gap_residual) / convergence.smallest_reference_force();
         for (unsigned int a = 0; a < gap_residual.size() && system.is_saddle_point(); ++a)
           stage.rhs.block(1 + a) = gap_residual[a];
       }
@@ -137,50 +139,51 @@ namespace Signorini
 
 
   void
-  Newton::judge(const ContactState &state, NewtonReport &report, Stage &stage)
+  Newton::assess(const ContactState &state, NewtonReport &report, Stage &stage)
   {
     NewtonStep        &step = stage.step;
     const unsigned int n    = report.steps.size();
-    if (balance.is_balanced(step, n > 0 ? report.steps.back().residual : 0.))
+    if (convergence.is_force_converged(step, n > 0 ? report.steps.back().residual : 0.))
       {
-        report.converged = balance.is_closed(step);
+        report.converged = convergence.is_gap_converged(step);
         if (!report.converged && law.augments() && n < settings.maximum_steps)
           {
             law.augment(state.traction);
             strategy.restart();
-            step.augments = true;
+            step.augmented = true;
             return;
           }
       }
-    const bool stays     = step.changes == 0 && !step.follows && !step.withholds && !law.is_soft();
-    const auto is_enough = [&] {
-      return goal.is_enough && n > 0 && !report.converged && !law.augments() &&
-             std::max(step.residual, step.gap_residual) <= 1e-3 && goal.is_enough();
+    const bool stays = step.changes == 0 && !step.kept_previous_set && !step.restricted_set &&
+                       !law.has_scaled_penalty();
+    const auto is_sufficient = [&] {
+      return stopping.is_sufficient && n > 0 && !report.converged && !law.augments() &&
+             std::max(step.residual, step.gap_residual) <= 1e-3 && stopping.is_sufficient();
     };
     if (!std::isfinite(step.residual + step.gap_residual))
       report.reason =
         "the residual is not a finite number: loads, supports or the mesh are invalid";
-    else if (stays && (n >= goal.enough_steps || is_enough()))
+    else if (stays && (n >= stopping.sufficient_steps || is_sufficient()))
       report.converged = true;
     else if (!report.converged && n == settings.maximum_steps)
       report.reason = "Newton's method did not converge in " + std::to_string(n) +
                       " steps (Newton/Maximum steps)" + strategy.set().chattering_points();
-    if (!report.is_over())
+    if (!report.is_finished())
       return;
     if (!report.converged)
       {
         report.chattering = strategy.set().chattering();
-        report.worst_body = balance.worst_body(stage.rhs.block(0));
+        report.worst_body = convergence.worst_body(stage.rhs.block(0));
       }
-    report.undetermined = system.free_motions().loose();
-    if (!report.converged || report.undetermined.empty() ||
-        settings.undetermined != Undetermined::refuse)
+    report.undetermined_modes = system.unconstrained_modes().unconstrained();
+    if (!report.converged || report.undetermined_modes.empty() ||
+        settings.undetermined_modes != UnconstrainedModeTreatment::refuse)
       return;
-    report.converged = false;
-    report.is_loose  = true;
-    report.reason    = "unconstrained rigid-body mode: " + join(report.undetermined) +
+    report.converged               = false;
+    report.has_unconstrained_modes = true;
+    report.reason = "unconstrained rigid-body mode: " + join(report.undetermined_modes) +
                     ": neither supports nor contact constrain it, although it is not loaded; " +
-                    NewtonSettings::how_to_hold();
+                    NewtonSettings::stabilisation_advice();
   }
 
 
@@ -194,42 +197,47 @@ namespace Signorini
     // As long as the active set or the penalty changes, the next one throws away what goes beyond a
     // good guess.
     const bool is_settled =
-      contact.empty() || (n > 0 && step.changes == 0 && !step.withholds && !stage.softness_changed);
+      contact.empty() ||
+      (n > 0 && step.changes == 0 && !step.restricted_set && !stage.penalty_scale_changed);
     // As many digits as a step of Newton's method finds where surfaces move on.
-    const double reduction = goal.is_rough() ? std::min(strategy.reduction(), step.residual) :
-                             is_settled      ? 0. :
-                                               strategy.reduction();
+    const double reduction = stopping.is_partial() ? std::min(strategy.reduction(), step.residual) :
+                             is_settled            ? 0. :
+                                                     strategy.reduction();
     // Surfaces that come back to where they touch have the last pressure there at once, though next
     // to none may be left in balance: a search would stop before that, again and again.
     const bool comes_back = law.augments() && step.active == 0 && has_last_pressure(law, state);
     const bool is_searched =
-      bodies.is_nonlinear() && !step.withholds && !step.follows && !comes_back;
+      bodies.is_nonlinear() && !step.restricted_set && !step.kept_previous_set && !comes_back;
     const LawInputs in{stage.gap, stage.stress, state.traction, state.internal};
     linearise(u, in);
-    solve_linear(stage.rhs, reduction, 0.5 * goal.tolerance * balance.least(), step);
-    if (bodies.bulk())
-      bodies.bulk()->add(1, x.block(system.bulk_block()));
-    stage.damping = bodies.longest_step(u, x.block(0));
+    solve_linear(stage.rhs,
+                 reduction,
+                 0.5 * stopping.tolerance * convergence.smallest_reference_force(),
+                 step);
+    if (bodies.volumetric())
+      bodies.volumetric()->add(1, x.block(system.volumetric_block()));
+    stage.damping = bodies.largest_admissible_step(u, x.block(0));
     if (is_searched)
-      stage.damping = descending_step({bodies, system, law, u, state, r}, x, stage.damping);
-    else if (strategy.is_cautious() && has_energy(system))
-      stage.damping *= best_step(system, law, r, in, x.block(0));
+      stage.damping = energy_descending_step({bodies, system, law, u, state, r}, x, stage.damping);
+    else if (strategy.needs_globalisation() && has_energy(system))
+      stage.damping *= energy_minimising_step(system, law, r, in, x.block(0));
     u.add(stage.damping, x.block(0));
     for (unsigned int a = 0; a < state.traction.size() && system.is_saddle_point(); ++a)
       state.traction[a].add(stage.damping, x.block(1 + a));
-    if (bodies.bulk() && stage.damping != 1)
-      bodies.bulk()->add(stage.damping - 1, x.block(system.bulk_block()));
-    const auto driven = system.free_motions().driven(r, 1e-8 * balance.scale());
-    if (!driven.empty() && !system.free_motions().close(u, r))
+    if (bodies.volumetric() && stage.damping != 1)
+      bodies.volumetric()->add(stage.damping - 1, x.block(system.volumetric_block()));
+    const auto loaded = system.unconstrained_modes().loaded(r, 1e-8 * convergence.scale());
+    if (!loaded.empty() && !system.unconstrained_modes().move_into_contact(u, r))
       {
-        report.is_loose = true;
-        report.reason   = "unconstrained rigid-body mode under load: " + join(driven) +
+        report.has_unconstrained_modes = true;
+        report.reason = "unconstrained rigid-body mode under load: " + join(loaded) +
                         ": neither supports nor contact within the search distance constrain it";
       }
-    if (contact.tied)
+    if (contact.has_condensed_constraints)
       bodies.constraints().distribute(u);
     if (n > 0 && step.changes == 0 && step.krylov_iterations == 0 &&
-        step.residual == report.steps.back().residual && !step.withholds && report.reason.empty())
+        step.residual == report.steps.back().residual && !step.restricted_set &&
+        report.reason.empty())
       report.reason = "Newton's method stagnates above its tolerance: the linear solver cannot "
                       "reduce the residual further; set a larger Newton/Tolerance";
   }
@@ -241,19 +249,20 @@ namespace Signorini
   {
     if (state.internal.empty())
       return {};
-    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.bulk_stress())};
+    const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.volumetric_stress())};
     return law.internal({gaps, s, state.traction, state.internal}, state.status);
   }
 
 
 
   bool
-  Newton::curves_down(const LA::Vector &u, const ContactState &state)
+  Newton::tangent_is_indefinite(const LA::Vector &u, const ContactState &state)
   {
     constexpr double enough = 1e-8; // each iteration sees more
     try
       {
-        const PointVectors gaps = contact.gaps(u), s = {contact.stress(u, bodies.bulk_stress())};
+        const PointVectors gaps = contact.gaps(u),
+                           s    = {contact.stress(u, bodies.volumetric_stress())};
         linearise(u, {gaps, s, state.traction, state.internal});
       }
     catch (const SolverFailure &)
@@ -265,29 +274,30 @@ namespace Signorini
       forces.block(0)(i) = std::sin(37. * i * i + 11. * i);
     forces.block(0).compress(VectorOperation::insert);
     bodies.constraints().set_zero(forces.block(0));
-    if (bodies.bulk())
-      return takes_work_back(forces);
+    if (bodies.volumetric())
+      return finds_negative_curvature(forces);
     const auto sees_one = [&] {
       try
         {
           linear_solver.solve(
-            x, forces, enough, 0., NegativeCurvature::is_told); // no farther than the first one
+            x, forces, enough, 0., NegativeCurvature::report); // no farther than the first one
         }
       catch (const SolverFailure &)
         {} // what it has seen counts
-      return linear_solver.curves_down();
+      return linear_solver.tangent_is_indefinite();
     };
-    const bool did_turn = linear_solver.let_zones_turn(true); // to end in few iterations
+    const bool did_include =
+      linear_solver.include_geometric_in_interface(true); // to end in few iterations
     // A preconditioner that is left from where the tangent curved down sees that everywhere.
-    const bool result = sees_one() && (!linear_solver.renew() || sees_one());
-    linear_solver.let_zones_turn(did_turn);
+    const bool result = sees_one() && (!linear_solver.request_rebuild() || sees_one());
+    linear_solver.include_geometric_in_interface(did_include);
     return result;
   }
 
 
 
   bool
-  Newton::takes_work_back(LA::BlockVector forces)
+  Newton::finds_negative_curvature(LA::BlockVector forces)
   {
     constexpr unsigned int most   = 4;
     constexpr double       enough = 0.1; // each turn makes up for what the one before has left
@@ -318,8 +328,8 @@ namespace Signorini
   Newton::linearise(const LA::Vector &u, const LawInputs &in)
   {
     bodies.linearise(u);
-    is_same = is_same && system.turns_forces() && law.has_constant_derivatives();
-    system.turn_forces(true);
+    is_same = is_same && system.uses_geometric_stiffness() && law.has_constant_derivatives();
+    system.use_geometric_stiffness(true);
     if (is_same && version == bodies.stiffness().version())
       return;
     if (!is_same)
@@ -340,17 +350,17 @@ namespace Signorini
     // Far from balance, forces of contact may seem to turn so fast that nothing resists; near a
     // solution that is so, it is.
     constexpr double far = 0.1;
-    if (!goal.is_rough() || residual < far)
+    if (!stopping.is_partial() || residual < far)
       return linear_solver.solve(x, rhs, reduction, tolerance);
     try
       {
-        return linear_solver.solve(x, rhs, reduction, tolerance, NegativeCurvature::refuses);
+        return linear_solver.solve(x, rhs, reduction, tolerance, NegativeCurvature::reject);
       }
     catch (const IndefiniteSystem &)
       {
-        system.turn_forces(false);
+        system.use_geometric_stiffness(false);
         linear_solver.update();
-        return linear_solver.solve(x, rhs, reduction, tolerance, NegativeCurvature::stops);
+        return linear_solver.solve(x, rhs, reduction, tolerance, NegativeCurvature::truncate);
       }
   }
 
@@ -362,9 +372,9 @@ namespace Signorini
                        const double           tolerance,
                        NewtonStep            &step)
   {
-    const bool iterates    = !linear_solver.has_given_up();
-    step.krylov_iterations = iterate(rhs, reduction, tolerance, step.residual);
-    step.gives_up          = iterates && linear_solver.has_given_up();
+    const bool iterates      = !linear_solver.has_fallen_back();
+    step.krylov_iterations   = iterate(rhs, reduction, tolerance, step.residual);
+    step.fell_back_to_direct = iterates && linear_solver.has_fallen_back();
     // Constrained ones are unknowns of their own to the linear solver, zero up to its tolerance.
     bodies.constraints().set_zero(x.block(0));
     // From lengths to tractions; those of open points are zero.

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "contact/laws/contact_state.h"
-#include "solver/balance.h"
+#include "solver/active_set_strategy.h"
+#include "solver/convergence_criteria.h"
 #include "solver/dual_solution.h"
 #include "solver/linear_solver.h"
-#include "solver/set_strategy.h"
 #include <signorini/solver/newton_settings.h>
 
 #include <functional>
@@ -12,22 +12,22 @@
 namespace Signorini
 {
   /// How far Newton's method goes.
-  struct NewtonGoal
+  struct StoppingCriteria
   {
     double tolerance = 1e-10; ///< of the residual, relative to the forces at work
     /// After so many steps the result counts, however far from balance, once the active set stays:
     /// where surfaces will be placed anew in any case. Then linear solves find no more digits than
     /// a step of Newton's method.
-    unsigned int enough_steps = dealii::numbers::invalid_unsigned_int;
+    unsigned int sufficient_steps = dealii::numbers::invalid_unsigned_int;
 
     /// Asked where the active set stays, once not even a thousandth is out of balance: is that
     /// enough?
-    std::function<bool()> is_enough;
+    std::function<bool()> is_sufficient;
 
     bool
-    is_rough() const
+    is_partial() const
     {
-      return enough_steps != dealii::numbers::invalid_unsigned_int;
+      return sufficient_steps != dealii::numbers::invalid_unsigned_int;
     }
   };
 
@@ -41,7 +41,7 @@ namespace Signorini
   /// energy (but for Nitsche's method with theta = 0 or -1, and mixed bodies), along which each
   /// step is searched exactly: it costs vectors of the surface only. If the method augments, one
   /// solution follows the other. Steps of bodies that deform by any amount go no farther than their
-  /// energy falls, see descending_step().
+  /// energy falls, see energy_descending_step().
   class Newton
   {
   public:
@@ -49,7 +49,7 @@ namespace Signorini
     /// @param system that of the bodies and the law
     /// @param linear_solver of the system
     Newton(const NewtonSettings &settings,
-           Bodies               &bodies,
+           SolidResidual        &bodies,
            ContactLaw           &law,
            ContactSystem        &system,
            LinearSolver         &linear_solver);
@@ -59,13 +59,13 @@ namespace Signorini
     /// Seen by CG; of mixed bodies by inverse iteration, and there only as long as nothing else is
     /// closer to zero. Collective.
     bool
-    curves_down(const LA::Vector &u, const ContactState &state);
+    tangent_is_indefinite(const LA::Vector &u, const ContactState &state);
 
     void
-    set_goal(const NewtonGoal &wanted)
+    set_stopping_criteria(const StoppingCriteria &wanted)
     {
-      goal = wanted;
-      balance.set_tolerance(goal.tolerance);
+      stopping = wanted;
+      convergence.set_tolerance(stopping.tolerance);
     }
 
     /// @param u in: start, with the prescribed displacements of this step; out: solution
@@ -98,8 +98,8 @@ namespace Signorini
       PointVectors    gap, stress;
       LA::BlockVector rhs;
       NewtonStep      step;
-      bool            softness_changed = false;
-      double          damping          = 1; ///< of the next step
+      bool            penalty_scale_changed = false;
+      double          damping               = 1; ///< of the next step
     };
 
     /// The law at u, and the residuals; updates statuses and tractions.
@@ -108,7 +108,7 @@ namespace Signorini
     /// Is that the solution, or why will there be none? Or it is that of an augmentation, and the
     /// next one starts.
     void
-    judge(const ContactState &state, NewtonReport &report, Stage &stage);
+    assess(const ContactState &state, NewtonReport &report, Stage &stage);
     /// Solve the linear system, and move on.
     void
     advance(LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage);
@@ -118,7 +118,7 @@ namespace Signorini
     /// iteration makes of them, do negative work on the way that they push? That tends to the
     /// motion whose stiffness is closest to zero, which is the one that has become negative last.
     bool
-    takes_work_back(LA::BlockVector forces);
+    finds_negative_curvature(LA::BlockVector forces);
     /// Returns the number of iterations.
     unsigned int
     iterate(const LA::BlockVector &rhs, double reduction, double tolerance, double residual);
@@ -126,15 +126,15 @@ namespace Signorini
     void
     linearise(const LA::Vector &u, const LawInputs &in);
 
-    NewtonSettings     settings;
-    Bodies            &bodies;
-    ContactLaw        &law;
-    const GapOperator &contact;
-    ContactSystem     &system;
-    LinearSolver      &linear_solver;
-    Balance            balance;
-    SetStrategy        strategy;
-    NewtonGoal         goal;
+    NewtonSettings      settings;
+    SolidResidual      &bodies;
+    ContactLaw         &law;
+    const GapOperator  &contact;
+    ContactSystem      &system;
+    LinearSolver       &linear_solver;
+    ConvergenceCriteria convergence;
+    ActiveSetStrategy   strategy;
+    StoppingCriteria    stopping;
 
     LA::BlockVector x;               ///< the change of (u, q)
     bool            is_same = false; ///< the linear system has the present statuses

@@ -12,7 +12,7 @@ namespace Signorini
   {
     out << "    step   active  changes    residual         gap  damping  iterations" << std::endl;
     return [&out, number = 0u](const NewtonStep &step) mutable {
-      if (step.gives_up)
+      if (step.fell_back_to_direct)
         out << "    the iterative solver does not converge: a direct solver is used from here on"
             << std::endl;
       std::ostringstream row;

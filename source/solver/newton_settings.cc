@@ -34,8 +34,9 @@ namespace Signorini
     section.rename_choice("Unconstrained modes", "hold", "stabilise");
     section.add_choice(
       "Unconstrained modes",
-      undetermined,
-      {{"error", Undetermined::refuse}, {"stabilise", Undetermined::hold}},
+      undetermined_modes,
+      {{"error", UnconstrainedModeTreatment::refuse},
+       {"stabilise", UnconstrainedModeTreatment::hold}},
       "rigid-body modes that neither supports nor contact constrain, as the rotation of a pin: error; or stabilise "
       "them, if that takes less than 1 % of the contact force");
   }
@@ -43,7 +44,7 @@ namespace Signorini
 
 
   std::string
-  NewtonSettings::how_to_hold()
+  NewtonSettings::stabilisation_advice()
   {
     return "prescribe a displacement that constrains it, or set Newton/Unconstrained modes = stabilise, "
            "which adds a stabilisation and reports its force";

@@ -2,8 +2,8 @@
 
 #include "solver/linear_solver.h"
 #include "solver/preconditioners/block.h"
-#include "solver/preconditioners/contact_filter.h"
 #include "solver/preconditioners/direct.h"
+#include "solver/preconditioners/interface_multigrid.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -37,11 +37,11 @@ namespace Signorini
        [](const Settings      &settings,
           const ContactSystem &system,
           const Hierarchy     *hierarchy,
-          const bool           zone_turns) -> Pointer {
-         return std::make_unique<ContactFilter>(system,
-                                                *hierarchy,
-                                                settings.direct_solver.value(),
-                                                zone_turns);
+          const bool           interface_includes_geometric) -> Pointer {
+         return std::make_unique<InterfaceMultigrid>(system,
+                                                     *hierarchy,
+                                                     settings.direct_solver.value(),
+                                                     interface_includes_geometric);
        }},
       {"block diagonal", block(BlockPreconditioner::diagonal)},
       {"block triangular", block(BlockPreconditioner::triangular)},
@@ -68,11 +68,11 @@ namespace Signorini
   Preconditioner::create(const LinearSolverSettings &settings,
                          const ContactSystem        &system,
                          const Hierarchy            *hierarchy,
-                         const bool                  zone_turns)
+                         const bool                  interface_includes_geometric)
   {
     for (const auto &[known, make] : registry)
       if (known == settings.preconditioner)
-        return make(settings, system, hierarchy, zone_turns);
+        return make(settings, system, hierarchy, interface_includes_geometric);
     AssertThrow(false, ExcMessage("unknown preconditioner " + settings.preconditioner));
     return nullptr;
   }

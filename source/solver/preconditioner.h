@@ -38,7 +38,7 @@ namespace Signorini
     /// True: applied to residuals that satisfy the constraints of a saddle point system it yields
     /// vectors that do too, and is symmetric and positive definite among them: CG is for it.
     virtual bool
-    keeps_constraints() const
+    preserves_constraints() const
     {
       return false;
     }
@@ -58,12 +58,12 @@ namespace Signorini
     }
 
     /// @param settings with a direct solver chosen
-    /// @param zone_turns of a contact filter, see ZoneSolver
+    /// @param interface_includes_geometric of an interface multigrid, see InterfaceSolver
     static std::unique_ptr<Preconditioner>
     create(const LinearSolverSettings &settings,
            const ContactSystem        &system,
            const Hierarchy            *hierarchy,
-           bool                        zone_turns);
+           bool                        interface_includes_geometric);
   };
 
   std::vector<std::string>

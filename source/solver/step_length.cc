@@ -16,7 +16,7 @@ namespace Signorini
     {
     public:
       /// Refers to both.
-      Resistance(const StepStart &start, const LA::BlockVector &step)
+      Resistance(const LineSearchStart &start, const LA::BlockVector &step)
         : start(start)
         , contact(start.law.gap_operator())
         , step(step)
@@ -40,10 +40,10 @@ namespace Signorini
       LA::Vector
       stress(const LA::Vector &u) const
       {
-        return contact.stress(u, start.bodies.bulk_stress());
+        return contact.stress(u, start.bodies.volumetric_stress());
       }
 
-      const StepStart       &start;
+      const LineSearchStart &start;
       const GapOperator     &contact;
       const LA::BlockVector &step;
       const LA::Vector      &du;
@@ -54,7 +54,7 @@ namespace Signorini
     double
     Resistance::operator()(const double a) const
     {
-      look_for_interruption();
+      check_for_interruption();
       LA::Vector at = start.u;
       at.add(a, du);
       LA::Vector force = start.bodies.residual(at);
@@ -85,11 +85,11 @@ namespace Signorini
           start.bodies.constraints().set_zero(force);
           result -= force * du;
         }
-      if (start.system.bulk())
+      if (start.system.volumetric())
         {
-          const LA::Vector &m      = step.block(start.system.bulk_block());
+          const LA::Vector &m      = step.block(start.system.volumetric_block());
           LA::Vector        volume = m;
-          start.system.bulk()->B.vmult(volume, du);
+          start.system.volumetric()->B.vmult(volume, du);
           result += volume * m;
         }
       return result;
@@ -117,7 +117,9 @@ namespace Signorini
 
 
   double
-  descending_step(const StepStart &start, const LA::BlockVector &step, const double longest)
+  energy_descending_step(const LineSearchStart &start,
+                         const LA::BlockVector &step,
+                         const double           longest)
   {
     constexpr double       enough = 0.8; // of the slope at the start
     constexpr unsigned int most   = 8;

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "contact/laws/contact_state.h"
-#include "solver/bodies.h"
 #include "solver/contact_system.h"
+#include "solver/solid_residual.h"
 
 namespace Signorini
 {
   /// Where a step starts; refers to all.
-  struct StepStart
+  struct LineSearchStart
   {
-    const Bodies        &bodies; ///< their bulk stress is that which the step leads to
+    const SolidResidual &bodies; ///< their volumetric stress is that which the step leads to
     const ContactSystem &system;
     const ContactLaw    &law;
     const LA::Vector    &u;
@@ -20,8 +20,8 @@ namespace Signorini
   /// An a up to the longest for which u + a du has about the least energy, or the longest if the
   /// energy falls all the way, or hardly rises at its end. Where contact pressures are unknowns,
   /// it is that of the augmented Lagrangian, with the multipliers that go along, p + a dp, and
-  /// the stiffness by which the active set is decided; mixed bodies have the bulk stress that the
-  /// step leads to; and where forces have no energy, it is the work that is done against them.
+  /// the stiffness by which the active set is decided; mixed bodies have the volumetric stress that
+  /// the step leads to; and where forces have no energy, it is the work that is done against them.
   ///
   /// Of slender bodies Newton's method leads far off otherwise: what turns stretches as well, with
   /// far more stiffness than bending has. A slope costs a residual, some percent of a step.
@@ -29,5 +29,5 @@ namespace Signorini
   /// Throws SolverFailure where cells are folded. Collective.
   /// @param step (u, q) or (u, q, m) as of the system
   double
-  descending_step(const StepStart &start, const LA::BlockVector &step, double longest);
+  energy_descending_step(const LineSearchStart &start, const LA::BlockVector &step, double longest);
 } // namespace Signorini

@@ -4,42 +4,43 @@
 
 namespace Signorini
 {
-  std::vector<Finding>
+  std::vector<CheckResult>
   check_targets(const Goals &goals, const ErrorControl &control, const std::string &why)
   {
-    std::vector<Finding> findings;
+    std::vector<CheckResult> check_results;
     for (unsigned int i = 0; i < goals.quantities.size(); ++i)
       {
-        const ValueWithBar now   = control.quantities()[i].last_with_bar();
+        const BoundedValue now   = control.quantities()[i].last_bounded();
         const double       scale = control.scale(i);
-        Finding            finding;
-        finding.check   = "error bound";
-        finding.where   = goals.quantities[i];
-        finding.value   = scale > 0 ? now.bar / scale : now.bar;
-        finding.limit   = goals.targets[i];
-        finding.outcome = finding.value <= finding.limit ? Outcome::passed : Outcome::warned;
-        finding.what    = "the error bound is larger than the Target error: " + why;
-        finding.cure =
+        CheckResult        check_result;
+        check_result.check = "error bound";
+        check_result.where = goals.quantities[i];
+        check_result.value = scale > 0 ? now.error_bound / scale : now.error_bound;
+        check_result.limit = goals.targets[i];
+        check_result.outcome =
+          check_result.value <= check_result.limit ? Outcome::passed : Outcome::warned;
+        check_result.message = "the error bound is larger than the Target error: " + why;
+        check_result.advice =
           "use the value with its error bound, or allow more time, memory or cells (Accuracy/Time limit, Maximum cells)";
-        findings.push_back(finding);
+        check_results.push_back(check_result);
       }
-    return findings;
+    return check_results;
   }
 
 
 
-  std::vector<Finding>
+  std::vector<CheckResult>
   check_judged_steps(const unsigned int not_judged, const unsigned int all)
   {
-    Finding finding;
-    finding.check   = "load steps without error bounds";
-    finding.value   = not_judged;
-    finding.limit   = 0;
-    finding.outcome = not_judged == 0 ? Outcome::passed : Outcome::warned;
-    finding.what =
+    CheckResult check_result;
+    check_result.check   = "load steps without error bounds";
+    check_result.value   = not_judged;
+    check_result.limit   = 0;
+    check_result.outcome = not_judged == 0 ? Outcome::passed : Outcome::warned;
+    check_result.message =
       std::to_string(not_judged) + " of " + std::to_string(all) +
       " load steps have no error bounds; they use the mesh of the last one, and their errors are unknown";
-    finding.cure = "set Accuracy/Load steps = all";
-    return {finding};
+    check_result.advice = "set Accuracy/Load steps = all";
+    return {check_result};
   }
 } // namespace Signorini

@@ -10,7 +10,7 @@
 namespace Signorini
 {
   bool
-  counts(const double force, const double scale)
+  is_significant(const double force, const double scale)
   {
     constexpr double rounding = 1e-9;
     return force > rounding * scale;
@@ -18,7 +18,7 @@ namespace Signorini
 
 
 
-  std::vector<Finding>
+  std::vector<CheckResult>
   check_balance(const nlohmann::ordered_json &results, const double scale, const double small)
   {
     // Newton's method ends at 1e-10 and less; the linear solvers of stiff bodies beside soft ones,
@@ -28,32 +28,32 @@ namespace Signorini
       const char *check, *key;
       double      warned, failed;
     };
-    const double         largest = results["largest_force"];
-    std::vector<Finding> findings;
+    const double             largest = results["largest_force"];
+    std::vector<CheckResult> check_results;
     for (const auto &[check, key, warned, failed] :
          {Bounds{"force balance", "force_balance", small, 0.1},
           Bounds{"moment balance", "moment_balance", std::max(small, 1e-3), 0.1}})
       {
-        Finding finding;
-        finding.check = check;
+        CheckResult check_result;
+        check_result.check = check;
         for (const auto &[body, of_body] : results["bodies"].items())
           if (const double value = scale > 0 ? of_body[key].get<double>() * largest / scale : 0.;
-              !(value <= finding.value))
+              !(value <= check_result.value))
             {
-              finding.value = value;
-              finding.where = "body " + body;
+              check_result.value = value;
+              check_result.where = "body " + body;
             }
-        finding.limit   = warned;
-        finding.outcome = finding.value <= warned ? Outcome::passed :
-                          finding.value <= failed ? Outcome::warned :
-                                                    Outcome::failed;
-        finding.what =
+        check_result.limit   = warned;
+        check_result.outcome = check_result.value <= warned ? Outcome::passed :
+                               check_result.value <= failed ? Outcome::warned :
+                                                              Outcome::failed;
+        check_result.message =
           "the forces or moments on the body are not in balance; the value is relative to the largest force";
-        finding.cure =
+        check_result.advice =
           "set a smaller Newton/Tolerance or Solver/Preconditioner = direct; for moments, refine the mesh";
-        findings.push_back(finding);
+        check_results.push_back(check_result);
       }
-    return findings;
+    return check_results;
   }
 
 
@@ -61,11 +61,11 @@ namespace Signorini
   namespace
   {
     /// Pressures push, so that the size of their sum is no more than the sum of their sizes.
-    std::vector<Finding>
+    std::vector<CheckResult>
     check_normal_forces(const nlohmann::ordered_json &results, const double scale)
     {
-      constexpr double     exact = 1.01, none = 1.05;
-      std::vector<Finding> findings;
+      constexpr double         exact = 1.01, none = 1.05;
+      std::vector<CheckResult> check_results;
       for (const auto &[name, pair] : results["pairs"].items())
         {
           if (!pair["separates"].get<bool>())
@@ -74,83 +74,88 @@ namespace Signorini
           for (const double component : pair["force"])
             square += component * component;
           const double normal = pair["normal_force"], force = std::sqrt(square);
-          Finding      finding;
-          finding.check   = "contact force / normal force";
-          finding.where   = "pair " + name;
-          finding.value   = !counts(force, scale) ? 0. : normal > 0 ? force / normal : 2 * none;
-          finding.limit   = exact;
-          finding.outcome = finding.value <= exact ? Outcome::passed :
-                            finding.value <= none  ? Outcome::warned :
-                                                     Outcome::failed;
-          finding.what =
+          CheckResult  check_result;
+          check_result.check   = "contact force / normal force";
+          check_result.where   = "pair " + name;
+          check_result.value   = !is_significant(force, scale) ? 0. :
+                                 normal > 0                    ? force / normal :
+                                                                 2 * none;
+          check_result.limit   = exact;
+          check_result.outcome = check_result.value <= exact ? Outcome::passed :
+                                 check_result.value <= none  ? Outcome::warned :
+                                                               Outcome::failed;
+          check_result.message =
             "the resultant contact force exceeds the integral of the pressure, which is impossible: faces are too coarse for this contact, or hardly covered by the master";
-          finding.cure = "refine the slave, or exchange Slave and Master";
-          findings.push_back(finding);
+          check_result.advice = "refine the slave, or exchange Slave and Master";
+          check_results.push_back(check_result);
         }
-      return findings;
+      return check_results;
     }
 
     /// Of the largest pressures, see sharpness_of_peak().
-    std::vector<Finding>
+    std::vector<CheckResult>
     check_peaks(const nlohmann::ordered_json &results, const double scale)
     {
-      std::vector<Finding> findings;
+      std::vector<CheckResult> check_results;
       for (const auto &[name, pair] : results["pairs"].items())
         {
-          Finding finding;
-          finding.check = "pressure peak resolution";
-          finding.where = "pair " + name;
-          finding.value =
-            counts(pair["normal_force"], scale) ? pair["sharpness_of_peak"].get<double>() : 0.;
-          finding.limit   = sharp_peak;
-          finding.over    = Finding::Over::last;
-          finding.outcome = finding.value <= finding.limit ? Outcome::passed : Outcome::warned;
-          finding.what =
+          CheckResult check_result;
+          check_result.check       = "pressure peak resolution";
+          check_result.where       = "pair " + name;
+          check_result.value       = is_significant(pair["normal_force"], scale) ?
+                                       pair["sharpness_of_peak"].get<double>() :
+                                       0.;
+          check_result.limit       = sharp_peak;
+          check_result.aggregation = CheckResult::Aggregation::last;
+          check_result.outcome =
+            check_result.value <= check_result.limit ? Outcome::passed : Outcome::warned;
+          check_result.message =
             "the largest pressure differs by that fraction from the extrapolation of its neighbours: its "
             "error may be as large, and is unbounded at a sharp edge, where the pressure is singular";
-          finding.cure =
+          check_result.advice =
             "refine there (Mesh/Contact refinements, Refinement regions), round the edge, or use forces only";
-          findings.push_back(finding);
+          check_results.push_back(check_result);
         }
-      return findings;
+      return check_results;
     }
 
     /// At small deformation bodies do not buckle.
-    Finding
+    CheckResult
     check_stability(const nlohmann::ordered_json &results)
     {
-      Finding finding;
-      finding.check   = "tangent definiteness";
-      finding.value   = results["tangent_positive_definite"] ? 0 : 1;
-      finding.limit   = 0;
-      finding.outcome = results["tangent_positive_definite"] ? Outcome::passed : Outcome::warned;
-      finding.what =
+      CheckResult check_result;
+      check_result.check = "tangent definiteness";
+      check_result.value = results["tangent_positive_definite"] ? 0 : 1;
+      check_result.limit = 0;
+      check_result.outcome =
+        results["tangent_positive_definite"] ? Outcome::passed : Outcome::warned;
+      check_result.message =
         "the tangent stiffness is not positive definite: this equilibrium may be unstable (buckling)";
-      finding.cure =
+      check_result.advice =
         "use smaller load steps to find the critical load; beyond it no stable equilibrium exists under load control";
-      return finding;
+      return check_result;
     }
 
     /// From one load step to the next.
-    Finding
+    CheckResult
     check_jump(const nlohmann::ordered_json &results)
     {
-      Finding finding;
-      finding.check   = "snap-through ratio";
-      finding.value   = results["snap_through_ratio"];
-      finding.limit   = 3;
-      finding.outcome = finding.value == 0 ? Outcome::passed : Outcome::warned;
-      finding.what =
+      CheckResult check_result;
+      check_result.check   = "snap-through ratio";
+      check_result.value   = results["snap_through_ratio"];
+      check_result.limit   = 3;
+      check_result.outcome = check_result.value == 0 ? Outcome::passed : Outcome::warned;
+      check_result.message =
         "in this load step the displacement rate is that many times the rate of the load step before, and "
         "the tangent stiffness is not positive definite half-way: the bodies have probably snapped through";
-      finding.cure =
+      check_result.advice =
         "use displacement control to follow the path; the dynamic jump itself is not modelled (quasi-static equations)";
-      return finding;
+      return check_result;
     }
 
     /// Far from the origin gaps are small differences of large numbers.
     template <int dim>
-    std::vector<Finding>
+    std::vector<CheckResult>
     check_coordinates(const Snapshot<dim> &now, const std::vector<Extremes> &extremes)
     {
       constexpr double far    = 100; // sizes of the scene; nearer, digits are not lost by that
@@ -161,20 +166,20 @@ namespace Signorini
         strain = std::max(strain, of_body.gradient);
       if (offset < far * size || strain == 0)
         return {};
-      Finding finding;
-      finding.check   = "coordinate round-off";
-      finding.value   = 4 * std::numeric_limits<double>::epsilon() * offset / (strain * size);
-      finding.limit   = 1e-3;
-      finding.outcome = finding.value <= finding.limit ? Outcome::passed :
-                        finding.value <= 0.1           ? Outcome::warned :
-                                                         Outcome::failed;
-      finding.what =
+      CheckResult check_result;
+      check_result.check   = "coordinate round-off";
+      check_result.value   = 4 * std::numeric_limits<double>::epsilon() * offset / (strain * size);
+      check_result.limit   = 1e-3;
+      check_result.outcome = check_result.value <= check_result.limit ? Outcome::passed :
+                             check_result.value <= 0.1                ? Outcome::warned :
+                                                                        Outcome::failed;
+      check_result.message =
         "the model lies so far from the origin that the round-off of coordinates, and thus of "
         "gaps, is that fraction of the deformation";
-      finding.cure =
+      check_result.advice =
         "shift the model to the origin: Corners or Center of bodies and obstacles, or for mesh files "
         "Transformation = x - ...; and formulas in x, y, z accordingly";
-      return {finding};
+      return {check_result};
     }
 
 
@@ -199,11 +204,11 @@ namespace Signorini
                    const std::vector<Extremes> &extremes,
                    const double                 largest_force)
     {
-      const double size    = s.elasticity.mesh().size();
-      double       softest = std::numeric_limits<double>::max();
+      const double size                  = s.elasticity.mesh().size();
+      double       minimal_penalty_scale = std::numeric_limits<double>::max();
       for (const Material &material : s.elasticity.all_materials())
-        softest = std::min(softest, material.youngs_modulus);
-      return largest_force > least_motion * softest * area_of_size(s) ||
+        minimal_penalty_scale = std::min(minimal_penalty_scale, material.youngs_modulus);
+      return largest_force > least_motion * minimal_penalty_scale * area_of_size(s) ||
              std::any_of(extremes.begin(), extremes.end(), [&](const Extremes &body) {
                return body.motion > least_motion * size;
              });
@@ -212,24 +217,24 @@ namespace Signorini
     /// No force, and nothing moves, no obstacle either: a scene whose loads were left out, or lost.
     /// An answer that the scene expects is meant.
     template <int dim>
-    Finding
+    CheckResult
     check_something_acts(const Scene<dim>    &scene,
                          const Snapshot<dim> &now,
                          const bool           acts_on_bodies)
     {
       const bool acts = acts_on_bodies || now.displacement.linfty_norm() >
                                             least_motion * now.elasticity.mesh().size();
-      Finding finding;
-      finding.check   = "loading";
-      finding.value   = acts;
-      finding.limit   = 1;
-      finding.over    = Finding::Over::best;
-      finding.outcome = acts || !scene.expected.empty() ? Outcome::passed : Outcome::failed;
-      finding.what =
+      CheckResult check_result;
+      check_result.check       = "loading";
+      check_result.value       = acts;
+      check_result.limit       = 1;
+      check_result.aggregation = CheckResult::Aggregation::best;
+      check_result.outcome = acts || !scene.expected.empty() ? Outcome::passed : Outcome::failed;
+      check_result.message =
         "no force acts and nothing moves: loads or prescribed displacements are missing";
-      finding.cure =
+      check_result.advice =
         "check Loads, Supports and Not imported; if this is intended, add Expected results";
-      return finding;
+      return check_result;
     }
 
     /// Of the stress that the largest strains would be over the whole scene.
@@ -249,7 +254,7 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<Finding>
+  std::vector<CheckResult>
   check_solution(const Decisions<dim>         &decisions,
                  const Snapshot<dim>          &now,
                  const nlohmann::ordered_json &results,
@@ -263,10 +268,10 @@ namespace Signorini
       small =
         std::max(small,
                  0.05 * *std::min_element(scene.goals.targets.begin(), scene.goals.targets.end()));
-    const auto           extremes = extremes_of_bodies(now);
-    const double         scale = std::max(largest_force, rounding * elastic_force(now, extremes));
-    std::vector<Finding> all   = check_motions(now, extremes);
-    const bool           acts  = acts_on_bodies(now, extremes, results["largest_force"]);
+    const auto   extremes        = extremes_of_bodies(now);
+    const double scale           = std::max(largest_force, rounding * elastic_force(now, extremes));
+    std::vector<CheckResult> all = check_motions(now, extremes);
+    const bool               acts = acts_on_bodies(now, extremes, results["largest_force"]);
     all.push_back(check_something_acts(scene, now, acts));
     for (const auto &some : {check_locking(scene, now),
                              check_pairs(decisions, now, extremes, results, scale),
@@ -274,22 +279,22 @@ namespace Signorini
                              check_peaks(results, scale),
                              check_loads(scene, now),
                              check_coordinates(now, extremes),
-                             check_left_out(scene, acts),
+                             check_skipped_items(scene, acts),
                              check_balance(results, scale, small)})
       all.insert(all.end(), some.begin(), some.end());
-    if (now.elasticity.is_finite())
+    if (now.elasticity.is_finite_strain())
       {
         all.push_back(check_stability(results));
         all.push_back(check_jump(results));
       }
-    all.push_back(check_unseen_contact(scene, now));
+    all.push_back(check_undetected_penetration(scene, now));
     return all;
   }
 
 
 
-  template std::vector<Finding>
+  template std::vector<CheckResult>
   check_solution(const Decisions<2> &, const Snapshot<2> &, const nlohmann::ordered_json &, double);
-  template std::vector<Finding>
+  template std::vector<CheckResult>
   check_solution(const Decisions<3> &, const Snapshot<3> &, const nlohmann::ordered_json &, double);
 } // namespace Signorini

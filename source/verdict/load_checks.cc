@@ -40,7 +40,7 @@ namespace Signorini
       }
 
       void
-      over_ranks(const MPI_Comm comm)
+      reduce_over_ranks(const MPI_Comm comm)
       {
         force = Utilities::MPI::sum(force, comm);
         size  = Utilities::MPI::sum(size, comm);
@@ -51,12 +51,12 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<Finding>
+  std::vector<CheckResult>
   check_loads(const Scene<dim> &scene, const Snapshot<dim> &now)
   {
-    constexpr double     small = 1e-4;
-    const MPI_Comm       comm  = now.elasticity.mesh().communicator();
-    std::vector<Finding> findings;
+    constexpr double         small = 1e-4;
+    const MPI_Comm           comm  = now.elasticity.mesh().communicator();
+    std::vector<CheckResult> check_results;
     for (const Load<dim> &load : scene.loads)
       {
         if (!load.traction.depends_on_place() && !load.pressure.depends_on_place())
@@ -77,28 +77,28 @@ namespace Signorini
               }
           }
         for (Sum<dim> &sum : sums)
-          sum.over_ranks(comm);
-        Finding finding;
-        finding.check = "load quadrature error";
-        finding.where = "load " + load.name;
-        finding.value =
+          sum.reduce_over_ranks(comm);
+        CheckResult check_result;
+        check_result.check = "load quadrature error";
+        check_result.where = "load " + load.name;
+        check_result.value =
           sums[1].size > 0 ? (sums[0].force - sums[1].force).norm() / sums[1].size : 0.;
-        finding.limit   = small;
-        finding.outcome = finding.value <= small ? Outcome::passed : Outcome::warned;
-        finding.what =
+        check_result.limit   = small;
+        check_result.outcome = check_result.value <= small ? Outcome::passed : Outcome::warned;
+        check_result.message =
           "the formula of the load varies so much within faces that the relative error of "
           "the resultant is about that value; it may be discontinuous there";
-        finding.cure =
+        check_result.advice =
           "align element edges with the discontinuity, refine there, or use Total force";
-        findings.push_back(finding);
+        check_results.push_back(check_result);
       }
-    return findings;
+    return check_results;
   }
 
 
 
-  template std::vector<Finding>
+  template std::vector<CheckResult>
   check_loads(const Scene<2> &, const Snapshot<2> &);
-  template std::vector<Finding>
+  template std::vector<CheckResult>
   check_loads(const Scene<3> &, const Snapshot<3> &);
 } // namespace Signorini

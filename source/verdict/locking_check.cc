@@ -80,7 +80,7 @@ namespace Signorini
       for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
         {
           const Material &material = elasticity.material(cell->material_id());
-          if (!cell->is_locally_owned() || material.is_mixed ||
+          if (!cell->is_locally_owned() || material.is_up_formulation ||
               material.poissons_ratio < least_ratio)
             continue;
           values_of.reinit(cell);
@@ -103,7 +103,7 @@ namespace Signorini
                   of_body.all += weight * response_at(elasticity.model(),
                                                       elasticity.material_point(*cell, x, internal),
                                                       F,
-                                                      UpTo::stress)
+                                                      ResponseOrder::stress)
                                             .energy;
                   continue;
                 }
@@ -125,41 +125,42 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<Finding>
+  std::vector<CheckResult>
   check_locking(const Scene<dim> &scene, const Snapshot<dim> &now)
   {
     constexpr double least_ratio = 0.4; // below there is little to lock
     if (now.elasticity.model() == Model::plane_stress)
       return {};
-    Finding finding;
-    finding.check       = "volumetric locking";
-    finding.limit       = 0.01;
+    CheckResult check_result;
+    check_result.check  = "volumetric locking";
+    check_result.limit  = 0.01;
     const auto energies = energies_of_bodies(now, least_ratio);
     for (unsigned int body = 0; body < energies.size(); ++body)
       {
         const Energies &of_body = energies[body];
         const double    share   = of_body.all > 0 ? of_body.locked / of_body.all : 0.;
-        if (share >= finding.value)
+        if (share >= check_result.value)
           {
-            finding.value = share;
-            finding.what  = now.elasticity.mesh().body_name(body);
+            check_result.value   = share;
+            check_result.message = now.elasticity.mesh().body_name(body);
           }
       }
-    finding.outcome = finding.value > finding.limit ? Outcome::warned : Outcome::passed;
-    finding.what =
-      "'" + finding.what +
+    check_result.outcome =
+      check_result.value > check_result.limit ? Outcome::warned : Outcome::passed;
+    check_result.message =
+      "'" + check_result.message +
       "' is nearly incompressible and locks on this mesh: that fraction of its energy is spurious volumetric "
       "energy within cells. The relative error of forces is about that value, that of pressures three times as large";
-    finding.cure = scene.goals.quantities.empty() ?
-                     "set Formulation = mixed with Degree = 2, or use a finer mesh" :
-                     "set Degree = 2 (errors of Formulation = mixed are not estimated)";
-    return {finding};
+    check_result.advice = scene.goals.quantities.empty() ?
+                            "set Formulation = mixed with Degree = 2, or use a finer mesh" :
+                            "set Degree = 2 (errors of Formulation = mixed are not estimated)";
+    return {check_result};
   }
 
 
 
-  template std::vector<Finding>
+  template std::vector<CheckResult>
   check_locking(const Scene<2> &, const Snapshot<2> &);
-  template std::vector<Finding>
+  template std::vector<CheckResult>
   check_locking(const Scene<3> &, const Snapshot<3> &);
 } // namespace Signorini

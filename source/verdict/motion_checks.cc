@@ -42,14 +42,15 @@ namespace Signorini
           of_body.gradient  = std::max(of_body.gradient, std::sqrt(square));
           // Of the rotation tensor, which is antisymmetric, each component counts twice.
           const Tensor<2, dim> rotation = (gradient[0] - transpose(gradient[0])) / 2;
-          of_body.turn                  = std::max(of_body.turn, rotation.norm() / std::sqrt(2));
+          of_body.largest_rotation =
+            std::max(of_body.largest_rotation, rotation.norm() / std::sqrt(2));
         }
     const MPI_Comm comm = elasticity.mesh().communicator();
     for (Extremes &of_body : largest)
       {
-        of_body.motion   = Utilities::MPI::max(of_body.motion, comm);
-        of_body.gradient = Utilities::MPI::max(of_body.gradient, comm);
-        of_body.turn     = Utilities::MPI::max(of_body.turn, comm);
+        of_body.motion           = Utilities::MPI::max(of_body.motion, comm);
+        of_body.gradient         = Utilities::MPI::max(of_body.gradient, comm);
+        of_body.largest_rotation = Utilities::MPI::max(of_body.largest_rotation, comm);
       }
     return largest;
   }
@@ -60,61 +61,64 @@ namespace Signorini
   {
     /// The worst of all bodies, by name.
     template <int dim>
-    Finding
+    CheckResult
     worst(const Snapshot<dim>         &s,
           const std::vector<Extremes> &largest,
           double Extremes::*member,
           const double      scale)
     {
-      Finding finding;
+      CheckResult check_result;
       for (unsigned int body = 0; body < largest.size(); ++body)
-        if (const double value = largest[body].*member / scale; value > finding.value || body == 0)
+        if (const double value = largest[body].*member / scale;
+            value > check_result.value || body == 0)
           {
-            finding.value = value;
-            finding.what  = s.elasticity.mesh().body_name(body);
+            check_result.value   = value;
+            check_result.message = s.elasticity.mesh().body_name(body);
           }
-      return finding;
+      return check_result;
     }
   } // namespace
 
 
 
   template <int dim>
-  std::vector<Finding>
+  std::vector<CheckResult>
   check_motions(const Snapshot<dim> &now, const std::vector<Extremes> &largest)
   {
     constexpr double small = 0.1; // the squares that are neglected are half of that, relative
 
-    Finding motion = worst(now, largest, &Extremes::motion, now.elasticity.mesh().size());
-    motion.check   = "displacement / model size";
-    motion.limit   = now.elasticity.is_finite() ? 20 : 1; // turns and slides are no mistakes there
+    CheckResult motion = worst(now, largest, &Extremes::motion, now.elasticity.mesh().size());
+    motion.check       = "displacement / model size";
+    motion.limit =
+      now.elasticity.is_finite_strain() ? 20 : 1; // turns and slides are no mistakes there
     motion.outcome = motion.value > motion.limit ? Outcome::failed : Outcome::passed;
-    motion.what    = "'" + motion.what + "' moves farther than the size of the model";
-    motion.cure = "check its supports, the contact pairs that constrain it, and their initial gaps";
+    motion.message = "'" + motion.message + "' moves farther than the size of the model";
+    motion.advice =
+      "check its supports, the contact pairs that constrain it, and their initial gaps";
 
-    if (now.elasticity.is_finite())
+    if (now.elasticity.is_finite_strain())
       return {motion};
 
-    Finding strain = worst(now, largest, &Extremes::gradient, 1);
-    strain.check   = "displacement gradient";
-    strain.limit   = small;
-    strain.outcome = strain.value > strain.limit ? Outcome::warned : Outcome::passed;
-    strain.what =
-      "strains or rotations of '" + strain.what + "', which rotates by up to " +
-      short_text(worst(now, largest, &Extremes::turn, numbers::PI / 180).value, 2) +
+    CheckResult strain = worst(now, largest, &Extremes::gradient, 1);
+    strain.check       = "displacement gradient";
+    strain.limit       = small;
+    strain.outcome     = strain.value > strain.limit ? Outcome::warned : Outcome::passed;
+    strain.message =
+      "strains or rotations of '" + strain.message + "', which rotates by up to " +
+      short_text(worst(now, largest, &Extremes::largest_rotation, numbers::PI / 180).value, 2) +
       " degrees, are not small: small-strain theory neglects terms of half that size, relative to the strains";
-    strain.cure =
+    strain.advice =
       "set Deformation = automatic or finite, or accept forces and pressures with that error";
     return {motion, strain};
   }
 
 
 
-  template std::vector<Finding>
+  template std::vector<CheckResult>
   check_motions(const Snapshot<2> &, const std::vector<Extremes> &);
   template std::vector<Extremes>
   extremes_of_bodies(const Snapshot<2> &);
-  template std::vector<Finding>
+  template std::vector<CheckResult>
   check_motions(const Snapshot<3> &, const std::vector<Extremes> &);
   template std::vector<Extremes>
   extremes_of_bodies(const Snapshot<3> &);

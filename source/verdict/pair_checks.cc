@@ -1,6 +1,6 @@
 #include "contact/search/boundary_faces.h"
-#include "contact/search/reach.h"
 #include "contact/search/search.h"
+#include "contact/search/search_radius.h"
 #include "fields/point_values.h"
 #include "verdict/checks.h"
 #include <signorini/base/text.h>
@@ -20,39 +20,42 @@ namespace Signorini
   namespace
   {
     /// Areas of one pair.
-    struct Zone
+    struct ContactExtent
     {
       double active = 0, candidates = 0;       ///< of all faces that were looked at
       double touched_faces = 0, n_touched = 0; ///< faces that carry pressure
-      double smallest_rest_gap = std::numeric_limits<double>::max();
-      double smallest_facing   = 1; ///< where there is pressure
-      double penetration       = 0; ///< there, the mean
-      double deepest           = 0; ///< overlap at any point of integration
+      double smallest_reference_gap    = std::numeric_limits<double>::max();
+      double smallest_normal_alignment = 1; ///< where there is pressure
+      double penetration               = 0; ///< there, the mean
+      double deepest                   = 0; ///< overlap at any point of integration
       // Of active points:
-      double largest_rest_gap = -std::numeric_limits<double>::max(),
-             least_rest_gap   = -largest_rest_gap;
+      double largest_reference_gap = -std::numeric_limits<double>::max(),
+             least_reference_gap   = -largest_reference_gap;
       double pressure = 0, modulus = 0, epsilon = 0; ///< the largest ones; stiffness times depth
     };
 
     template <int dim>
-    Zone
-    zone_of(const Snapshot<dim> &s, const unsigned int pair)
+    ContactExtent
+    contact_extent_of(const Snapshot<dim> &s, const unsigned int pair)
     {
-      Zone zone;
-      auto which = s.contact.origin.pair.begin();
+      ContactExtent extent;
+      auto          which = s.contact.origin.pair.begin();
       for (const auto i : s.active.locally_owned_elements())
         if (*which++ == pair)
           {
-            zone.active += s.active(i) * s.contact.weight(i);
-            zone.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
-            zone.candidates += s.contact.weight(i);
-            zone.smallest_rest_gap = std::min(zone.smallest_rest_gap, s.contact.rest_gap(i));
+            extent.active += s.active(i) * s.contact.weight(i);
+            extent.penetration -= s.active(i) * s.contact.weight(i) * std::min(0., s.gap(i));
+            extent.candidates += s.contact.weight(i);
+            extent.smallest_reference_gap =
+              std::min(extent.smallest_reference_gap, s.contact.reference_gap(i));
             if (s.active(i) == 0)
               continue;
-            zone.least_rest_gap   = std::min(zone.least_rest_gap, s.contact.rest_gap(i));
-            zone.largest_rest_gap = std::max(zone.largest_rest_gap, s.contact.rest_gap(i));
-            zone.pressure         = std::max(zone.pressure, std::abs(s.pressure(i)));
-            zone.epsilon          = std::max(zone.epsilon, s.contact.coefficients.epsilon(i));
+            extent.least_reference_gap =
+              std::min(extent.least_reference_gap, s.contact.reference_gap(i));
+            extent.largest_reference_gap =
+              std::max(extent.largest_reference_gap, s.contact.reference_gap(i));
+            extent.pressure = std::max(extent.pressure, std::abs(s.pressure(i)));
+            extent.epsilon  = std::max(extent.epsilon, s.contact.coefficients.epsilon(i));
           }
       const PointValues values = point_values(s, pair);
       struct Face
@@ -65,86 +68,92 @@ namespace Signorini
         {
           Face &face = faces[s.surfaces[pair].points[q].face];
           face.area += s.surfaces[pair].points[q].weight;
-          zone.deepest = std::max(zone.deepest, -values.gap[q]);
+          extent.deepest = std::max(extent.deepest, -values.gap[q]);
           face.touched |= values.pressure[q] > 0;
           const ContactPoint<dim> &point = s.surfaces[pair].points[q];
-          zone.modulus                   = std::max(zone.modulus, point.stiffness * point.depth);
+          extent.modulus                 = std::max(extent.modulus, point.stiffness * point.depth);
           if (values.pressure[q] > 0)
-            zone.smallest_facing = std::min(zone.smallest_facing, point.facing);
+            extent.smallest_normal_alignment =
+              std::min(extent.smallest_normal_alignment, point.normal_alignment);
         }
       for (const auto &[number, face] : faces)
         if (face.touched)
           {
-            zone.touched_faces += face.area;
-            zone.n_touched += 1;
+            extent.touched_faces += face.area;
+            extent.n_touched += 1;
           }
       const MPI_Comm comm = s.elasticity.mesh().communicator();
-      for (double *sum : {&zone.active,
-                          &zone.candidates,
-                          &zone.penetration,
-                          &zone.touched_faces,
-                          &zone.n_touched})
+      for (double *sum : {&extent.active,
+                          &extent.candidates,
+                          &extent.penetration,
+                          &extent.touched_faces,
+                          &extent.n_touched})
         *sum = Utilities::MPI::sum(*sum, comm);
-      if (zone.active > 0)
-        zone.penetration /= zone.active;
-      for (double *least : {&zone.smallest_rest_gap, &zone.smallest_facing, &zone.least_rest_gap})
+      if (extent.active > 0)
+        extent.penetration /= extent.active;
+      for (double *least : {&extent.smallest_reference_gap,
+                            &extent.smallest_normal_alignment,
+                            &extent.least_reference_gap})
         *least = Utilities::MPI::min(*least, comm);
-      for (double *most :
-           {&zone.largest_rest_gap, &zone.deepest, &zone.pressure, &zone.modulus, &zone.epsilon})
+      for (double *most : {&extent.largest_reference_gap,
+                           &extent.deepest,
+                           &extent.pressure,
+                           &extent.modulus,
+                           &extent.epsilon})
         *most = Utilities::MPI::max(*most, comm);
-      return zone;
+      return extent;
     }
 
-    Finding
-    finding_of(const std::string &check,
-               const std::string &pair,
-               const double       value,
-               const double       limit,
-               const std::string &what,
-               const std::string &cure)
+    CheckResult
+    make_check_result(const std::string &check,
+                      const std::string &pair,
+                      const double       value,
+                      const double       limit,
+                      const std::string &message,
+                      const std::string &advice)
     {
-      Finding finding;
-      finding.check   = check;
-      finding.where   = "pair " + pair;
-      finding.value   = value;
-      finding.limit   = limit;
-      finding.outcome = value <= limit ? Outcome::passed : Outcome::warned;
-      finding.what    = what;
-      finding.cure    = cure;
-      return finding;
+      CheckResult check_result;
+      check_result.check   = check;
+      check_result.where   = "pair " + pair;
+      check_result.value   = value;
+      check_result.limit   = limit;
+      check_result.outcome = value <= limit ? Outcome::passed : Outcome::warned;
+      check_result.message = message;
+      check_result.advice  = advice;
+      return check_result;
     }
 
-    Finding
-    acts(const std::string &name, const Zone &zone)
+    CheckResult
+    check_pair_active(const std::string &name, const ContactExtent &extent)
     {
-      Finding finding =
-        finding_of("inactive pair",
-                   name,
-                   zone.active > 0,
-                   1,
-                   "the surfaces of this pair never touch",
-                   "check the initial gaps that --check prints, the signs of loads and supports, "
-                   "and Slave and Master of the pair");
-      finding.over    = Finding::Over::best;
-      finding.outcome = zone.active > 0 ? Outcome::passed : Outcome::warned;
-      return finding;
+      CheckResult check_result = make_check_result(
+        "inactive pair",
+        name,
+        extent.active > 0,
+        1,
+        "the surfaces of this pair never touch",
+        "check the initial gaps that --check prints, the signs of loads and supports, "
+        "and Slave and Master of the pair");
+      check_result.aggregation = CheckResult::Aggregation::best;
+      check_result.outcome     = extent.active > 0 ? Outcome::passed : Outcome::warned;
+      return check_result;
     }
 
     /// The gap of an obstacle at the deepest place of a face, downhill from that parameter.
     template <int dim>
     double
-    gap_downhill(const Configuration<dim> &configuration,
-                 const Obstacle<dim>      &obstacle,
-                 const RigidPose<dim>     &pose,
-                 const FacePatch<dim>     &face,
-                 Point<dim - 1>            xi)
+    gap_along_descent(const Configuration<dim> &configuration,
+                      const Obstacle<dim>      &obstacle,
+                      const RigidPose<dim>     &pose,
+                      const FacePatch<dim>     &face,
+                      Point<dim - 1>            xi)
     {
       constexpr unsigned int most  = 40;
       constexpr double       least = 1e-3; // of the face
       const auto             at    = [&](const Point<dim - 1> &there) {
         return configuration.closest(obstacle, pose, face.position(there));
       };
-      ObstaclePlace<dim> place = at(xi);
+      ObstaclePoint<dim> place = at(xi);
       double             step  = face.diameter();
       for (unsigned int i = 0; i < most && step > least * face.diameter(); ++i)
         {
@@ -160,7 +169,7 @@ namespace Signorini
           Point<dim - 1> next = xi + invert(metric) * along;
           for (unsigned int a = 0; a < dim - 1; ++a)
             next[a] = std::clamp(next[a], 0., 1.);
-          const ObstaclePlace<dim> there = at(next);
+          const ObstaclePoint<dim> there = at(next);
           if (there.gap < place.gap)
             {
               xi    = next;
@@ -174,22 +183,22 @@ namespace Signorini
     }
 
     /// An obstacle in a surface.
-    struct Tip
+    struct ObstacleTip
     {
       double depth = 0, face = 0; ///< size of the face where it is deepest
     };
 
     /// How deep it is. It may be so small that it lies between the points of integration.
     template <int dim>
-    Tip
+    ObstacleTip
     deepest_tip(const Obstacle<dim> &obstacle, const Snapshot<dim> &s, const std::string &surface)
     {
       const Configuration<dim> configuration(s.elasticity, s.displacement);
       const BoundaryFaces<dim> faces(configuration, surface);
       const RigidPose<dim>     pose   = configuration.pose(obstacle);
-      const double             length = s.elasticity.lever();
+      const double             length = s.elasticity.rotation_length_scale();
       const QGauss<dim - 1>    starts(2);
-      Tip                      tip;
+      ObstacleTip              tip;
       for (unsigned int i = 0; i < faces.patches.size(); ++i)
         {
           const FacePatch<dim> &face = faces.patches[i];
@@ -197,7 +206,7 @@ namespace Signorini
               configuration.closest(obstacle, pose, face.center()).gap > face.diameter())
             continue;
           for (const Point<dim - 1> &xi : starts.get_points())
-            if (const double depth = -gap_downhill(configuration, obstacle, pose, face, xi);
+            if (const double depth = -gap_along_descent(configuration, obstacle, pose, face, xi);
                 depth > tip.depth)
               tip = {depth, face.diameter() / std::sqrt(dim - 1.)};
         }
@@ -208,31 +217,34 @@ namespace Signorini
 
     /// What touches within a face may be open in the mean of the face, which is all that
     /// multipliers see of it.
-    Finding
-    is_pressed(const std::string &name, const Zone &zone, const Tip &tip, const double facets)
+    CheckResult
+    check_missed_penetration_of_obstacle(const std::string   &name,
+                                         const ContactExtent &extent,
+                                         const ObstacleTip   &tip,
+                                         const double         facets)
     {
-      const double depth   = std::max(0., tip.depth - facets);
-      Finding      finding = finding_of(
+      const double depth        = std::max(0., tip.depth - facets);
+      CheckResult  check_result = make_check_result(
         "penetration without pressure / face size",
         name,
-        zone.active > 0 || tip.face == 0 ? 0. : depth / tip.face,
+        extent.active > 0 || tip.face == 0 ? 0. : depth / tip.face,
         3e-3,
         "the surfaces penetrate each other by up to " + short_text(depth, 2) +
           " within faces that carry no pressure, because the slave mesh does not resolve the master",
         "refine the slave, or exchange Slave and Master");
-      finding.over = Finding::Over::last;
-      if (finding.outcome == Outcome::warned)
-        finding.outcome = Outcome::failed;
-      return finding;
+      check_result.aggregation = CheckResult::Aggregation::last;
+      if (check_result.outcome == Outcome::warned)
+        check_result.outcome = Outcome::failed;
+      return check_result;
     }
 
-    Finding
-    stands(const std::string &name, const Sides &sides)
+    CheckResult
+    check_slave_choice(const std::string &name, const Sides &sides)
     {
-      return finding_of(
+      return make_check_result(
         "slave choice",
         name,
-        sides.risk(),
+        sides.pressure_error(),
         10,
         "the slave is so much stiffer or finer than the master (" + short_text(sides.modulus, 2) +
           " times as stiff, faces " + short_text(sides.size, 2) +
@@ -242,13 +254,13 @@ namespace Signorini
 
     /// The initial positions are where contact was looked for.
     template <int dim>
-    Finding
-    stays(const Snapshot<dim>       &s,
-          const ContactPair<dim>    &pair,
-          const Obstacle<dim>       *obstacle,
-          const std::vector<double> &displacements)
+    CheckResult
+    check_small_sliding(const Snapshot<dim>       &s,
+                        const ContactPair<dim>    &pair,
+                        const Obstacle<dim>       *obstacle,
+                        const std::vector<double> &displacements)
     {
-      return finding_of(
+      return make_check_result(
         "surface motion / model size",
         pair.name,
         largest_approach(s.elasticity, pair, obstacle, s.displacement, displacements) /
@@ -261,8 +273,10 @@ namespace Signorini
 
     /// The pressure under waves as high and long as facets, beside the largest one.
     template <int dim>
-    Finding
-    smooth(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
+    CheckResult
+    check_facet_pressure(const Snapshot<dim> &s,
+                         const unsigned int   pair,
+                         const ContactExtent &extent)
     {
       const FacetHeight slave  = s.elasticity.mesh().facet_height(s.pairs[pair].slave),
                         master = s.elasticity.mesh().facet_height(s.pairs[pair].master);
@@ -271,15 +285,16 @@ namespace Signorini
       // Facets that match have no gaps between them.
       if (std::min(slave.height, master.height) > 0)
         steeper.height =
-          std::min(height, std::max(0., zone.largest_rest_gap - zone.least_rest_gap));
-      return finding_of("faceting error",
-                        s.pairs[pair].name,
-                        zone.pressure > 0 ? steeper.slope() * zone.modulus / zone.pressure : 0.,
-                        0.1,
-                        "flat facets approximate a curved surface: their height of up to " +
-                          short_text(height, 2) + " perturbs the pressure by about that fraction",
-                        "use smaller facets, name the surface in Curved boundaries, or use "
-                        "second-order elements with curved sides");
+          std::min(height, std::max(0., extent.largest_reference_gap - extent.least_reference_gap));
+      return make_check_result(
+        "faceting error",
+        s.pairs[pair].name,
+        extent.pressure > 0 ? steeper.slope() * extent.modulus / extent.pressure : 0.,
+        0.1,
+        "flat facets approximate a curved surface: their height of up to " + short_text(height, 2) +
+          " perturbs the pressure by about that fraction",
+        "use smaller facets, name the surface in Curved boundaries, or use "
+        "second-order elements with curved sides");
     }
 
     /// 1 at nodes that have neighbours all around, 0 at those of the edge of the surface: on
@@ -322,13 +337,15 @@ namespace Signorini
     /// neighbours have to alternate too. Pressures that displacements would leave by their rounding
     /// alone do not count, and tensions of pairs that never separate do.
     template <int dim>
-    Finding
-    even(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
+    CheckResult
+    check_pressure_oscillation(const Snapshot<dim> &s,
+                               const unsigned int   pair,
+                               const ContactExtent &extent)
     {
       constexpr double scale = dim == 2 ? 4. : 16. / 27, little = 0.02, few = 5, rounding = 1e-9;
       const bool       counts_at_all =
-        zone.pressure >
-        rounding * zone.modulus * s.displacement.linfty_norm() / s.elasticity.mesh().size();
+        extent.pressure >
+        rounding * extent.modulus * s.displacement.linfty_norm() / s.elasticity.mesh().size();
       const GapOperator &contact = s.contact;
       LA::Vector         active = s.active, inner = contact.zero(), innermost = contact.zero();
       auto               which = contact.origin.pair.begin();
@@ -353,124 +370,133 @@ namespace Signorini
       turns.compress(VectorOperation::insert);
       const LA::Vector around =
         contact.origin.regions.means_of_neighbours(innermost, turns, ignored);
-      const double most     = scale * std::pow(little * zone.pressure, 2);
-      double       counts[] = {0, 0};
+      const double most             = scale * std::pow(little * extent.pressure, 2);
+      double       is_significant[] = {0, 0};
       for (const auto i : more.locally_owned_elements())
         if (innermost(i) > 0)
           {
-            counts[0] += turns(i) > most && around(i) > 0;
-            counts[1] += 1;
+            is_significant[0] += turns(i) > most && around(i) > 0;
+            is_significant[1] += 1;
           }
-      Utilities::MPI::sum(counts, s.elasticity.mesh().communicator(), counts);
-      return finding_of("pressure oscillation",
-                        s.pairs[pair].name,
-                        counts_at_all && counts[1] >= few ? counts[0] / counts[1] : 0.,
-                        1. / 3,
-                        "the pressure oscillates from node to node by more than 2 % of its "
-                        "largest value at that fraction of the nodes",
-                        "exchange Slave and Master, refine the master, or choose another method");
+      Utilities::MPI::sum(is_significant, s.elasticity.mesh().communicator(), is_significant);
+      return make_check_result(
+        "pressure oscillation",
+        s.pairs[pair].name,
+        counts_at_all && is_significant[1] >= few ? is_significant[0] / is_significant[1] : 0.,
+        1. / 3,
+        "the pressure oscillates from node to node by more than 2 % of its "
+        "largest value at that fraction of the nodes",
+        "exchange Slave and Master, refine the master, or choose another method");
     }
 
     /// Of methods whose pressure is the gap times a stiffness.
     template <int dim>
-    Finding
-    exact(const Snapshot<dim> &s, const unsigned int pair, const Zone &zone)
+    CheckResult
+    check_penalty_roundoff(const Snapshot<dim> &s,
+                           const unsigned int   pair,
+                           const ContactExtent &extent)
     {
       const double rounding =
-        zone.epsilon * s.displacement.linfty_norm() * std::numeric_limits<double>::epsilon();
-      return finding_of("penalty round-off / pressure",
-                        s.pairs[pair].name,
-                        zone.pressure > 0 ? rounding / zone.pressure : 0.,
-                        1e-6,
-                        "the penalty is so large that round-off of the displacements is visible in "
-                        "the pressure",
-                        "set a smaller Factor");
+        extent.epsilon * s.displacement.linfty_norm() * std::numeric_limits<double>::epsilon();
+      return make_check_result(
+        "penalty round-off / pressure",
+        s.pairs[pair].name,
+        extent.pressure > 0 ? rounding / extent.pressure : 0.,
+        1e-6,
+        "the penalty is so large that round-off of the displacements is visible in "
+        "the pressure",
+        "set a smaller Factor");
     }
 
     /// Of methods that let bodies go through each other: beside what the strain changes over the
     /// width of the contact zone. Bodies that are strained by so much give way by as much.
     template <int dim>
-    Finding
-    tight(const Snapshot<dim>         &s,
-          const unsigned int           pair,
-          const Zone                  &zone,
-          const std::vector<Extremes> &extremes)
+    CheckResult
+    check_penetration(const Snapshot<dim>         &s,
+                      const unsigned int           pair,
+                      const ContactExtent         &extent,
+                      const std::vector<Extremes> &extremes)
     {
       double strain = 0;
       for (const Extremes &body : extremes)
         strain = std::max(strain, body.gradient);
       const bool   is_plane = dim == 2 && s.elasticity.model() != Model::axisymmetric;
-      const double width    = is_plane ? zone.active : std::sqrt(zone.active);
-      return finding_of("penetration / deformation",
-                        s.pairs[pair].name,
-                        strain > 0           ? zone.penetration / (strain * width) :
-                        zone.penetration > 0 ? 1. :
-                                               0.,
-                        0.05,
-                        "the penetration is not small compared with the deformation of the bodies: "
-                        "the relative error of pressures is about that value",
-                        "set a larger Factor, or choose a method with multipliers");
+      const double width    = is_plane ? extent.active : std::sqrt(extent.active);
+      return make_check_result(
+        "penetration / deformation",
+        s.pairs[pair].name,
+        strain > 0             ? extent.penetration / (strain * width) :
+        extent.penetration > 0 ? 1. :
+                                 0.,
+        0.05,
+        "the penetration is not small compared with the deformation of the bodies: "
+        "the relative error of pressures is about that value",
+        "set a larger Factor, or choose a method with multipliers");
     }
 
     /// Unless all that may touch does: then its edges are those of the surfaces.
     template <int dim>
-    Finding
-    resolved(const std::string &name, const unsigned int degree, const Zone &zone)
+    CheckResult
+    check_contact_resolution(const std::string   &name,
+                             const unsigned int   degree,
+                             const ContactExtent &extent)
     {
       constexpr double few = 5, whole = 0.95;
-      Finding          finding;
-      finding.check = "faces across the contact area";
-      finding.where = "pair " + name;
-      finding.over  = Finding::Over::last;
-      finding.limit = few;
-      if (zone.n_touched == 0)
-        return finding;
-      const double faces  = zone.active / (zone.touched_faces / zone.n_touched);
+      CheckResult      check_result;
+      check_result.check       = "faces across the contact area";
+      check_result.where       = "pair " + name;
+      check_result.aggregation = CheckResult::Aggregation::last;
+      check_result.limit       = few;
+      if (extent.n_touched == 0)
+        return check_result;
+      const double faces  = extent.active / (extent.touched_faces / extent.n_touched);
       const double across = dim == 2 ? faces : std::sqrt(faces * 4 / numbers::PI);
-      finding.value       = degree * across;
-      const bool is_whole = zone.active >= whole * zone.candidates;
-      finding.outcome     = finding.value < few && !is_whole ? Outcome::warned : Outcome::passed;
-      finding.what =
-        finding.value < 2 ?
+      check_result.value  = degree * across;
+      const bool is_whole = extent.active >= whole * extent.candidates;
+      check_result.outcome =
+        check_result.value < few && !is_whole ? Outcome::warned : Outcome::passed;
+      check_result.message =
+        check_result.value < 2 ?
           "the contact area lies within one face: errors of forces and pressures may exceed 100 %" :
           "the mesh does not resolve the contact area: the error of the largest pressure may be tens of percent";
-      finding.cure =
+      check_result.advice =
         "refine there (Mesh/Contact refinements, Refinement regions) to 5 or more faces (degree 2: nodes) across the contact area";
-      return finding;
+      return check_result;
     }
 
     /// Zones of several faces have their edges in few of them. Where most faces are in contact in
     /// part only, zones are narrower than faces, or the pressure oscillates from face to face.
-    Finding
-    is_patchy(const std::string &name, const Zone &zone)
+    CheckResult
+    check_partial_contact(const std::string &name, const ContactExtent &extent)
     {
       constexpr unsigned int few = 4; // then the number of faces tells
-      Finding                finding;
-      finding.check   = "contact area / area of contact faces";
-      finding.where   = "pair " + name;
-      finding.over    = Finding::Over::last;
-      finding.value   = zone.n_touched > few ? zone.active / zone.touched_faces : 1.;
-      finding.limit   = 0.5;
-      finding.outcome = finding.value < finding.limit ? Outcome::warned : Outcome::passed;
-      finding.what =
+      CheckResult            check_result;
+      check_result.check       = "contact area / area of contact faces";
+      check_result.where       = "pair " + name;
+      check_result.aggregation = CheckResult::Aggregation::last;
+      check_result.value       = extent.n_touched > few ? extent.active / extent.touched_faces : 1.;
+      check_result.limit       = 0.5;
+      check_result.outcome =
+        check_result.value < check_result.limit ? Outcome::warned : Outcome::passed;
+      check_result.message =
         "most faces are only partly in contact: errors of areas and of the largest pressure may exceed 100 %";
-      finding.cure =
+      check_result.advice =
         "refine there, set Degree = 2, exchange Slave and Master, or choose another method";
-      return finding;
+      return check_result;
     }
   } // namespace
 
 
 
   template <int dim>
-  std::vector<Finding>
+  std::vector<CheckResult>
   check_pairs(const Decisions<dim>         &decisions,
               const Snapshot<dim>          &now,
               const std::vector<Extremes>  &extremes,
               const nlohmann::ordered_json &results,
               const double                  scale)
   {
-    std::vector<Finding>      findings;
+    std::vector<CheckResult>  check_results;
     const std::vector<double> displacements =
       largest_displacements(now.elasticity, now.displacement);
     for (unsigned int i = 0; i < now.pairs.size(); ++i)
@@ -478,73 +504,75 @@ namespace Signorini
         const ContactPair<dim>    &pair     = now.pairs[i];
         const ContactSurface<dim> &surface  = now.surfaces[i];
         const Obstacle<dim>       *obstacle = decisions.scene.obstacle_of(pair);
-        const Zone                 zone     = zone_of(now, i);
-        Tip                        tip{zone.deepest, surface.face_size};
-        if (obstacle && zone.active == 0 && !pair.gap_is_given())
-          if (const Tip deepest = deepest_tip(*obstacle, now, pair.slave);
+        const ContactExtent        extent   = contact_extent_of(now, i);
+        ObstacleTip                tip{extent.deepest, surface.face_size};
+        if (obstacle && extent.active == 0 && !pair.gap_is_given())
+          if (const ObstacleTip deepest = deepest_tip(*obstacle, now, pair.slave);
               deepest.depth > tip.depth)
             tip = deepest;
         if (!pair.found)
-          findings.push_back(acts(pair.name, zone));
-        if (pair.separates && pair.interference.value({}, now.time) == 1)
-          findings.push_back(is_pressed(
+          check_results.push_back(check_pair_active(pair.name, extent));
+        if (pair.can_separate && pair.interference.value({}, now.time) == 1)
+          check_results.push_back(check_missed_penetration_of_obstacle(
             pair.name,
-            zone,
+            extent,
             tip,
             std::max(now.elasticity.mesh().facet_height(pair.slave).height,
                      obstacle ? 0. : now.elasticity.mesh().facet_height(pair.master).height)));
-        if (zone.active == 0 || !counts(results["pairs"][pair.name]["normal_force"], scale))
+        if (extent.active == 0 ||
+            !is_significant(results["pairs"][pair.name]["normal_force"], scale))
           continue;
         if (now.contact.at_rest())
-          findings.push_back(stays(now, pair, obstacle, displacements));
-        findings.push_back(resolved<dim>(pair.name, decisions.degree_of(pair.slave), zone));
-        findings.push_back(is_patchy(pair.name, zone));
-        findings.push_back(
-          finding_of("initial overlap / face size",
-                     pair.name,
-                     std::max(0., -zone.smallest_rest_gap) / surface.face_size,
-                     1,
-                     "the initial overlap is larger than a face of the slave",
-                     "refine the slave, or apply the overlap gradually: Interference ramp = t"));
-        findings.push_back(finding_of(
+          check_results.push_back(check_small_sliding(now, pair, obstacle, displacements));
+        check_results.push_back(
+          check_contact_resolution<dim>(pair.name, decisions.degree_of(pair.slave), extent));
+        check_results.push_back(check_partial_contact(pair.name, extent));
+        check_results.push_back(make_check_result(
+          "initial overlap / face size",
+          pair.name,
+          std::max(0., -extent.smallest_reference_gap) / surface.face_size,
+          1,
+          "the initial overlap is larger than a face of the slave",
+          "refine the slave, or apply the overlap gradually: Interference ramp = t"));
+        check_results.push_back(make_check_result(
           "normal misalignment",
           pair.name,
-          std::acos(std::min(1., zone.smallest_facing)) * 180 / numbers::PI,
+          std::acos(std::min(1., extent.smallest_normal_alignment)) * 180 / numbers::PI,
           60,
           "the angle between the slave normal and the opposite of the master normal is too large where the surfaces touch",
           "refine there, or split the boundary"));
-        findings.push_back(smooth(now, i, zone));
+        check_results.push_back(check_facet_pressure(now, i, extent));
         // Of quadratic functions it is the recovered pressure that is reported.
         if (now.contact.origin.regions.has_nodes() && decisions.degree_of(pair.slave) == 1)
-          findings.push_back(even(now, i, zone));
-        if (pair.separates)
-          findings.push_back(tight(now, i, zone, extremes));
+          check_results.push_back(check_pressure_oscillation(now, i, extent));
+        if (pair.can_separate)
+          check_results.push_back(check_penetration(now, i, extent, extremes));
         if (!decisions.scene.contact.chosen().has_multipliers())
-          findings.push_back(exact(now, i, zone));
+          check_results.push_back(check_penalty_roundoff(now, i, extent));
         if (obstacle)
           continue;
-        findings.push_back(stands(pair.name, surface.sides));
+        check_results.push_back(check_slave_choice(pair.name, surface.sides));
         if (decisions.scene.contact.chosen_name() == "direct elimination")
-          findings.push_back(
-            finding_of("non-matching nodes",
-                       pair.name,
-                       surface.off_nodes,
-                       0.01,
-                       "direct elimination is a node-to-surface method: where slave nodes "
-                       "do not coincide with master nodes, errors of the pressure exceed 10 %",
-                       "use matching meshes, or choose another method"));
+          check_results.push_back(make_check_result(
+            "non-matching nodes",
+            pair.name,
+            surface.non_matching_share,
+            0.01,
+            "direct elimination is a node-to-surface method: where slave nodes "
+            "do not coincide with master nodes, errors of the pressure exceed 10 %",
+            "use matching meshes, or choose another method"));
       }
-    return findings;
+    return check_results;
   }
 
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template std::vector<Finding> check_pairs(const Decisions<dim> &,                                \
-                                            const Snapshot<dim> &,                                 \
-                                            const std::vector<Extremes> &,                         \
-                                            const nlohmann::ordered_json &,                        \
-                                            double);
+  template std::vector<CheckResult> check_pairs(const Decisions<dim> &,                            \
+                                                const Snapshot<dim> &,                             \
+                                                const std::vector<Extremes> &,                     \
+                                                const nlohmann::ordered_json &,                    \
+                                                double);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -18,19 +18,19 @@ namespace Signorini
     }
 
     bool
-    is_worse(const Finding &a, const Finding &b)
+    is_worse(const CheckResult &a, const CheckResult &b)
     {
       return a.outcome != b.outcome ? a.outcome > b.outcome : a.value > b.value;
     }
 
     bool
-    replaces(const Finding &now, const Finding &before)
+    replaces(const CheckResult &now, const CheckResult &before)
     {
-      switch (now.over)
+      switch (now.aggregation)
         {
-          case Finding::Over::last:
+          case CheckResult::Aggregation::last:
             return true;
-          case Finding::Over::best:
+          case CheckResult::Aggregation::best:
             return is_worse(before, now);
           default:
             return is_worse(now, before);
@@ -38,25 +38,25 @@ namespace Signorini
     }
 
     std::string
-    title(const Finding &finding)
+    title(const CheckResult &check_result)
     {
-      return finding.check + (finding.where.empty() ? "" : ", ") + finding.where;
+      return check_result.check + (check_result.where.empty() ? "" : ", ") + check_result.where;
     }
   } // namespace
 
 
 
   void
-  Verdict::add(const std::vector<Finding> &of_step, const double time)
+  Verdict::add(const std::vector<CheckResult> &of_step, const double time)
   {
-    for (const Finding &now : of_step)
+    for (const CheckResult &now : of_step)
       {
         const auto same = std::find_if(entries.begin(), entries.end(), [&](const Entry &entry) {
-          return entry.finding.check == now.check && entry.finding.where == now.where;
+          return entry.check_result.check == now.check && entry.check_result.where == now.where;
         });
         if (same == entries.end())
           entries.push_back({now, time});
-        else if (replaces(now, same->finding))
+        else if (replaces(now, same->check_result))
           *same = {now, time};
       }
   }
@@ -68,7 +68,7 @@ namespace Signorini
   {
     Outcome worst = Outcome::passed;
     for (const Entry &entry : entries)
-      worst = std::max(worst, entry.finding.outcome);
+      worst = std::max(worst, entry.check_result.outcome);
     return worst;
   }
 
@@ -78,17 +78,17 @@ namespace Signorini
   Verdict::json() const
   {
     nlohmann::ordered_json checks = nlohmann::ordered_json::array();
-    for (const auto &[finding, time] : entries)
+    for (const auto &[check_result, time] : entries)
       {
-        const bool passed = finding.outcome == Outcome::passed;
-        checks.push_back({{"check", finding.check},
-                          {"where", finding.where},
-                          {"value", finding.value},
-                          {"limit", finding.limit},
-                          {"outcome", name(finding.outcome)},
+        const bool passed = check_result.outcome == Outcome::passed;
+        checks.push_back({{"check", check_result.check},
+                          {"where", check_result.where},
+                          {"value", check_result.value},
+                          {"limit", check_result.limit},
+                          {"outcome", name(check_result.outcome)},
                           {"time", time},
-                          {"message", passed ? "" : finding.what},
-                          {"advice", passed ? "" : finding.cure}});
+                          {"message", passed ? "" : check_result.message},
+                          {"advice", passed ? "" : check_result.advice}});
       }
     return {{"outcome", name(outcome())}, {"checks", checks}};
   }
@@ -105,16 +105,16 @@ namespace Signorini
     Verdict result;
     for (const auto &check : json.at("checks"))
       {
-        Finding finding{check.at("check"),
-                        check.at("where"),
-                        number(check.at("value")),
-                        number(check.at("limit"))};
-        finding.what = check.at("message");
-        finding.cure = check.at("advice");
+        CheckResult check_result{check.at("check"),
+                                 check.at("where"),
+                                 number(check.at("value")),
+                                 number(check.at("limit"))};
+        check_result.message = check.at("message");
+        check_result.advice  = check.at("advice");
         for (const Outcome outcome : {Outcome::passed, Outcome::warned, Outcome::failed})
           if (check.at("outcome") == name(outcome))
-            finding.outcome = outcome;
-        result.entries.push_back({finding, check.at("time")});
+            check_result.outcome = outcome;
+        result.entries.push_back({check_result, check.at("time")});
       }
     return result;
   }
@@ -127,15 +127,15 @@ namespace Signorini
     if (entries.empty())
       return;
     const auto n_passed = std::count_if(entries.begin(), entries.end(), [](const Entry &entry) {
-      return entry.finding.outcome == Outcome::passed;
+      return entry.check_result.outcome == Outcome::passed;
     });
     out << "\n  Verdict: " << n_passed << " of " << entries.size() << " checks passed\n";
-    for (const auto &[finding, time] : entries)
-      if (finding.outcome != Outcome::passed)
-        out << "    " << (finding.outcome == Outcome::warned ? "WARNED  " : "FAILED  ")
-            << title(finding) << ": " << std::defaultfloat << std::setprecision(3) << finding.value
-            << ", limit " << finding.limit << ", t = " << time << "\n      " << finding.what
-            << "\n      " << finding.cure << "\n";
+    for (const auto &[check_result, time] : entries)
+      if (check_result.outcome != Outcome::passed)
+        out << "    " << (check_result.outcome == Outcome::warned ? "WARNED  " : "FAILED  ")
+            << title(check_result) << ": " << std::defaultfloat << std::setprecision(3)
+            << check_result.value << ", limit " << check_result.limit << ", t = " << time
+            << "\n      " << check_result.message << "\n      " << check_result.advice << "\n";
   }
 
 
@@ -144,10 +144,10 @@ namespace Signorini
   Verdict::summary(const Outcome outcome) const
   {
     std::string text;
-    for (const auto &[finding, time] : entries)
-      if (finding.outcome == outcome)
-        text +=
-          (text.empty() ? "" : "; ") + title(finding) + ": " + finding.what + "; " + finding.cure;
+    for (const auto &[check_result, time] : entries)
+      if (check_result.outcome == outcome)
+        text += (text.empty() ? "" : "; ") + title(check_result) + ": " + check_result.message +
+                "; " + check_result.advice;
     return text;
   }
 } // namespace Signorini

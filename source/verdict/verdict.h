@@ -17,21 +17,21 @@ namespace Signorini
   };
 
   /// What one question about a solution gave.
-  struct Finding
+  struct CheckResult
   {
     std::string check; ///< "strain"
     std::string where; ///< "pair fit", "body ring"; may be empty
     double      value = 0, limit = 0;
     Outcome     outcome = Outcome::passed;
-    std::string what = {}, cure = {}; ///< of those that did not pass
+    std::string message = {}, advice = {}; ///< of those that did not pass
 
     /// Which load step counts.
-    enum class Over
+    enum class Aggregation
     {
       worst, ///< the one with the worst outcome, of those the one with the largest value
       last,
       best
-    } over = Over::worst;
+    } aggregation = Aggregation::worst;
   };
 
   /// What could make an answer wrong and cannot be seen in its residual, asked after each load
@@ -41,7 +41,7 @@ namespace Signorini
   public:
     /// @param time of the load step
     void
-    add(const std::vector<Finding> &of_step, double time);
+    add(const std::vector<CheckResult> &of_step, double time);
 
     Outcome
     outcome() const;
@@ -67,8 +67,8 @@ namespace Signorini
   private:
     struct Entry
     {
-      Finding finding;
-      double  time;
+      CheckResult check_result;
+      double      time;
     };
 
     std::vector<Entry> entries;

@@ -104,7 +104,7 @@ namespace
     for (std::size_t i = 0; i < n_dofs; ++i)
       u[i] = Number(i % 7) - 3;
     const double t     = seconds(time, [&] { kernel->add_product(f.data(), u.data()); });
-    const double bytes = kernel->memory() + 3. * n_dofs * sizeof(Number);
+    const double bytes = kernel->memory_consumption() + 3. * n_dofs * sizeof(Number);
     std::printf("%6u  %-9s  %-8s  %-8s  %10zu  %8.0f  %9.0f  %6.1f\n",
                 cells.degree,
                 precision,

@@ -42,8 +42,8 @@ namespace
     std::ostringstream log;
     ConditionalOStream out(log, true);
     TimerOutput        timer(out, TimerOutput::never, TimerOutput::wall_times);
-    LinearBodies       bodies = problem.bodies();
-    BodiesHierarchy    hierarchies(bodies.stiffness(), 1);
+    LinearElasticSolid bodies = problem.bodies();
+    SolidHierarchy     hierarchies(bodies.stiffness(), 1);
     ContactSolver      solver({}, direct, *method, bodies, problem.contact, {}, hierarchies, timer);
     LA::Vector         u      = problem.load;
     ContactState       state  = open_contact(problem.contact);

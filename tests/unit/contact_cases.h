@@ -1,5 +1,6 @@
 // Scenes with each of the things that a contact point may meet: curved faces that do not match,
-// hanging nodes, inclined supports at the rim, rigid bodies with free motions, the axis.
+// hanging nodes, inclined supports at the rim, rigid bodies with unconstrained rigid-body modes,
+// the axis.
 #pragma once
 
 #include "small_scene.h"

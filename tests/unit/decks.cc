@@ -239,8 +239,8 @@ TEST_CASE_TEMPLATE("forces at nodes and points keep their sum and moment, on any
       Section section(raw);
       body.declare(section);
       MeshSettings<dim> settings;
-      settings.zones.resize(1);
-      settings.zones[0].where = Expression<dim>("1 - x");
+      settings.refinement_regions.resize(1);
+      settings.refinement_regions[0].where = Expression<dim>("1 - x");
       const Mesh<dim> mesh({{"block", body}}, settings, {}, MPI_COMM_WORLD);
 
       std::vector<Load<dim>> loads(2);
@@ -367,7 +367,7 @@ TEST_CASE("import: pieces, forces on nodes, linear contact; what is left out is 
   CHECK(scene.loads[0].force.text() == "0; -1.66666666667*t/2");
   CHECK(scene.loads[2].nodes.sets.size() == 1);
   CHECK(scene.load_steps.ends() == std::vector<double>{2});
-  says(scene.left_out, "model: *FRICTION (contact is without friction): ");
+  says(scene.skipped_items, "model: *FRICTION (contact is without friction): ");
   says(messages, "not imported: model: *FRICTION");
 }
 
@@ -601,7 +601,7 @@ TEST_CASE("import: temperatures of a body; what may have held bodies")
     CHECK(messages.find("TEMPERATURE") == std::string::npos);
     CHECK(messages.find("EXPANSION") == std::string::npos);
     // Friction is left out, and may have held the upper piece.
-    CHECK(scene.newton.undetermined == Undetermined::hold);
+    CHECK(scene.newton.undetermined_modes == UnconstrainedModeTreatment::hold);
   }
   {
     const TemporaryFile file(deck("*STEP\n*STATIC\n*TEMPERATURE\nNends, 120.\n*END STEP\n"),
@@ -633,8 +633,8 @@ TEST_CASE("import: temperatures of a body; what may have held bodies")
     CHECK(checked<2>(imported(file.path).first).bodies[0].expansion.value({}, 3, 0) ==
           doctest::Approx(40));
   }
-  CHECK(checked<2>(imported(test_mesh("cae-blocks.inp")).first).newton.undetermined ==
-        Undetermined::hold);
+  CHECK(checked<2>(imported(test_mesh("cae-blocks.inp")).first).newton.undetermined_modes ==
+        UnconstrainedModeTreatment::hold);
 }
 
 
@@ -756,7 +756,7 @@ TEST_CASE("import: what acts and is left out is of a kind; a body without sectio
                                  "keyword: *WHATEVER",
                                  "keyword: data lines before the first keyword",
                                  "motion: *BOUNDARY at 1 nodes of far"})
-    says(scene.left_out, what);
+    says(scene.skipped_items, what);
   // mu = 2 C10 = 1, K = 2/D1 = 20.
   const Material &rubber = scene.bodies[0].material;
   CHECK(rubber.law == "polynomial");

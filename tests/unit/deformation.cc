@@ -6,7 +6,7 @@
 #include "solid/kernel.h"
 #include "solid/pressure_kernel.h"
 #include "solid/rigid_body_modes.h"
-#include "solver/finite_bodies.h"
+#include "solver/nonlinear_solid.h"
 
 #include <doctest/doctest.h>
 
@@ -239,15 +239,15 @@ namespace
   {
     CAPTURE(dim);
     CAPTURE(more_lines);
-    constexpr double  h = 1e-6;
-    SmallScene<dim>   scene(adaptive_body<dim>() + more_lines);
-    FiniteBodies<dim> bodies(StiffnessForm::assembled,
-                             *scene.elasticity,
-                             bodies_of_dofs(*scene.elasticity),
-                             scene.timer);
-    const LA::Vector  v = scene.rough_field(0.05, 0.7), nothing = scene.elasticity->zero_vector();
-    LA::Vector        u = scene.rough_field(0.05, 0.3), more = u, less = u, Kv = u;
-    const double      n_hanging = scene.elasticity->hanging_nodes().n_constraints();
+    constexpr double    h = 1e-6;
+    SmallScene<dim>     scene(adaptive_body<dim>() + more_lines);
+    NonlinearSolid<dim> bodies(StiffnessForm::assembled,
+                               *scene.elasticity,
+                               bodies_of_dofs(*scene.elasticity),
+                               scene.timer);
+    const LA::Vector    v = scene.rough_field(0.05, 0.7), nothing = scene.elasticity->zero_vector();
+    LA::Vector          u = scene.rough_field(0.05, 0.3), more = u, less = u, Kv = u;
+    const double        n_hanging = scene.elasticity->hanging_nodes().n_constraints();
     CHECK(Utilities::MPI::sum(n_hanging, MPI_COMM_WORLD) > 0);
 
     bodies.linearise(u);
@@ -265,8 +265,8 @@ namespace
     const LA::Vector at_rest = bodies.residual(nothing);
     bodies.linearise(nothing);
     bodies.stiffness().vmult(Kv, v);
-    bodies.start_from(nothing);
-    CHECK(bodies.longest_step(nothing, v) == 1);
+    bodies.extrapolate_from(nothing);
+    CHECK(bodies.largest_admissible_step(nothing, v) == 1);
     LA::Vector extended = bodies.residual(v);
     extended -= at_rest;
     CHECK(extended.linfty_norm() > 0);
@@ -325,22 +325,22 @@ TEST_CASE(
 
 TEST_CASE("steps in which cells would fold are shortened")
 {
-  SmallScene<2>   scene(adaptive_body<2>());
-  FiniteBodies<2> bodies(StiffnessForm::assembled,
-                         *scene.elasticity,
-                         bodies_of_dofs(*scene.elasticity),
-                         scene.timer);
-  LA::Vector      du = scene.rough_field(1, 0.3);
+  SmallScene<2>     scene(adaptive_body<2>());
+  NonlinearSolid<2> bodies(StiffnessForm::assembled,
+                           *scene.elasticity,
+                           bodies_of_dofs(*scene.elasticity),
+                           scene.timer);
+  LA::Vector        du = scene.rough_field(1, 0.3);
   du *= 0.3 / du.linfty_norm();
   const LA::Vector nothing = scene.elasticity->zero_vector();
-  const double     step    = bodies.longest_step(nothing, du);
+  const double     step    = bodies.largest_admissible_step(nothing, du);
   CHECK(step < 1);
   CHECK(step > 0.02);
   LA::Vector there = nothing;
   there.add(step, du);
   CHECK_NOTHROW(bodies.residual(there));
   du *= 1e3;
-  CHECK_THROWS_AS(bodies.longest_step(nothing, du), SolverFailure);
+  CHECK_THROWS_AS(bodies.largest_admissible_step(nothing, du), SolverFailure);
   CHECK_THROWS_AS(bodies.residual(du), SolverFailure);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/constraints/gap_operator.h"
-#include "solver/bodies.h"
+#include "solver/solid_residual.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -46,7 +46,7 @@ namespace TestScene
       contact.origin.pair.assign(points.n_elements(), 0);
       contact.B.copy_from(rows(0));
       contact.B_free.copy_from(contact.B);
-      contact.rest_gap = contact.initial_gap = gaps(0);
+      contact.reference_gap = contact.initial_gap = gaps(0);
       for (unsigned int a = 1; a < n_components; ++a)
         {
           contact.tangential.B.push_back(rows(a));
@@ -56,7 +56,7 @@ namespace TestScene
       for (LA::Vector *v : {&contact.weight,
                             &contact.coefficients.stiffness,
                             &contact.coefficients.epsilon,
-                            &contact.coefficients.permanent})
+                            &contact.coefficients.bilateral})
         v->reinit(points, MPI_COMM_WORLD);
       contact.weight                 = 1.;
       contact.coefficients.stiffness = 1.;
@@ -84,13 +84,13 @@ namespace TestScene
       return result;
     }
 
-    LinearBodies
+    LinearElasticSolid
     bodies() const
     {
-      LinearBodies result(std::make_unique<AssembledStiffness>(stiffness),
-                          {},
-                          constraints,
-                          std::vector<unsigned int>(owned.n_elements(), 0));
+      LinearElasticSolid result(std::make_unique<AssembledStiffness>(stiffness),
+                                {},
+                                constraints,
+                                std::vector<unsigned int>(owned.n_elements(), 0));
       result.set_load(load);
       return result;
     }

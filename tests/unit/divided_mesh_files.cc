@@ -1,4 +1,4 @@
-#include "mesh_import/division/division.h"
+#include "mesh_import/division/hex_subdivision.h"
 
 #include <deal.II/base/tensor.h>
 

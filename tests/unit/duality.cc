@@ -31,10 +31,11 @@ namespace
       {
         Integrals &face = faces[point.face];
         face.area += point.weight;
-        const SparseRow &shape = point.interpolation.empty() ? point.shape : point.interpolation;
+        const SparseRow &shape =
+          point.interpolation.empty() ? point.multiplier_shape : point.interpolation;
         for (const auto &[j, phi] : shape)
           face.phi[j] += point.weight * phi;
-        for (const auto &[i, psi] : point.shape)
+        for (const auto &[i, psi] : point.multiplier_shape)
           {
             face.psi[i] += point.weight * psi;
             for (const auto &[j, phi] : shape)
@@ -54,7 +55,7 @@ namespace
     return sum;
   }
 
-  /// @param covered the area of the slave that has a partner
+  /// @param covered the area of the slave that has a projection
   template <int dim>
   void
   check_basis(const Lines &lines, const std::string &degree, const double covered)
@@ -70,7 +71,7 @@ namespace
         double       area = 0;
         unsigned int n    = 0;
         for (const auto &point : scene.contact->surfaces()[0].points)
-          CHECK(std::abs(sum_at<dim>(point.shape) - 1) < 1e-12);
+          CHECK(std::abs(sum_at<dim>(point.multiplier_shape) - 1) < 1e-12);
         for (const auto &[number, face] : integrals(scene.contact->surfaces()[0]))
           {
             area += face.area;

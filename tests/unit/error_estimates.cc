@@ -73,16 +73,16 @@ TEST_CASE("bars hold what is left, also where estimates are half of it")
       ErrorHistory history;
       for (const double error : {0.1, 0.05, 0.025})
         history.add(on_mesh(error, effectivity));
-      CHECK(history.last_with_bar().bar > 0.025 * std::min(1., effectivity * 1.6));
-      CHECK(history.last_with_bar().bar < 0.1);
+      CHECK(history.last_bounded().error_bound > 0.025 * std::min(1., effectivity * 1.6));
+      CHECK(history.last_bounded().error_bound < 0.1);
     }
   ErrorHistory history;
   for (const double error : {0.1, 0.05, 0.025})
     history.add(on_mesh(error, 1.1));
   const auto better = history.extrapolated();
   REQUIRE(better);
-  CHECK(std::abs(better->value - 1) < better->bar);
-  CHECK(better->bar < history.last_with_bar().bar);
+  CHECK(std::abs(better->value - 1) < better->error_bound);
+  CHECK(better->error_bound < history.last_bounded().error_bound);
   CHECK(!history.diverges());
 }
 

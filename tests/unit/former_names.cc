@@ -2,11 +2,11 @@
 // more.
 
 #include "contact/obstacles/shapes.h"
+#include "scene/former_entries.h"
+#include "scene/template.h"
 #include <signorini/mesh/generator.h>
 #include <signorini/parameters/section.h>
-#include "scene/former_entries.h"
 #include <signorini/scene/scene.h>
-#include "scene/template.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -252,7 +252,7 @@ TEST_CASE(
   CHECK(notes[0] == "test.prm:8: 'Sides' is now called 'Slave choice'; the former name is accepted "
                     "until the next release");
   CHECK(scene.pairs[1].sides == SideChoice::as_named);
-  CHECK(scene.mesh.zones[0].times == 2);
+  CHECK(scene.mesh.refinement_regions[0].times == 2);
 
   scene = scene_of_pairs({"Contact pairs/one/Slave choice=automatic",
                           "Contact pairs/two/Sides=automatic",
@@ -260,11 +260,11 @@ TEST_CASE(
                          notes);
   for (const auto &pair : scene.pairs)
     CHECK(pair.sides == SideChoice::automatic);
-  CHECK(scene.mesh.zones[0].times == 3);
-  CHECK(scene.mesh.zones[0].where.formula() == "x");
+  CHECK(scene.mesh.refinement_regions[0].times == 3);
+  CHECK(scene.mesh.refinement_regions[0].where.formula() == "x");
 
   scene = scene_of_pairs({"Mesh/Zones/near/Times=4"}, notes);
-  CHECK(scene.mesh.zones[0].times == 4);
+  CHECK(scene.mesh.refinement_regions[0].times == 4);
 }
 
 

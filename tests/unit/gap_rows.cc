@@ -134,7 +134,8 @@ namespace
     for (unsigned int d = 0; d < dim; ++d)
       u[scene.elasticity->first_dof(0) + d] = shift[d] = 0.3 - 0.2 * d;
     for (unsigned int i = 0; i < RigidBody<dim>::n_rotations; ++i)
-      u[scene.elasticity->first_dof(0) + dim + i] = turn[i] * scene.elasticity->lever();
+      u[scene.elasticity->first_dof(0) + dim + i] =
+        turn[i] * scene.elasticity->rotation_length_scale();
 
     const auto &points = scene.contact->surfaces()[0].points;
     CHECK(Utilities::MPI::sum(points.size(), MPI_COMM_WORLD) >= (dim == 2 ? 6u : 20u));
@@ -158,12 +159,12 @@ namespace
     driven.force          = VectorExpression<dim>(dim == 2 ? "2; 3*t" : "2; 3*t; 5");
     driven.moment =
       VectorExpression<dim, RigidBody<dim>::n_rotations>(dim == 2 ? "7*t" : "7*t; 11; 13");
-    const double lever = scene.elasticity->lever();
+    const double rotation_length_scale = scene.elasticity->rotation_length_scale();
     double       work = 0, expected = 2 * shift[0] + 6 * shift[1] + 14 * turn[0];
     if (dim == 3)
       expected += 5 * shift[dim - 1] + 11 * turn[1] + 13 * turn[2];
     for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
-      work += driven.load(i, 2, lever) * u[scene.elasticity->first_dof(0) + i];
+      work += driven.load(i, 2, rotation_length_scale) * u[scene.elasticity->first_dof(0) + i];
     CHECK(work == doctest::Approx(expected).epsilon(1e-14));
   }
 } // namespace
@@ -183,7 +184,7 @@ TEST_CASE("gaps to rigid obstacles change as rows say, for all motions of both")
 namespace
 {
   /// @param largest distance of the surfaces
-  /// @param slope of displacements: 0 where faces have kinks between them, on which partners lie
+  /// @param slope of displacements: 0 where faces have kinks between them, on which projections lie
   /// beside the normal
   template <int dim>
   void
@@ -202,9 +203,9 @@ namespace
         CHECK(Utilities::MPI::sum(scene.contact->surfaces()[0].points.size(), MPI_COMM_WORLD) > 0);
         for (const ContactPoint<dim> &point : scene.contact->surfaces()[0].points)
           {
-            const Point<dim>     partner = point.position - point.gap * point.normal;
-            const Tensor<1, dim> opening =
-              affine(point.position, slave_body, slope) - affine(partner, 1 - slave_body, slope);
+            const Point<dim>     master_point = point.position - point.gap * point.normal;
+            const Tensor<1, dim> opening      = affine(point.position, slave_body, slope) -
+                                           affine(master_point, 1 - slave_body, slope);
             CHECK(std::abs(point.gap) < largest);
             CHECK(std::abs(at(point.row(), u) - opening * point.normal) < 1e-10);
             // E/h of both in series: larger than neither.
@@ -239,14 +240,14 @@ namespace
 {
   template <int dim>
   void
-  check_held(const SmallScene<dim> &scene, const double t)
+  check_constrained_node(const SmallScene<dim> &scene, const double t)
   {
     scene.elasticity->set_time(t);
     LA::Vector u = scene.rough_field(1, 0.6);
     scene.elasticity->distribute(u);
     const Values all = everywhere(u);
     unsigned int n   = 0;
-    for (const auto &[first, node] : scene.elasticity->held_nodes())
+    for (const auto &[first, node] : scene.elasticity->constrained_nodes())
       {
         // Others may lie on faces that this rank does not see.
         if (!scene.elasticity->owned().is_element(first))
@@ -254,16 +255,17 @@ namespace
         Tensor<1, dim> at_node;
         for (unsigned int d = 0; d < dim; ++d)
           at_node[d] = all[node.dofs[d]];
-        for (const Hold<dim> &hold : node.holds)
+        for (const DirectionConstraint<dim> &constraint_at_node : node.prescribed_directions)
           {
             ++n;
             const double wanted =
-              hold.support->type == SupportType::displacement ?
-                hold.support->displacement.value(node.position, t) * hold.direction :
-                hold.support->normal_displacement.value(node.position, t);
-            CHECK(std::abs(at_node * hold.direction - wanted) < 1e-13);
-            CHECK(hold.direction.norm() == doctest::Approx(1));
-            CHECK(std::abs(node.free_part(hold.direction).norm()) < 1e-6);
+              constraint_at_node.support->type == SupportType::displacement ?
+                constraint_at_node.support->displacement.value(node.position, t) *
+                  constraint_at_node.direction :
+                constraint_at_node.support->normal_displacement.value(node.position, t);
+            CHECK(std::abs(at_node * constraint_at_node.direction - wanted) < 1e-13);
+            CHECK(constraint_at_node.direction.norm() == doctest::Approx(1));
+            CHECK(std::abs(node.free_part(constraint_at_node.direction).norm()) < 1e-6);
           }
       }
     CHECK(Utilities::MPI::sum(n, MPI_COMM_WORLD) > 0);
@@ -274,8 +276,8 @@ TEST_CASE("nodes on supports of any direction move as these say")
 {
   for (const unsigned int i : {0, 3})
     {
-      check_held(SmallScene<2>(cases_2d()[i].lines), 3);
-      check_held(SmallScene<3>(cases_3d()[i].lines + Lines{"Dimension=3"}), 3);
+      check_constrained_node(SmallScene<2>(cases_2d()[i].lines), 3);
+      check_constrained_node(SmallScene<3>(cases_3d()[i].lines + Lines{"Dimension=3"}), 3);
     }
   // A roller on a circle: outward by 0.1 t (1 + x).
   const SmallScene<2> ring({"Bodies/Names=ring",
@@ -288,8 +290,9 @@ TEST_CASE("nodes on supports of any direction move as these say")
                             "Supports/rim/Type=roller",
                             "Supports/rim/Boundaries=ring.outer",
                             "Supports/rim/Normal displacement=0.1*t*(1+x)"});
-  check_held(ring, 2);
-  for (const auto &[first, node] : ring.elasticity->held_nodes())
+  check_constrained_node(ring, 2);
+  for (const auto &[first, node] : ring.elasticity->constrained_nodes())
     if (ring.elasticity->owned().is_element(first))
-      CHECK(node.holds[0].direction * node.position == doctest::Approx(2).epsilon(1e-3));
+      CHECK(node.prescribed_directions[0].direction * node.position ==
+            doctest::Approx(2).epsilon(1e-3));
 }

@@ -39,14 +39,14 @@ namespace
     }
 
     ConstitutiveResponse
-    response(const ConstitutiveInput &in, const UpTo wanted) const override
+    response(const ConstitutiveInput &in, const ResponseOrder wanted) const override
     {
       const double         trace_E = trace(in.C - unit_symmetric_tensor<3>()) / 2;
       const double         r       = in.duration / tau;
       const double         a       = (*in.internal + r * trace_E) / (1 + r);
       ConstitutiveResponse result  = elastic.at(in.C, wanted);
       result.stress += k * (trace_E - a) * unit_symmetric_tensor<3>();
-      if (wanted == UpTo::tangent)
+      if (wanted == ResponseOrder::tangent)
         result.tangent +=
           k / (1 + r) * outer_product(unit_symmetric_tensor<3>(), unit_symmetric_tensor<3>());
       result.internal = {a};
@@ -112,11 +112,11 @@ namespace
                                           scene.elasticity->model());
       scene.elasticity->setup();
       CHECK(scene.elasticity->is_nonlinear());
-      CHECK(scene.elasticity->is_finite() == (measure == StrainMeasure::finite));
-      scene.contact = std::make_unique<ContactSetup<dim>>(scene.decisions,
-                                                          *scene.elasticity,
-                                                          scene.timer,
-                                                          scene.silence);
+      CHECK(scene.elasticity->is_finite_strain() == (measure == StrainMeasure::finite));
+      scene.contact = std::make_unique<ContactInterfaces<dim>>(scene.decisions,
+                                                               *scene.elasticity,
+                                                               scene.timer,
+                                                               scene.silence);
       this->start();
     }
 
@@ -124,10 +124,10 @@ namespace
     double
     lower_stress(const double strain, const double a, const double duration) const
     {
-      const bool   is_finite = measure == StrainMeasure::finite;
-      const double E = is_finite ? strain + strain * strain / 2 : strain, r = duration / tau;
+      const bool   is_finite_strain = measure == StrainMeasure::finite;
+      const double E = is_finite_strain ? strain + strain * strain / 2 : strain, r = duration / tau;
       const double S = moduli[0] * E + k * (E - (a + r * E) / (1 + r));
-      return is_finite ? (1 + strain) * S : S;
+      return is_finite_strain ? (1 + strain) * S : S;
     }
 
     /// The next load step of the exact solution, which ends at time t.
@@ -207,9 +207,9 @@ namespace
                  Utilities::MPI::gather(MPI_COMM_WORLD, first.material, 0))
               start.material.insert(part.begin(), part.end());
           }
-        again.equilibrium->set_state(start, again.scene.elasticity->is_finite());
+        again.equilibrium->set_state(start, again.scene.elasticity->is_finite_strain());
         again.equilibrium->find_contact();
-        again.equilibrium->in_place.recall_active_set();
+        again.equilibrium->configuration_solver.restore_active_set();
         again.time               = 1;
         again.a                  = a;
         unsigned int &most_steps = again.scene.scene.newton.maximum_steps;
@@ -217,7 +217,7 @@ namespace
         REQUIRE(!again.solve(1.5));
         most_steps = enough;
         again.equilibrium->find_contact();
-        again.equilibrium->in_place.recall_active_set();
+        again.equilibrium->configuration_solver.restore_active_set();
         for (const double t : {1.25, 1.5})
           {
             REQUIRE(again.solve(t));
@@ -266,7 +266,7 @@ namespace
     const QGauss<dim>      rule(k + 1);
     const auto             values = [&](const auto &cell) {
       PointVariables result;
-      result.points_a_line = k + 1;
+      result.points_per_line = k + 1;
       for (const Point<dim> &point : rule.get_points())
         result.values.push_back(
           polynomial<dim>(column.scene.mesh->mapping().transform_unit_to_real_cell(cell, point),

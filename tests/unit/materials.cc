@@ -70,13 +70,13 @@ namespace
   check_derivatives(const Hyperelastic &law, const SymmetricTensor<2, 3> &C)
   {
     constexpr double           h     = 1e-5;
-    const ConstitutiveResponse state = law.at(C, UpTo::tangent);
+    const ConstitutiveResponse state = law.at(C, ResponseOrder::tangent);
     const double               scale = state.tangent.norm();
     for (unsigned int k = 0; k < 6; ++k)
       {
         const auto                 D    = direction(k);
-        const ConstitutiveResponse more = law.at(C + h * D, UpTo::tangent),
-                                   less = law.at(C - h * D, UpTo::tangent);
+        const ConstitutiveResponse more = law.at(C + h * D, ResponseOrder::tangent),
+                                   less = law.at(C - h * D, ResponseOrder::tangent);
         CHECK(std::abs((more.energy - less.energy) / (2 * h) - state.stress * D / 2) <
               1e-9 * scale);
         const auto change = (more.stress - less.stress) / (2 * h) - 0.5 * (state.tangent * D);
@@ -132,7 +132,7 @@ TEST_CASE("at rest all materials are linear elastic, free of stress and energy")
   for (const Law &which : laws())
     {
       CAPTURE(which.name);
-      const ConstitutiveResponse state = which.law->at(one, UpTo::tangent);
+      const ConstitutiveResponse state = which.law->at(one, ResponseOrder::tangent);
       const auto                 linear =
         which.lambda * outer_product(one, one) + 2 * which.mu * identity_tensor<3>();
       CHECK(std::abs(state.energy) < 1e-14);

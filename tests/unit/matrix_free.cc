@@ -79,7 +79,7 @@ TEST_CASE("products, diagonal and rows without a matrix are those of the matrix"
       stiffness.vmult_add(product, u);
       product -= exact;
       CHECK(distance(product, exact) < 1e-12);
-      CHECK(distance(times(stiffness.rounded(), u), exact) < 1e-5);
+      CHECK(distance(times(stiffness.single_precision(), u), exact) < 1e-5);
 
       check_diagonal(*scene.elasticity, stiffness.diagonal(), LA::diagonal(K));
 
@@ -102,8 +102,9 @@ TEST_CASE("eigenvalues of cells bound those of K, and are large where cells are 
       CAPTURE(one.name);
       SmallScene<3>       scene(one.lines);
       MatrixFreeStiffness stiffness(*scene.elasticity);
-      const auto sizes = stiffness.rounded().row_sizes(), diagonal = stiffness.rounded().diagonal();
-      double     largest = 0;
+      const auto          sizes = stiffness.single_precision().row_l1_norms(),
+                 diagonal       = stiffness.single_precision().diagonal();
+      double largest            = 0;
       for (std::size_t i = 0; i < sizes.size(); ++i)
         largest = std::max<double>(largest, sizes[i] / diagonal[i]);
       largest = Utilities::MPI::max(largest, MPI_COMM_WORLD);
@@ -140,8 +141,8 @@ TEST_CASE("all instruction sets give the same")
       std::vector<double> u(6 * n_nodes), first;
       for (unsigned int i = 0; i < u.size(); ++i)
         u[i] = std::sin(1 + 2. * i * i);
-      std::vector<float> rounded(u.begin(), u.end());
-      rounded.push_back(0); // may be read
+      std::vector<float> single_precision(u.begin(), u.end());
+      single_precision.push_back(0); // may be read
       double size = 0;
       for (const std::string &set : instruction_sets())
         {
@@ -149,7 +150,7 @@ TEST_CASE("all instruction sets give the same")
           std::vector<double> f(u.size(), 0.);
           CellKernel<double>::create(cells, set)->add_product(f.data(), u.data());
           std::vector<float> g(u.size(), 0.f);
-          CellKernel<float>::create(cells, set)->add_product(g.data(), rounded.data());
+          CellKernel<float>::create(cells, set)->add_product(g.data(), single_precision.data());
           if (first.empty())
             first = f;
           for (const double value : first)
@@ -180,7 +181,7 @@ namespace
     const Spaces              spaces = make_spaces(*scene.elasticity, stiffness, to_coarser_meshes);
     REQUIRE(spaces.levels.size() >= least);
     REQUIRE(spaces.levels.back().matrix);
-    const StiffnessOperator<float> *above = &stiffness.rounded();
+    const StiffnessOperator<float> *above = &stiffness.single_precision();
     for (const Level &level : spaces.levels)
       {
         CHECK(galerkin_defect(*above, level) < 1e-5);
@@ -306,7 +307,7 @@ namespace
         AMG             amg(hierarchy, &scene.gap_operator());
         LA::Vector      springs = scene.gap_operator().weight;
         springs *= 100;
-        amg.set_springs({springs});
+        amg.set_contact_stiffness({springs});
         const LA::Vector x = scene.rough_field(1, 0.3), y = scene.rough_field(1, 1.1);
         LA::Vector       Vx = x, Vy = y;
         amg.vmult(Vx, x);

@@ -1,10 +1,10 @@
-// Bodies with a bulk stress of their own: its functions, the derivatives of its equations, and that
-// the pair is stable.
+// Bodies with a volumetric stress of their own: its functions, the derivatives of its equations,
+// and that the pair is stable.
 
 #include "driver/body_setup.h"
 #include "linear_algebra/direct_solver.h"
 #include "solid/rigid_body_modes.h"
-#include "solver/finite_bodies.h"
+#include "solver/nonlinear_solid.h"
 
 #include <doctest/doctest.h>
 
@@ -70,8 +70,8 @@ namespace
   check_functions()
   {
     CAPTURE(dim);
-    SmallScene<dim>        scene(two_bodies<dim>("small"));
-    const BulkStress<dim> &bulk = scene.elasticity->bulk_stress();
+    SmallScene<dim>              scene(two_bodies<dim>("small"));
+    const VolumetricStress<dim> &volumetric = scene.elasticity->volumetric_stress();
     CHECK(scene.elasticity->degree(0) == 2);
     CHECK(scene.elasticity->degree(1) == 1);
     FEValues<dim> values(scene.mesh->mapping(),
@@ -85,7 +85,7 @@ namespace
         {
           if (cell->material_id() != 0)
             {
-              wrong += bulk.is_on(*cell) + std::abs(bulk.value(*cell, cell->center()));
+              wrong += volumetric.is_on(*cell) + std::abs(volumetric.value(*cell, cell->center()));
               continue;
             }
           ++n;
@@ -93,33 +93,33 @@ namespace
           FullMatrix<double> products(dim + 1, dim + 1);
           for (const unsigned int q : values.quadrature_point_indices())
             {
-              const auto phi = bulk.functions(*cell, values.quadrature_point(q));
+              const auto phi = volumetric.functions(*cell, values.quadrature_point(q));
               for (unsigned int i = 0; i <= dim; ++i)
                 for (unsigned int j = 0; j <= dim; ++j)
                   products(i, j) += values.JxW(q) * phi[i] * phi[j];
             }
           for (unsigned int i = 0; i <= dim; ++i)
-            products(i, i) -= bulk.size(*cell);
-          wrong = std::max(wrong, products.linfty_norm() / bulk.size(*cell));
+            products(i, i) -= volumetric.size(*cell);
+          wrong = std::max(wrong, products.linfty_norm() / volumetric.size(*cell));
         }
     CHECK(wrong < 1e-13);
-    CHECK(bulk.zero_vector().size() == (dim + 1) * Utilities::MPI::sum(n, MPI_COMM_WORLD));
+    CHECK(volumetric.zero_vector().size() == (dim + 1) * Utilities::MPI::sum(n, MPI_COMM_WORLD));
   }
 
   /// On a mesh with hanging nodes, whose values Newton's method does not know.
   template <int dim>
   void
-  check_derivatives(const bool is_finite, const Lines &more_lines = {})
+  check_derivatives(const bool is_finite_strain, const Lines &more_lines = {})
   {
     CAPTURE(dim);
-    CAPTURE(is_finite);
+    CAPTURE(is_finite_strain);
     CAPTURE(more_lines);
     constexpr double h = 1e-6;
-    SmallScene<dim>  scene(two_bodies<dim>(is_finite ? "finite" : "small") + more_lines);
-    BulkBalance<dim> balance(*scene.elasticity);
-    BulkStress<dim> &bulk = scene.elasticity->bulk_stress();
-    const LA::Vector u = scene.rough_field(0.005, 0.3), v = scene.rough_field(0.005, 0.7);
-    LA::Vector       more = u, less = u, Bv = bulk.zero_vector();
+    SmallScene<dim>  scene(two_bodies<dim>(is_finite_strain ? "finite" : "small") + more_lines);
+    VolumeConstraint<dim>  balance(*scene.elasticity);
+    VolumetricStress<dim> &volumetric = scene.elasticity->volumetric_stress();
+    const LA::Vector       u = scene.rough_field(0.005, 0.3), v = scene.rough_field(0.005, 0.7);
+    LA::Vector             more = u, less = u, Bv = volumetric.zero_vector();
     more.add(h, v);
     less.add(-h, v);
 
@@ -131,7 +131,7 @@ namespace
     change /= 2 * h;
     CHECK(Bv.linfty_norm() > 0);
     CHECK(difference(change, Bv) < 1e-7 * Bv.linfty_norm());
-    const LA::Vector m = rough_stress(bulk.zero_vector(), 0.1), before = balance.residual(u);
+    const LA::Vector m = rough_stress(volumetric.zero_vector(), 0.1), before = balance.residual(u);
     balance.add(1, m);
     change = balance.residual(u);
     change -= before;
@@ -145,19 +145,19 @@ namespace
     balance.linearise(nothing);
     balance.coupling().B.vmult(Bv, v);
     LA::Vector at_rest = balance.residual(nothing);
-    balance.start_from(nothing);
+    balance.extrapolate_from(nothing);
     change = balance.residual(nothing);
     change -= balance.residual(v);
     CHECK(difference(change, Bv) < 1e-12);
-    if (!is_finite)
+    if (!is_finite_strain)
       return;
 
     // The forces of m, and what it does to the tangent.
-    FiniteBodies<dim> bodies(StiffnessForm::assembled,
-                             *scene.elasticity,
-                             bodies_of_dofs(*scene.elasticity),
-                             scene.timer);
-    LA::Vector        force = bodies.residual(u), Bm = scene.elasticity->zero_vector();
+    NonlinearSolid<dim> bodies(StiffnessForm::assembled,
+                               *scene.elasticity,
+                               bodies_of_dofs(*scene.elasticity),
+                               scene.timer);
+    LA::Vector          force = bodies.residual(u), Bm = scene.elasticity->zero_vector();
     balance.linearise(nothing); // takes the start away
     balance.linearise(u);
     balance.coupling().B.Tvmult(Bm, m);
@@ -178,28 +178,28 @@ namespace
     CHECK(difference(change, Kv) < 1e-7 * Kv.linfty_norm());
 
     // A start is taken away where nothing has changed, too.
-    bodies.start_from(u);
+    bodies.extrapolate_from(u);
     bodies.linearise(u);
     LA::Vector far = u;
     far.add(0.5, v);
-    CHECK(difference(bodies.bulk()->residual(far), balance.residual(far)) == 0);
+    CHECK(difference(bodies.volumetric()->residual(far), balance.residual(far)) == 0);
   }
 
   /// Eigenvalues of S^-1 (C + B K^-1 B^T), S the diagonal that stands for it. By the serial solver.
   std::pair<double, double>
   extremes_of_schur(const Lines &lines)
   {
-    SmallScene<2>  scene(lines);
-    BulkBalance<2> balance(*scene.elasticity);
+    SmallScene<2>       scene(lines);
+    VolumeConstraint<2> balance(*scene.elasticity);
     balance.linearise(scene.elasticity->zero_vector());
-    const BulkCoupling &coupling = balance.coupling();
-    LA::DirectSolver    solver(LA::DirectLibrary::KLU);
+    const VolumetricCoupling &coupling = balance.coupling();
+    LA::DirectSolver          solver(LA::DirectLibrary::KLU);
     REQUIRE(solver.factorise(scene.elasticity->stiffness()) == 0);
     const unsigned int n = coupling.schur.size();
     Eigen::MatrixXd    schur(n, n);
     for (unsigned int j = 0; j < n; ++j)
       {
-        LA::Vector one = scene.elasticity->bulk_stress().zero_vector(), column = one;
+        LA::Vector one = scene.elasticity->volumetric_stress().zero_vector(), column = one;
         if (one.locally_owned_elements().is_element(j))
           one(j) = 1;
         one.compress(VectorOperation::insert);
@@ -250,11 +250,11 @@ TEST_CASE("functions of the bulk stress are orthogonal, and of mixed bodies alon
 
 TEST_CASE("equations of the bulk stress are linearised, with hanging nodes too")
 {
-  for (const bool is_finite : {false, true})
+  for (const bool is_finite_strain : {false, true})
     {
-      check_derivatives<2>(is_finite);
-      check_derivatives<2>(is_finite, {"Model=axisymmetric"});
-      check_derivatives<3>(is_finite);
+      check_derivatives<2>(is_finite_strain);
+      check_derivatives<2>(is_finite_strain, {"Model=axisymmetric"});
+      check_derivatives<3>(is_finite_strain);
     }
 }
 

@@ -1,6 +1,6 @@
 // Contact on surfaces that have moved: gaps and their first and second derivatives by the
-// displacement against differences, for partners on curved faces, beside hanging nodes and inclined
-// supports, and on obstacles that turn.
+// displacement against differences, for projections on curved faces, beside hanging nodes and
+// inclined supports, and on obstacles that turn.
 
 #include <doctest/doctest.h>
 
@@ -26,29 +26,32 @@ namespace
   template <int dim>
   using Points = std::map<std::pair<unsigned int, Values>, ContactPoint<dim>>;
 
-  /// The points laid at the first call, with their partners at u. Frames stay, as those of rows do.
+  /// The points laid at the first call, with their projections at u. Frames stay, as those of rows
+  /// do.
   template <int dim>
   Points<dim>
   points_at(SmallScene<dim>  &scene,
             const LA::Vector &u,
             const LA::Vector &of_frames,
-            const bool        keeps_points)
+            const bool        keeps_integration_points)
   {
-    scene.contact->build(Configuration<dim>(*scene.elasticity, u, of_frames), false, keeps_points);
+    scene.contact->build(Configuration<dim>(*scene.elasticity, u, of_frames),
+                         false,
+                         keeps_integration_points);
     Points<dim> result;
     for (const ContactPoint<dim> &point : scene.contact->surfaces()[0].points)
       result[{point.face, coordinates<dim>(point.xi)}] = point;
     return result;
   }
 
-  /// T_i.u, see GapBend.
+  /// T_i.u, see GapSecondVariation.
   template <int dim>
   std::vector<double>
-  bend_rows(const ContactPoint<dim> &point, const Values &u)
+  second_variation_rows(const ContactPoint<dim> &point, const Values &u)
   {
-    const auto sum = [&](const FaceFunctions<dim> &functions, const auto &factor) {
+    const auto sum = [&](const FaceShapeFunctions<dim> &functions, const auto &factor) {
       Tensor<1, dim> result;
-      for (const NodeFunction<dim> &function : functions)
+      for (const NodeShapeFunction<dim> &function : functions)
         for (unsigned int d = 0; d < dim; ++d)
           result[d] += factor(function) * u[function.node + d];
       return result;
@@ -56,28 +59,29 @@ namespace
     const auto           value = [](const auto &function) { return function.value; };
     const Tensor<1, dim> jump  = sum(point.slave, value) - sum(point.master, value);
     std::vector<double>  T;
-    for (const Tensor<1, dim> &direction : point.bend.directions)
+    for (const Tensor<1, dim> &direction : point.second_variation.directions)
       T.push_back(direction * jump);
-    if (point.bend.rigid.empty())
+    if (point.second_variation.rigid.empty())
       for (unsigned int a = 0; a < dim - 1; ++a)
         T.push_back(point.direction *
                     sum(point.master, [a](const auto &function) { return function.slopes[a]; }));
-    T.resize(point.bend.n_rows());
-    for (unsigned int i = 0; i < point.bend.rigid.size(); ++i)
-      T[i] += at(point.bend.rigid[i], u);
+    T.resize(point.second_variation.n_rows());
+    for (unsigned int i = 0; i < point.second_variation.rigid.size(); ++i)
+      T[i] += at(point.second_variation.rigid[i], u);
     return T;
   }
 
   template <int dim>
   double
-  bend_at(const ContactPoint<dim> &point, const Values &v, const Values &w)
+  second_variation_at(const ContactPoint<dim> &point, const Values &v, const Values &w)
   {
-    const unsigned int        m    = point.bend.n_rows();
-    const std::vector<double> of_v = bend_rows(point, v), of_w = bend_rows(point, w);
-    double                    sum = 0;
+    const unsigned int        m    = point.second_variation.n_rows();
+    const std::vector<double> of_v = second_variation_rows(point, v),
+                              of_w = second_variation_rows(point, w);
+    double sum                     = 0;
     for (unsigned int i = 0; i < m; ++i)
       for (unsigned int j = 0; j < m; ++j)
-        sum += point.bend.factors[i * m + j] * of_v[i] * of_w[j];
+        sum += point.second_variation.factors[i * m + j] * of_v[i] * of_w[j];
     return sum;
   }
 
@@ -108,16 +112,18 @@ namespace
         if (back.count(name) == 0 || forth.count(name) == 0)
           continue;
         const ContactPoint<dim> &before = back.at(name), &after = forth.at(name);
-        if (point.bend.factors.empty() || before.bend.factors.empty() || after.bend.factors.empty())
+        if (point.second_variation.factors.empty() || before.second_variation.factors.empty() ||
+            after.second_variation.factors.empty())
           {
             ++counts[1];
             continue;
           }
-        const double slope = (after.gap_now() - before.gap_now()) / (2 * step),
-                     bend  = (at(after.row(), all_w) - at(before.row(), all_w)) / (2 * step),
-                     half  = (at(after.row(), all_w) - at(point.row(), all_w)) / step;
-        // Displaced faces have kinks between them, over which partners change.
-        if (std::abs(bend - half) > 0.1 * (std::abs(bend) + 1))
+        const double slope = (after.current_gap() - before.current_gap()) / (2 * step),
+                     second_variation =
+                       (at(after.row(), all_w) - at(before.row(), all_w)) / (2 * step),
+                     half = (at(after.row(), all_w) - at(point.row(), all_w)) / step;
+        // Displaced faces have kinks between them, over which projections change.
+        if (std::abs(second_variation - half) > 0.1 * (std::abs(second_variation) + 1))
           {
             ++counts[1];
             continue;
@@ -126,7 +132,8 @@ namespace
         // Third derivatives times step^2, and the rounding of gaps over step; rough displacements
         // have slopes of some 20.
         CHECK(slope == doctest::Approx(at(point.row(), all_v)).epsilon(1e-5).scale(1));
-        CHECK(bend == doctest::Approx(bend_at(point, all_v, all_w)).epsilon(2e-5).scale(20));
+        CHECK(second_variation ==
+              doctest::Approx(second_variation_at(point, all_v, all_w)).epsilon(2e-5).scale(20));
       }
     Utilities::MPI::sum(counts, MPI_COMM_WORLD, counts);
     CHECK(counts[0] > 4 * counts[1]);
@@ -256,10 +263,11 @@ namespace
   }
 
   /// The forces of given pressures: their change is that of the geometric stiffness.
-  /// @param keeps_points those of integration; else segments end where the master's faces do
+  /// @param keeps_integration_points those of integration; else segments end where the master's
+  /// faces do
   template <int dim>
   void
-  check_forces(const Case &which, const Lines &method, const bool keeps_points = true)
+  check_forces(const Case &which, const Lines &method, const bool keeps_integration_points = true)
   {
     const std::string name = which.name + ": " + join(method);
     CAPTURE(name);
@@ -274,7 +282,9 @@ namespace
       LA::Vector there = u;
       there.add(a, v);
       elasticity.distribute(there);
-      scene.contact->build(Configuration<dim>(elasticity, there, u), false, keeps_points);
+      scene.contact->build(Configuration<dim>(elasticity, there, u),
+                           false,
+                           keeps_integration_points);
       LA::Vector p = scene.gap_operator().zero();
       p            = 1.;
       return scene.gap_operator().force({p}, p);
@@ -284,7 +294,7 @@ namespace
     LA::Vector       p     = scene.gap_operator().zero(), expected;
     p                      = 1.;
     expected.reinit(force);
-    scene.contact->turn_forces({p});
+    scene.contact->build_geometric_stiffness({p});
     scene.gap_operator().subtract_geometric(expected, v);
     expected *= -1;
     check_entries(scene.gap_operator(), v, expected);
@@ -294,9 +304,11 @@ namespace
     const double size = difference.l2_norm();
     difference -= expected;
     CHECK(size > 0);
-    // Unbiased: some points of the bore have a kink of the pin for their partner. Where master
+    // Unbiased: some points of the bore have a kink of the pin for their projection. Where master
     // faces meet, gaps jump a little.
-    const double allowed = scene.method().unbiased() ? 0.05 : keeps_points ? 1e-3 : 4e-3;
+    const double allowed = scene.method().unbiased() ? 0.05 :
+                           keeps_integration_points  ? 1e-3 :
+                                                       4e-3;
     CHECK(difference.l2_norm() < allowed * size);
   }
 } // namespace
@@ -328,11 +340,16 @@ TEST_CASE("the forces of pressures change with the surfaces as the geometric sti
 
 TEST_CASE("a moment does the same work on rotations as on the spin, after any turn")
 {
-  const double                lever = 3;
+  const double                rotation_length_scale = 3;
   const RigidPose<3>::Moment  moment({1, -2, 0.5});
   const std::array<double, 6> change = {{0, 0, 0, 0.2, -0.7, 1.3}};
-  const std::array<double, 6> turned = {{1, 2, 3, 0.7 * lever, -1.1 * lever, 2 * lever}};
-  const RigidPose<3>          pose({1, 0, 2}, turned, lever);
+  const std::array<double, 6> turned = {{1,
+                                         2,
+                                         3,
+                                         0.7 * rotation_length_scale,
+                                         -1.1 * rotation_length_scale,
+                                         2 * rotation_length_scale}};
+  const RigidPose<3>          pose({1, 0, 2}, turned, rotation_length_scale);
   const RigidPose<3>::Moment  f = pose.on_rotations(moment), back = pose.moment_of(f);
   double                      work = 0;
   for (unsigned int i = 0; i < 3; ++i)
@@ -344,12 +361,14 @@ TEST_CASE("a moment does the same work on rotations as on the spin, after any tu
   CHECK((back - moment).norm() < 1e-14);
 
   // Two whole turns about z.
-  const RigidPose<3>         whole({1, 0, 2}, {{0, 0, 0, 0, 0, 4 * numbers::PI * lever}}, lever);
+  const RigidPose<3>         whole({1, 0, 2},
+                           {{0, 0, 0, 0, 0, 4 * numbers::PI * rotation_length_scale}},
+                           rotation_length_scale);
   const RigidPose<3>::Moment known = whole.moment_of(whole.on_rotations(moment));
   CHECK(known[2] == doctest::Approx(0.5));
   CHECK(std::isnan(known[0]));
   CHECK(std::isnan(known[1]));
 
-  const RigidPose<2> flat({1, 0}, {{0, 0, 5 * lever, 0}}, lever);
+  const RigidPose<2> flat({1, 0}, {{0, 0, 5 * rotation_length_scale, 0}}, rotation_length_scale);
   CHECK(flat.moment_of(flat.on_rotations(RigidPose<2>::Moment({7})))[0] == doctest::Approx(7));
 }

@@ -1,8 +1,8 @@
-// The multigrid method and the contact filter as operators.
+// The multigrid method and the interface multigrid as operators.
 
 #include "contact/laws/normal_contact.h"
 #include "solid/rigid_body_modes.h"
-#include "solver/preconditioners/contact_filter.h"
+#include "solver/preconditioners/interface_multigrid.h"
 
 #include <doctest/doctest.h>
 
@@ -38,7 +38,7 @@ namespace
     AMG                      amg(hierarchy, scene.contact.get());
     LA::Vector               D = every_other(*scene.contact);
     D *= spring;
-    amg.set_springs({D});
+    amg.set_contact_stiffness({D});
 
     const LA::Vector x = scene.field(1, 0.3), y = scene.field(1, 1.1);
     LA::Vector       Vx = x, Vy = y;
@@ -52,7 +52,7 @@ namespace
   /// Of a condensed system with springs on all points: F-V-F as a stationary iteration converges.
   template <int dim>
   void
-  check_filter(const double factor)
+  check_interface_multigrid(const double factor)
   {
     CAPTURE(dim);
     CAPTURE(factor);
@@ -64,12 +64,12 @@ namespace
     LA::Vector               active = scene.contact->zero();
     active                          = 1.;
     system.set_status(active);
-    ContactFilter filter(system,
-                         hierarchy,
-                         Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ?
-                           LA::DirectLibrary::KLU :
-                           LA::DirectLibrary::MUMPS,
-                         true);
+    InterfaceMultigrid filter(system,
+                              hierarchy,
+                              Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ?
+                                LA::DirectLibrary::KLU :
+                                LA::DirectLibrary::MUMPS,
+                              true);
     filter.update();
 
     LA::BlockVector u = system.zero(), r = system.zero(), f = system.zero();
@@ -107,7 +107,7 @@ TEST_CASE("the contact filter alone converges, whatever the springs")
 {
   for (const double factor : {1e-2, 1., 1e6})
     {
-      check_filter<2>(factor);
-      check_filter<3>(factor);
+      check_interface_multigrid<2>(factor);
+      check_interface_multigrid<3>(factor);
     }
 }

@@ -203,14 +203,14 @@ namespace
        "Bodies/block/Young's modulus=3",
        "Bodies/block/Degree=" + std::to_string(degree),
        more});
-    const LA::Vector u = scene.rough_field(0.05, 1), du = scene.rough_field(1, 2);
-    BulkStress<dim> &bulk = scene.elasticity->bulk_stress();
-    LA::Vector       m    = bulk.zero_vector();
+    const LA::Vector       u = scene.rough_field(0.05, 1), du = scene.rough_field(1, 2);
+    VolumetricStress<dim> &volumetric = scene.elasticity->volumetric_stress();
+    LA::Vector             m          = volumetric.zero_vector();
     for (const auto i : m.locally_owned_elements())
       m(i) = 0.1 * std::sin(1. + i);
     m.compress(VectorOperation::insert);
-    if (!bulk.empty())
-      bulk.set_coefficients(m);
+    if (!volumetric.empty())
+      volumetric.set_coefficients(m);
     constexpr double h      = 1e-5;
     const auto       before = stresses(scene, u, du, -h), after = stresses(scene, u, du, h);
     const auto       here = stresses(scene, u, du, 0.);
@@ -221,8 +221,8 @@ namespace
                      ratio  = (after[i].ratio - before[i].ratio) / (2 * h);
         CHECK(at(here[i].stress, at_du) == doctest::Approx(change).epsilon(1e-6));
         CHECK(at(here[i].ratio_row, at_du) == doctest::Approx(ratio).epsilon(1e-6));
-        const double of_bulk = bulk.empty() ? 0. : at(here[i].bulk_stress, at_m);
-        CHECK(here[i].offset + at(here[i].stress, at_u) + of_bulk ==
+        const double of_volumetric = volumetric.empty() ? 0. : at(here[i].volumetric_stress, at_m);
+        CHECK(here[i].offset + at(here[i].stress, at_u) + of_volumetric ==
               doctest::Approx(here[i].value).epsilon(1e-10));
         CHECK(here[i].ratio_offset + at(here[i].ratio_row, at_u) ==
               doctest::Approx(here[i].ratio).epsilon(1e-10));

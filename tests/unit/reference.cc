@@ -19,12 +19,12 @@ namespace TestScene
                       const unsigned int l)
     {
       const double E = material.youngs_modulus, nu = material.poissons_ratio;
-      const double G = E / 2 / (1 + nu), bulk = E / 3 / (1 - 2 * nu);
+      const double G = E / 2 / (1 + nu), volumetric = E / 3 / (1 - 2 * nu);
       const auto   delta = [](const unsigned int a, const unsigned int b) {
         return a == b ? 1. : 0.;
       };
       const auto C = [&](const auto i, const auto j, const auto k, const auto l) {
-        return (bulk - 2 * G / 3) * delta(i, j) * delta(k, l) +
+        return (volumetric - 2 * G / 3) * delta(i, j) * delta(k, l) +
                G * (delta(i, k) * delta(j, l) + delta(i, l) * delta(j, k));
       };
       return model == Model::plane_stress ?
@@ -231,7 +231,7 @@ namespace TestScene
             if (!nodal)
               shares.back().back().emplace_back(*own_row++, point.weight);
             else
-              for (const auto &[node, psi] : point.shape)
+              for (const auto &[node, psi] : point.multiplier_shape)
                 if (const auto found = place.find({pair, node}); found != place.end())
                   shares.back().back().emplace_back(found->second, psi * point.weight);
           }

@@ -186,7 +186,7 @@ TEST_CASE("a region that pulls as a whole is opened, with what overlaps beside i
     return law.trial({{gaps}, {none}, {none}, {}});
   };
   set.update(law.status(trial(gap)));
-  set.open_pulling_regions(trial(gap)[0]);
+  set.deactivate_tensile_regions(trial(gap)[0]);
   const LA::Vector expected =
     surface.vector([&](double x, double y) { return radius(x, y) < 0.16 ? 1. : 0.; });
   for (const auto i : gap.locally_owned_elements())
@@ -199,7 +199,7 @@ TEST_CASE("a region that pulls as a whole is opened, with what overlaps beside i
     surface.vector([&](double x, double y) { return radius(x, y) < 0.1 ? -0.1 : 1.; });
   alone.update(law.status(trial(pulls)));
   const unsigned int before = alone.size();
-  alone.open_pulling_regions(trial(pulls)[0]);
+  alone.deactivate_tensile_regions(trial(pulls)[0]);
   CHECK(before > 0);
   CHECK(alone.size() == before);
 }

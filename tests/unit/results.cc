@@ -2,8 +2,8 @@
 // that is not there; and the stress in all its forms against closed forms.
 #include "driver/simulation.h"
 #include "mesh_import/formats/vtu_data.h"
-#include <signorini/parameters/section.h>
 #include "scene/former_entries.h"
+#include <signorini/parameters/section.h>
 
 #include <doctest/doctest.h>
 #include <unistd.h>

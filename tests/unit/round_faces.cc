@@ -30,8 +30,8 @@ namespace
           faces.emplace_back();
           faces.back().vertices = {first, first + 1, first + m + 1, first + m + 2};
         }
-    const std::vector<bool> made(vertices.size(), false);
-    return find_round_faces(FacetGraph<3>(faces, vertices, made));
+    const std::vector<bool> inserted(vertices.size(), false);
+    return find_round_faces(FacetGraph<3>(faces, vertices, inserted));
   }
 
   Facets<2>
@@ -43,8 +43,8 @@ namespace
         faces.emplace_back();
         faces.back().vertices = {i, i + 1};
       }
-    const std::vector<bool> made(vertices.size(), false);
-    return find_round_faces(FacetGraph<2>(faces, vertices, made));
+    const std::vector<bool> inserted(vertices.size(), false);
+    return find_round_faces(FacetGraph<2>(faces, vertices, inserted));
   }
 
   Point<2>

@@ -19,21 +19,22 @@ namespace
   using Dim3 = std::integral_constant<int, 3>;
 
   template <int dim>
-  using Partners = std::vector<std::optional<Partner<dim>>>;
+  using MasterProjections = std::vector<std::optional<MasterProjection<dim>>>;
 
-  // The completion leaves a trace by which a partner can be recognised on any rank.
+  // The completion leaves a trace by which a projection can be recognised on any rank.
   template <int dim>
   MasterFaces<dim>
   master_faces(const std::vector<FacePatch<dim>> &patches)
   {
     MasterFaces<dim> master;
-    master.patches = patches;
-    master.complete =
-      [patches](const unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner) {
-        partner.stiffness = patches[i].diameter();
-        for (unsigned int d = 0; d < dim; ++d)
-          partner.rigid.emplace_back(d + 7, patches[i].position(xi)[d]);
-      };
+    master.patches  = patches;
+    master.complete = [patches](const unsigned int     i,
+                                const Point<dim - 1>  &xi,
+                                MasterProjection<dim> &master_point) {
+      master_point.stiffness = patches[i].diameter();
+      for (unsigned int d = 0; d < dim; ++d)
+        master_point.rigid.emplace_back(d + 7, patches[i].position(xi)[d]);
+    };
     return master;
   }
 
@@ -76,7 +77,7 @@ namespace
   }
 
   template <int dim>
-  struct Cloud
+  struct PointCloud
   {
     std::vector<Point<dim>>     points;
     std::vector<Tensor<1, dim>> normals;
@@ -85,12 +86,12 @@ namespace
   // The same points in every run; each rank keeps its share. Some sit exactly above vertices and
   // edges of the mesh. Normals look more or less towards the origin.
   template <int dim>
-  Cloud<dim>
+  PointCloud<dim>
   share_of_points(const unsigned int count, const MPI_Comm comm)
   {
     std::mt19937                           generator(7);
     std::uniform_real_distribution<double> number(-1.5, 1.5);
-    Cloud<dim>                             cloud;
+    PointCloud<dim>                        cloud;
     for (unsigned int n = 0; n < count; ++n)
       {
         Point<dim>     x;
@@ -126,20 +127,20 @@ namespace
     return false;
   }
 
-  // The rules of find_partners once more, with all faces at hand and no tree.
+  // The rules of find_master_projections once more, with all faces at hand and no tree.
   template <int dim>
   std::optional<Hit<dim>>
   brute_force(const Point<dim>                  &x,
               const Tensor<1, dim>              &normal,
               const std::vector<FacePatch<dim>> &faces,
-              const double                       reach)
+              const double                       search_radius)
   {
     std::vector<Hit<dim>> hits;
-    double                least = reach;
+    double                least = search_radius;
     for (const FacePatch<dim> &face : faces)
       {
         const Projection<dim> p = project(x, face);
-        if (p.distance > reach || face.normal(p.xi) * normal >= -0.1)
+        if (p.distance > search_radius || face.normal(p.xi) * normal >= -0.1)
           continue;
         const double height = std::sqrt(
           std::max(0., p.distance * p.distance - p.tangential_offset * p.tangential_offset));
@@ -160,18 +161,18 @@ namespace
 
   template <int dim>
   void
-  check_partner(const Partner<dim> &partner, const Hit<dim> &hit)
+  check_master_projection(const MasterProjection<dim> &master_point, const Hit<dim> &hit)
   {
-    CHECK(partner.face_center.distance(hit.face->center()) < 1e-12);
-    CHECK(partner.position.distance(hit.projection.position) < 1e-12);
-    CHECK(partner.distance == doctest::Approx(hit.projection.distance).epsilon(1e-12));
-    CHECK((partner.normal - hit.face->normal(hit.projection.xi)).norm() < 1e-10);
-    CHECK(partner.stiffness == doctest::Approx(hit.face->diameter()));
-    CHECK(partner.rigid.size() == dim); // not REQUIRE: the others would wait for this rank
-    for (unsigned int d = 0; d < partner.rigid.size(); ++d)
+    CHECK(master_point.face_center.distance(hit.face->center()) < 1e-12);
+    CHECK(master_point.position.distance(hit.projection.position) < 1e-12);
+    CHECK(master_point.distance == doctest::Approx(hit.projection.distance).epsilon(1e-12));
+    CHECK((master_point.normal - hit.face->normal(hit.projection.xi)).norm() < 1e-10);
+    CHECK(master_point.stiffness == doctest::Approx(hit.face->diameter()));
+    CHECK(master_point.rigid.size() == dim); // not REQUIRE: the others would wait for this rank
+    for (unsigned int d = 0; d < master_point.rigid.size(); ++d)
       {
-        CHECK(partner.rigid[d].first == d + 7);
-        CHECK(partner.rigid[d].second == doctest::Approx(partner.position[d]));
+        CHECK(master_point.rigid[d].first == d + 7);
+        CHECK(master_point.rigid[d].second == doctest::Approx(master_point.position[d]));
       }
   }
 
@@ -196,11 +197,11 @@ namespace
     return {1, {Point<2>(left, height), Point<2>(right, height)}, upwards ? -1. : 1.};
   }
 
-  // The partner of one point that looks down, asked for by rank 0 (every rank has the answer).
-  std::optional<Partner<2>>
-  partner_below(const Point<2>                  &point,
-                const std::vector<FacePatch<2>> &faces,
-                const double                     reach = 1)
+  // The projection of one point that looks down, asked for by rank 0 (every rank has the answer).
+  std::optional<MasterProjection<2>>
+  master_projection_below(const Point<2>                  &point,
+                          const std::vector<FacePatch<2>> &faces,
+                          const double                     search_radius = 1)
   {
     std::vector<Point<2>>     points;
     std::vector<Tensor<1, 2>> normals;
@@ -209,14 +210,15 @@ namespace
         points  = {point};
         normals = {-1. * Point<2>::unit_vector(1)};
       }
-    auto partners = find_partners(points, normals, master_faces(faces), reach, MPI_COMM_WORLD);
+    auto master_points =
+      find_master_projections(points, normals, master_faces(faces), search_radius, MPI_COMM_WORLD);
 
-    std::vector<Partner<2>> answer;
-    for (const auto &partner : partners)
-      if (partner)
-        answer.push_back(*partner);
+    std::vector<MasterProjection<2>> answer;
+    for (const auto &master_point : master_points)
+      if (master_point)
+        answer.push_back(*master_point);
     answer = Utilities::MPI::broadcast(MPI_COMM_WORLD, answer);
-    return answer.empty() ? std::optional<Partner<2>>() : answer[0];
+    return answer.empty() ? std::optional<MasterProjection<2>>() : answer[0];
   }
 } // namespace
 
@@ -226,27 +228,28 @@ TEST_CASE_TEMPLATE("find_partners agrees with brute force on a serial copy", D, 
 {
   constexpr int dim = D::value;
   for (const TestShape body : {TestShape::cube, TestShape::ball})
-    for (const double reach : {0.05, 0.4, 3.})
+    for (const double search_radius : {0.05, 0.4, 3.})
       {
-        const Cloud<dim> cloud    = share_of_points<dim>(400, MPI_COMM_WORLD);
-        const auto       master   = master_faces(surface_of<dim>(body, MPI_COMM_WORLD));
-        const auto       everyone = surface_of<dim>(body, MPI_COMM_SELF);
+        const PointCloud<dim> cloud    = share_of_points<dim>(400, MPI_COMM_WORLD);
+        const auto            master   = master_faces(surface_of<dim>(body, MPI_COMM_WORLD));
+        const auto            everyone = surface_of<dim>(body, MPI_COMM_SELF);
         CHECK(Utilities::MPI::sum(master.patches.size(), MPI_COMM_WORLD) == everyone.size());
 
-        SearchStatistics    statistics;
-        const Partners<dim> partners =
-          find_partners(cloud.points, cloud.normals, master, reach, MPI_COMM_WORLD, &statistics);
+        SearchStatistics             statistics;
+        const MasterProjections<dim> master_points = find_master_projections(
+          cloud.points, cloud.normals, master, search_radius, MPI_COMM_WORLD, &statistics);
         CHECK(statistics.points == cloud.points.size());
 
         unsigned int found = 0;
         for (unsigned int i = 0; i < cloud.points.size(); ++i)
           {
-            const auto hit = brute_force(cloud.points[i], cloud.normals[i], everyone, reach);
+            const auto hit =
+              brute_force(cloud.points[i], cloud.normals[i], everyone, search_radius);
             CAPTURE(cloud.points[i]);
-            CHECK(hit.has_value() == partners[i].has_value());
-            if (hit && partners[i])
+            CHECK(hit.has_value() == master_points[i].has_value());
+            if (hit && master_points[i])
               {
-                check_partner(*partners[i], *hit);
+                check_master_projection(*master_points[i], *hit);
                 ++found;
               }
           }
@@ -258,10 +261,10 @@ TEST_CASE_TEMPLATE("find_partners agrees with brute force on a serial copy", D, 
 
 TEST_CASE("the tree spares most projections")
 {
-  const Cloud<3>   cloud  = share_of_points<3>(400, MPI_COMM_WORLD);
-  const auto       master = master_faces(surface_of<3>(TestShape::ball, MPI_COMM_WORLD));
-  SearchStatistics statistics;
-  find_partners(cloud.points, cloud.normals, master, 0.2, MPI_COMM_WORLD, &statistics);
+  const PointCloud<3> cloud  = share_of_points<3>(400, MPI_COMM_WORLD);
+  const auto          master = master_faces(surface_of<3>(TestShape::ball, MPI_COMM_WORLD));
+  SearchStatistics    statistics;
+  find_master_projections(cloud.points, cloud.normals, master, 0.2, MPI_COMM_WORLD, &statistics);
   const unsigned long faces = Utilities::MPI::sum(master.patches.size(), MPI_COMM_WORLD);
   CHECK(Utilities::MPI::sum(statistics.projections, MPI_COMM_WORLD) < 400 * faces / 20);
 }
@@ -273,14 +276,14 @@ TEST_CASE("faces on one rank, the point on another; signs of gap and interferenc
   for (const unsigned int owner : {0u, 1u, 3u})
     for (const double height : {0.2, 0., -0.2})
       {
-        const auto partner =
-          partner_below(Point<2>(0.3, height), only_on<2>(owner, {floor_face(0, 1)}));
-        REQUIRE(partner);
-        CHECK(partner->distance == doctest::Approx(std::abs(height)));
-        CHECK((Point<2>(0.3, height) - partner->position) * partner->normal ==
+        const auto master_point =
+          master_projection_below(Point<2>(0.3, height), only_on<2>(owner, {floor_face(0, 1)}));
+        REQUIRE(master_point);
+        CHECK(master_point->distance == doctest::Approx(std::abs(height)));
+        CHECK((Point<2>(0.3, height) - master_point->position) * master_point->normal ==
               doctest::Approx(height));
-        CHECK(partner->normal[1] == doctest::Approx(1));
-        CHECK(partner->rigid.size() == 2);
+        CHECK(master_point->normal[1] == doctest::Approx(1));
+        CHECK(master_point->rigid.size() == 2);
       }
 }
 
@@ -288,7 +291,7 @@ TEST_CASE("faces on one rank, the point on another; signs of gap and interferenc
 
 TEST_CASE("no master at all")
 {
-  CHECK_FALSE(partner_below(Point<2>(0, 0), {}));
+  CHECK_FALSE(master_projection_below(Point<2>(0, 0), {}));
 }
 
 
@@ -302,9 +305,9 @@ TEST_CASE("a tie goes to the smaller center, wherever the faces live")
         std::vector<FacePatch<2>> faces = only_on(owner, right);
         for (const FacePatch<2> &face : only_on(owner + 1, left))
           faces.push_back(face);
-        const auto partner = partner_below(Point<2>(1, height), faces);
-        REQUIRE(partner);
-        CHECK(partner->face_center[0] == doctest::Approx(0.5));
+        const auto master_point = master_projection_below(Point<2>(1, height), faces);
+        REQUIRE(master_point);
+        CHECK(master_point->face_center[0] == doctest::Approx(0.5));
       }
 }
 
@@ -313,12 +316,13 @@ TEST_CASE("a tie goes to the smaller center, wherever the faces live")
 TEST_CASE("beside the rim there is no partner, on it there is")
 {
   const auto faces = only_on<2>(1, {floor_face(0, 1)});
-  CHECK(partner_below(Point<2>(1 + 1e-9, 0), faces));
-  CHECK(partner_below(Point<2>(1 + 1e-9, 0.1), faces));
-  CHECK(partner_below(Point<2>(1.02, 0.1), faces)); // within the wedge of a faceted surface
-  CHECK_FALSE(partner_below(Point<2>(1.05, 0.1), faces));
-  CHECK_FALSE(partner_below(Point<2>(1.01, 0), faces));
-  CHECK_FALSE(partner_below(Point<2>(1.05, -0.1), faces));
+  CHECK(master_projection_below(Point<2>(1 + 1e-9, 0), faces));
+  CHECK(master_projection_below(Point<2>(1 + 1e-9, 0.1), faces));
+  CHECK(
+    master_projection_below(Point<2>(1.02, 0.1), faces)); // within the wedge of a faceted surface
+  CHECK_FALSE(master_projection_below(Point<2>(1.05, 0.1), faces));
+  CHECK_FALSE(master_projection_below(Point<2>(1.01, 0), faces));
+  CHECK_FALSE(master_projection_below(Point<2>(1.05, -0.1), faces));
 }
 
 
@@ -326,12 +330,12 @@ TEST_CASE("beside the rim there is no partner, on it there is")
 TEST_CASE("a nearer face that is overhung hides what lies farther behind")
 {
   const auto step = floor_face(0, 1, 0), ground = floor_face(0, 3, -0.5);
-  CHECK_FALSE(partner_below(Point<2>(1.2, 0.1), only_on<2>(1, {step, ground})));
+  CHECK_FALSE(master_projection_below(Point<2>(1.2, 0.1), only_on<2>(1, {step, ground})));
   std::vector<FacePatch<2>> apart = only_on<2>(0, {step});
   for (const FacePatch<2> &face : only_on<2>(1, {ground}))
     apart.push_back(face);
-  CHECK_FALSE(partner_below(Point<2>(1.2, 0.1), apart));
-  CHECK(partner_below(Point<2>(2, 0.1), apart));
+  CHECK_FALSE(master_projection_below(Point<2>(1.2, 0.1), apart));
+  CHECK(master_projection_below(Point<2>(2, 0.1), apart));
 }
 
 
@@ -346,9 +350,9 @@ TEST_CASE("over a convex edge one of the two faces takes the point")
         std::vector<FacePatch<2>> faces = only_on<2>(owner, {flat});
         for (const FacePatch<2> &face : only_on<2>(owner + 1, {slope}))
           faces.push_back(face);
-        const auto partner = partner_below(Point<2>(x, 0.1), faces);
-        REQUIRE(partner);
-        CHECK(partner->position.distance(Point<2>(1, 0)) < 1e-12);
+        const auto master_point = master_projection_below(Point<2>(x, 0.1), faces);
+        REQUIRE(master_point);
+        CHECK(master_point->position.distance(Point<2>(1, 0)) < 1e-12);
       }
 }
 
@@ -357,10 +361,10 @@ TEST_CASE("over a convex edge one of the two faces takes the point")
 TEST_CASE("faces that look away neither win nor hide others")
 {
   const auto near = floor_face(0, 1, 0.05, false), far = floor_face(0, 1, -0.3);
-  const auto partner = partner_below(Point<2>(0.5, 0.1), only_on<2>(1, {near, far}));
-  REQUIRE(partner);
-  CHECK(partner->distance == doctest::Approx(0.4));
-  CHECK_FALSE(partner_below(Point<2>(0.5, 0.1), only_on<2>(1, {near})));
+  const auto master_point = master_projection_below(Point<2>(0.5, 0.1), only_on<2>(1, {near, far}));
+  REQUIRE(master_point);
+  CHECK(master_point->distance == doctest::Approx(0.4));
+  CHECK_FALSE(master_projection_below(Point<2>(0.5, 0.1), only_on<2>(1, {near})));
 }
 
 
@@ -368,6 +372,6 @@ TEST_CASE("faces that look away neither win nor hide others")
 TEST_CASE("the reach is respected")
 {
   const auto faces = only_on<2>(1, {floor_face(0, 1)});
-  CHECK(partner_below(Point<2>(0.5, 0.1), faces, 0.11));
-  CHECK_FALSE(partner_below(Point<2>(0.5, 0.1), faces, 0.09));
+  CHECK(master_projection_below(Point<2>(0.5, 0.1), faces, 0.11));
+  CHECK_FALSE(master_projection_below(Point<2>(0.5, 0.1), faces, 0.09));
 }

@@ -189,7 +189,7 @@ TEST_CASE_TEMPLATE("pairs by segments: every rank gets the points of its faces",
   for (unsigned int i = 0; i < all_master.size(); ++i)
     if (i / 2 % n == rank)
       master.patches.push_back(all_master[i]);
-  master.complete = [](unsigned int, const Point<dim - 1> &, Partner<dim> &) {};
+  master.complete = [](unsigned int, const Point<dim - 1> &, MasterProjection<dim> &) {};
 
   SearchStatistics statistics;
   double           sum = 0;
@@ -197,9 +197,9 @@ TEST_CASE_TEMPLATE("pairs by segments: every rank gets the points of its faces",
        pair_points<dim>(slave, master, {Rule::segments, 3}, 0.1, comm, statistics).points)
     {
       const Point<dim> x = slave.at(point.face).position(point.xi);
-      CHECK(point.partner.distance == doctest::Approx(0.01));
-      CHECK((x - point.partner.position).norm() == doctest::Approx(0.01));
-      CHECK(point.partner.normal[dim - 1] == doctest::Approx(1));
+      CHECK(point.master_point.distance == doctest::Approx(0.01));
+      CHECK((x - point.master_point.position).norm() == doctest::Approx(0.01));
+      CHECK(point.master_point.normal[dim - 1] == doctest::Approx(1));
       sum += point.weight;
     }
   CHECK(Utilities::MPI::sum(sum, comm) == doctest::Approx(1).epsilon(1e-12));
@@ -221,13 +221,13 @@ TEST_CASE_TEMPLATE("two layers of master faces do not count twice", D, Dim2, Dim
     for (const auto &face : surface<dim>(
            4, 1, 0.3, 1, [z](const auto &) { return z; }, 6))
       master.patches.push_back(face);
-  master.complete = [](unsigned int, const Point<dim - 1> &, Partner<dim> &) {};
+  master.complete = [](unsigned int, const Point<dim - 1> &, MasterProjection<dim> &) {};
   SearchStatistics statistics;
   double           sum = 0;
   for (const auto &point :
        pair_points<dim>(slave, master, {Rule::segments, 3}, 0.1, MPI_COMM_SELF, statistics).points)
     {
-      CHECK(point.partner.distance == doctest::Approx(0.01));
+      CHECK(point.master_point.distance == doctest::Approx(0.01));
       sum += point.weight;
     }
   CHECK(sum == doctest::Approx(1).epsilon(1e-12));

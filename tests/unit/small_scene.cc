@@ -63,19 +63,19 @@ namespace TestScene
     section.close();
     scene.contact = settings;
     decisions.check();
-    contact = std::make_unique<ContactSetup<dim>>(decisions, *elasticity, timer, silence);
+    contact = std::make_unique<ContactInterfaces<dim>>(decisions, *elasticity, timer, silence);
     contact->build(Configuration<dim>(*elasticity));
   }
 
 
 
   template <int dim>
-  FreeMotions
-  SmallScene<dim>::free_motions() const
+  UnconstrainedModes
+  SmallScene<dim>::unconstrained_modes() const
   {
-    if (!elasticity->has_free_motions())
+    if (!elasticity->has_unsupported_modes())
       return {};
-    return {elasticity->free_motions(), elasticity->stabilising_springs(), gap_operator()};
+    return {elasticity->unconstrained_modes(), elasticity->stabilising_stiffness(), gap_operator()};
   }
 
 
@@ -86,18 +86,18 @@ namespace TestScene
   {
     elasticity->set_time(t);
     contact->set_time(t);
-    LinearBodies bodies(std::make_unique<AssembledStiffness>(elasticity->stiffness()),
-                        elasticity->stabilising_springs(),
-                        elasticity->constraints(),
-                        bodies_of_dofs(*elasticity));
+    LinearElasticSolid bodies(std::make_unique<AssembledStiffness>(elasticity->stiffness()),
+                              elasticity->stabilising_stiffness(),
+                              elasticity->constraints(),
+                              bodies_of_dofs(*elasticity));
     bodies.set_load(elasticity->load());
-    BodiesHierarchy hierarchies(scene.solver, bodies.stiffness(), *elasticity);
-    ContactSolver   solver(scene.newton,
+    SolidHierarchy hierarchies(scene.solver, bodies.stiffness(), *elasticity);
+    ContactSolver  solver(scene.newton,
                          scene.solver,
                          method(),
                          bodies,
                          gap_operator(),
-                         free_motions(),
+                         unconstrained_modes(),
                          hierarchies,
                          timer);
     u = elasticity->zero_vector();

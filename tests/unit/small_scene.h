@@ -1,7 +1,7 @@
 // A scene in a few lines, set up as the program does, for tests that look inside.
 #pragma once
 
-#include "driver/contact_setup.h"
+#include "driver/contact_interfaces.h"
 #include "solid/cell_nodes.h"
 #include "solver/contact_solver.h"
 
@@ -48,8 +48,8 @@ namespace TestScene
       return contact->gap_operator();
     }
 
-    FreeMotions
-    free_motions() const;
+    UnconstrainedModes
+    unconstrained_modes() const;
 
     /// From nothing to the solution at time t.
     NewtonReport
@@ -60,13 +60,13 @@ namespace TestScene
     LA::Vector
     rough_field(double amplitude, double seed) const;
 
-    Scene<dim>                         scene;
-    Decisions<dim>                     decisions;
-    ConditionalOStream                 silence;
-    TimerOutput                        timer;
-    std::unique_ptr<Mesh<dim>>         mesh;
-    std::unique_ptr<Elasticity<dim>>   elasticity;
-    std::unique_ptr<ContactSetup<dim>> contact;
+    Scene<dim>                              scene;
+    Decisions<dim>                          decisions;
+    ConditionalOStream                      silence;
+    TimerOutput                             timer;
+    std::unique_ptr<Mesh<dim>>              mesh;
+    std::unique_ptr<Elasticity<dim>>        elasticity;
+    std::unique_ptr<ContactInterfaces<dim>> contact;
   };
 
   /// All entries of a vector, on all ranks.

@@ -19,7 +19,7 @@ namespace
   {
     std::vector<Point<dim>>        vertices;
     std::vector<CellData<dim - 1>> faces;
-    std::vector<bool>              made, known;
+    std::vector<bool>              inserted, known;
 
     void
     add(const std::vector<unsigned int> &nodes)
@@ -31,9 +31,9 @@ namespace
     SmoothFaces<dim>
     smooth()
     {
-      made.resize(vertices.size(), false);
+      inserted.resize(vertices.size(), false);
       known.resize(faces.size(), false);
-      return find_smooth_faces(FacetGraph<dim>(faces, vertices, made), known);
+      return find_smooth_faces(FacetGraph<dim>(faces, vertices, inserted), known);
     }
   };
 
@@ -81,7 +81,7 @@ namespace
         }
       return entry->second;
     };
-    grid.made.assign(grid.vertices.size(), false);
+    grid.inserted.assign(grid.vertices.size(), false);
     const auto quadrilaterals = std::move(grid.faces);
     grid.faces.clear();
     for (const auto &face : quadrilaterals)
@@ -95,7 +95,7 @@ namespace
                       middle({v[i], v[(i + 2) % 3]}),
                       middle({v[0], v[1], v[2]})});
         }
-    grid.made.resize(grid.vertices.size(), true);
+    grid.inserted.resize(grid.vertices.size(), true);
   }
 
   template <int dim>
@@ -123,11 +123,11 @@ namespace
 
   template <int dim>
   double
-  doubt(const SmoothFaces<dim> &smooth)
+  uncertainty(const SmoothFaces<dim> &smooth)
   {
     double result = 0;
     for (const auto &one : smooth.faces)
-      result = std::max(result, one.doubt);
+      result = std::max(result, one.uncertainty);
     return result;
   }
 
@@ -176,8 +176,8 @@ TEST_CASE("curves through the corners of facets have the order four")
                        sagitta = 1.9 * std::pow(2 * numbers::PI / n, 2) / 8;
           CHECK(smooth.faces.size() >= 0.7 * n);
           CHECK(error < 0.02 * sagitta);
-          CHECK(error < doubt(smooth));
-          CHECK(doubt(smooth) < 40 * error);
+          CHECK(error < uncertainty(smooth));
+          CHECK(uncertainty(smooth) < 40 * error);
           if (last > 0)
             CHECK(error < last / 12);
           last = error;
@@ -203,8 +203,8 @@ TEST_CASE("surfaces through the corners of facets have the order four")
           const double error = largest<3>(smooth, ellipsoid), sagitta = std::pow(2.4 / n, 2) / 8;
           CHECK(smooth.faces.size() >= 0.9 * grid.faces.size());
           CHECK(error < 0.08 * sagitta);
-          CHECK(error < doubt(smooth));
-          CHECK(doubt(smooth) < 5 * error);
+          CHECK(error < uncertainty(smooth));
+          CHECK(uncertainty(smooth) < 5 * error);
           // Quadrilaterals in triangles are no parallelograms: in their middle the order is two.
           if (last > 0 && triangles)
             CHECK(error < last / 4);
@@ -215,7 +215,7 @@ TEST_CASE("surfaces through the corners of facets have the order four")
           last                 = error;
           unsigned int n_moved = 0;
           for (unsigned int v = 0; v < smooth.vertices.size(); ++v)
-            n_moved += !grid.made[v] && smooth.vertices[v] != grid.vertices[v];
+            n_moved += !grid.inserted[v] && smooth.vertices[v] != grid.vertices[v];
           CHECK(n_moved == 0);
         }
     }

@@ -54,7 +54,7 @@ namespace TestScene
       const auto n = mesh.triangulation().n_global_active_cells();
       refine(mesh, *scene.elasticity, {&state.displacement, &state.start.displacement});
       CHECK(mesh.triangulation().n_global_active_cells() > n);
-      equilibrium->forget_mesh();
+      equilibrium->invalidate();
       equilibrium->find_contact();
     }
 

@@ -15,7 +15,7 @@
 namespace TestScene
 {
   inline std::vector<float>
-  rounded(const LA::Vector &v)
+  single_precision(const LA::Vector &v)
   {
     return std::vector<float>(LA::values_of(v), LA::values_of(v) + v.locally_owned_size());
   }
@@ -24,7 +24,7 @@ namespace TestScene
   times(const StiffnessOperator<float> &K, const LA::Vector &u)
   {
     LA::Vector               result = u;
-    const std::vector<float> x      = rounded(u);
+    const std::vector<float> x      = single_precision(u);
     std::copy_n(K.product(x.data()), x.size(), LA::values_of(result));
     return result;
   }
@@ -33,7 +33,7 @@ namespace TestScene
   times(const Prolongation &P, const LA::Vector &coarse, const dealii::IndexSet &fine)
   {
     LA::Vector               result(fine, MPI_COMM_WORLD);
-    const std::vector<float> x = rounded(coarse);
+    const std::vector<float> x = single_precision(coarse);
     std::vector<float>       y(result.locally_owned_size(), 0.f);
     P.vmult_add(y.data(), x.data());
     std::copy(y.begin(), y.end(), LA::values_of(result));
@@ -44,7 +44,7 @@ namespace TestScene
   transposed_times(const Prolongation &P, const LA::Vector &fine, const dealii::IndexSet &coarse)
   {
     LA::Vector               result(coarse, MPI_COMM_WORLD);
-    const std::vector<float> x = rounded(fine);
+    const std::vector<float> x = single_precision(fine);
     std::vector<float>       y(result.locally_owned_size());
     P.Tvmult(y.data(), x.data());
     std::copy(y.begin(), y.end(), LA::values_of(result));

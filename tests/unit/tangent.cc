@@ -33,9 +33,9 @@ namespace
       const Values                &given)
   {
     Law result{reference.gap(u), reference.stress(u), given, {}, {}};
-    if (scene.method().predictor() == Predictor::normal_stress)
+    if (scene.method().pressure_shift() == PressureShift::normal_stress)
       result.predicted = result.stress;
-    if (scene.method().predictor() == Predictor::none)
+    if (scene.method().pressure_shift() == PressureShift::none)
       result.predicted.assign(given.size(), 0.);
     result.argument = result.predicted;
     for (unsigned int i = 0; i < given.size(); ++i)
@@ -105,16 +105,17 @@ namespace
     LA::Vector             r = elasticity.zero_vector(), Ku = r;
     const Values           none(state.all_w.size(), 0.);
     elasticity.stiffness().vmult(Ku, state.u);
-    if (elasticity.has_free_motions())
-      scene.free_motions().subtract_springs(Ku, state.u);
+    if (elasticity.has_unsupported_modes())
+      scene.unconstrained_modes().subtract_stabilisation(Ku, state.u);
     r = elasticity.load();
     r -= Ku;
     // What drives rigid bodies is no part of the mesh.
     double of_rigid_bodies = 0;
     for (unsigned int b = 0; b < elasticity.rigid_bodies().size(); ++b)
       for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
-        of_rigid_bodies += elasticity.rigid_bodies()[b].load(i, t, elasticity.lever()) *
-                           state.all_w[elasticity.first_dof(b) + i];
+        of_rigid_bodies +=
+          elasticity.rigid_bodies()[b].load(i, t, elasticity.rotation_length_scale()) *
+          state.all_w[elasticity.first_dof(b) + i];
     const double work = of_rigid_bodies - reference_work(scene, state.all_u, state.all_w, t);
     // Rough displacements: the terms that cancel are about as large as K u times w.
     CHECK(std::abs(r * state.w - work) < 1e-12 * Ku.l2_norm() * state.w.l2_norm());
@@ -134,7 +135,7 @@ namespace
       Law result = law(scene, reference, sum(state.all_u, a, state.all_du), given);
       for (unsigned int i = 0; i < given.size(); ++i)
         {
-          const bool always = scene.decisions.pairs[0].separates == false;
+          const bool always = scene.decisions.pairs[0].can_separate == false;
           result.pressure.push_back(always ? result.argument[i] : std::max(0., result.argument[i]));
         }
       return result;
@@ -151,7 +152,7 @@ namespace
                      p          = contact_law.traction(in, active)[0];
     const unsigned int n_active = active.l1_norm() + 0.5;
     CHECK(size_of(sum(everywhere(p), -1, start.pressure)) < 1e-12 * size_of(start.pressure));
-    if (scene.decisions.pairs[0].separates)
+    if (scene.decisions.pairs[0].can_separate)
       {
         CHECK(n_active > 0);
         CHECK(n_active < start.gap.size());
@@ -163,14 +164,14 @@ namespace
 
     // Its derivative.
     const AssembledStiffness K(scene.elasticity->stiffness());
-    ContactSystem            system(K, contact_law, scene.free_motions());
+    ContactSystem            system(K, contact_law, scene.unconstrained_modes());
     LA::BlockVector direction = system.zero(), change = system.zero(), whole = system.zero();
     REQUIRE(!system.is_saddle_point());
     system.set_status(active);
     direction.block(0) = state.du;
     system.contact_terms(change, direction);
     const double derivative = change.block(0) * state.w;
-    const double longest    = scene.decisions.pairs[0].separates ? first_change(start, end) : 1;
+    const double longest    = scene.decisions.pairs[0].can_separate ? first_change(start, end) : 1;
     for (const double step : {longest / 2, longest / 16})
       {
         const Law    next = residual(step);
@@ -187,7 +188,7 @@ namespace
     system.internal_force(of_bodies, state.du);
     whole.block(0) -= of_bodies;
     change.block(0) -= whole.block(0);
-    REQUIRE(system.free_motions().loose().empty());
+    REQUIRE(system.unconstrained_modes().unconstrained().empty());
     CHECK(change.block(0).l2_norm() < 1e-12 * of_bodies.l2_norm());
   }
 
@@ -204,13 +205,14 @@ namespace
               end = law(scene, reference, sum(state.all_u, 1, state.all_du), everywhere(p));
     const NormalContact      contact_law(scene.method(), contact);
     const AssembledStiffness K(scene.elasticity->stiffness());
-    ContactSystem            system(K, contact_law, scene.free_motions());
+    ContactSystem            system(K, contact_law, scene.unconstrained_modes());
     REQUIRE(system.is_saddle_point());
     const LA::Vector gap = contact.gap(state.u), none = contact.zero();
     const LA::Vector active    = contact_law.status(contact_law.trial({{gap}, {none}, {p}, {}}));
     const Values     is_active = everywhere(active);
     for (unsigned int i = 0; i < is_active.size(); ++i)
-      CHECK((is_active[i] > 0) == (start.argument[i] > 0 || !scene.decisions.pairs[0].separates));
+      CHECK((is_active[i] > 0) ==
+            (start.argument[i] > 0 || !scene.decisions.pairs[0].can_separate));
     system.set_status(active);
 
     LA::BlockVector direction = system.zero(), change = system.zero();
@@ -223,7 +225,7 @@ namespace
       {
         const double k = reference.stiffness[i], W = reference.area[i];
         const double change_of_gap = end.gap[i] - start.gap[i];
-        const bool   compliant     = scene.method().predictor() == Predictor::none;
+        const bool   compliant     = scene.method().pressure_shift() == PressureShift::none;
         if (is_active[i] > 0)
           dp[i] = k * q[i];
         defect[i] = is_active[i] > 0 ?

@@ -39,10 +39,10 @@ namespace
     settings.geometry    = ContactGeometry::reference;
     scene.contact.reset();
     scene.scene.contact = settings;
-    scene.contact       = std::make_unique<ContactSetup<dim>>(scene.decisions,
-                                                        *scene.elasticity,
-                                                        scene.timer,
-                                                        scene.silence);
+    scene.contact       = std::make_unique<ContactInterfaces<dim>>(scene.decisions,
+                                                             *scene.elasticity,
+                                                             scene.timer,
+                                                             scene.silence);
     scene.contact->build(Configuration<dim>(*scene.elasticity));
   }
 
@@ -121,7 +121,7 @@ namespace
         use(scene, std::make_shared<TangentialMethod>(kind, sampling, 30., 0.4));
         const auto               law = scene.method().make_law(scene.gap_operator());
         const AssembledStiffness K(scene.elasticity->stiffness());
-        ContactSystem            system(K, *law, scene.free_motions());
+        ContactSystem            system(K, *law, scene.unconstrained_modes());
         CHECK(law->n_components() == dim);
         CHECK(system.is_saddle_point() == (kind == Kind::drag_multiplier));
         CHECK(system.is_symmetric() == (kind == Kind::springs));
@@ -475,7 +475,7 @@ namespace
   SurfaceField
   on_one_rank(const SurfaceField &field, const unsigned int dim)
   {
-    using Entry = std::pair<FaceId, std::vector<PlaceValue>>;
+    using Entry = std::pair<FaceId, std::vector<SurfacePointValue>>;
     std::vector<Entry> own(field.values().begin(), field.values().end());
     const auto         all = Utilities::MPI::gather(MPI_COMM_WORLD, own, 0);
     SurfaceField       result(dim);
@@ -503,7 +503,7 @@ namespace
     const auto scalars = [&](const State &state) { // the last number of the history of places
       std::pair<double, double> range(1e100, -1e100);
       for (const auto &[face, values] : state.contact.values())
-        for (const PlaceValue &value : values)
+        for (const SurfacePointValue &value : values)
           {
             range.first  = std::min(range.first, value.history.back());
             range.second = std::max(range.second, value.history.back());
@@ -529,19 +529,19 @@ namespace
     // and a restart with other ranks than before.
     Dragged<dim> again(kind, sampling, degree);
     again.equilibrium->set_state(first, false);
-    again.equilibrium->in_place.recall_active_set();
+    again.equilibrium->configuration_solver.restore_active_set();
     unsigned int &most_steps = again.scene.scene.newton.maximum_steps;
     const auto    enough     = std::exchange(most_steps, 0);
     REQUIRE(!again.solve(2));
     most_steps = enough;
     again.equilibrium->find_contact(); // and a solver that knows of it
-    again.equilibrium->in_place.recall_active_set();
+    again.equilibrium->configuration_solver.restore_active_set();
     REQUIRE(again.solve(2));
     again.check(1);
     State elsewhere   = first;
     elsewhere.contact = on_one_rank(first.contact, dim);
     again.equilibrium->set_state(elsewhere, false);
-    again.equilibrium->in_place.recall_active_set();
+    again.equilibrium->configuration_solver.restore_active_set();
     REQUIRE(again.solve(2));
     again.check(1);
 
@@ -583,13 +583,16 @@ namespace
   }
 
   /// The forces of given tractions: their change is that of the geometric stiffness.
-  /// @param keeps_points those of integration; else segments end where the master's faces do
+  /// @param keeps_integration_points those of integration; else segments end where the master's
+  /// faces do
   template <int dim>
   void
-  check_geometric_stiffness(const Case &which, const Sampling sampling, const bool keeps_points)
+  check_geometric_stiffness(const Case    &which,
+                            const Sampling sampling,
+                            const bool     keeps_integration_points)
   {
     CAPTURE(which.name);
-    CAPTURE(keeps_points);
+    CAPTURE(keeps_integration_points);
     const auto             scene      = moving_scene<dim>(which, sampling);
     const Elasticity<dim> &elasticity = *scene->elasticity;
     constexpr double       step       = 1e-6;
@@ -607,13 +610,15 @@ namespace
       LA::Vector there = u;
       there.add(a, v);
       elasticity.distribute(there);
-      scene->contact->build(Configuration<dim>(elasticity, there, u), false, keeps_points);
+      scene->contact->build(Configuration<dim>(elasticity, there, u),
+                            false,
+                            keeps_integration_points);
       return scene->gap_operator().force(tractions_at_points(), scene->gap_operator().zero());
     };
     scene->contact->build(Configuration<dim>(elasticity, u));
     LA::Vector expected = force_at(0);
     expected            = 0.;
-    scene->contact->turn_forces(tractions_at_points());
+    scene->contact->build_geometric_stiffness(tractions_at_points());
     scene->gap_operator().subtract_geometric(expected, v);
     expected *= -1;
     LA::Vector difference = force_at(step);
@@ -622,7 +627,7 @@ namespace
     const double size = difference.l2_norm();
     difference -= expected;
     CHECK(size > 0);
-    CHECK(difference.l2_norm() < (keeps_points ? 1e-3 : 4e-3) * size);
+    CHECK(difference.l2_norm() < (keeps_integration_points ? 1e-3 : 4e-3) * size);
   }
 } // namespace
 
@@ -678,7 +683,7 @@ namespace
   /// Slip of surfaces that move from u to R (x + u + c) - x, c on the slave alone.
   template <int dim>
   void
-  check_turned_slip(const Case &which, const std::string &degree, const Sampling sampling)
+  check_rotated_slip(const Case &which, const std::string &degree, const Sampling sampling)
   {
     CAPTURE(which.name);
     CAPTURE(degree);
@@ -737,10 +742,10 @@ TEST_CASE("slip of surfaces that turn: that of the slave alone, by the frame at 
     {
       for (const char *degree : {"1", "2"})
         {
-          check_turned_slip<2>(cases_2d()[0], degree, sampling);
-          check_turned_slip<2>(cases_2d()[1], degree, sampling);
+          check_rotated_slip<2>(cases_2d()[0], degree, sampling);
+          check_rotated_slip<2>(cases_2d()[1], degree, sampling);
         }
-      check_turned_slip<3>(cases_3d()[0], "2", sampling);
-      check_turned_slip<3>(cases_3d()[1], "1", sampling);
+      check_rotated_slip<3>(cases_3d()[0], "2", sampling);
+      check_rotated_slip<3>(cases_3d()[1], "1", sampling);
     }
 }

@@ -193,10 +193,10 @@ namespace TestScene
       return my_sampling;
     }
 
-    Predictor
-    predictor() const override
+    PressureShift
+    pressure_shift() const override
     {
-      return kind == drag_multiplier ? Predictor::multiplier : Predictor::none;
+      return kind == drag_multiplier ? PressureShift::multiplier : PressureShift::none;
     }
 
     bool
@@ -220,7 +220,7 @@ namespace TestScene
     }
 
     bool
-    needs_slip() const override
+    uses_slip() const override
     {
       return true;
     }

@@ -5,7 +5,7 @@
 #include "matrix_free/tangent_stiffness.h"
 #include "multigrid/make_levels.h"
 #include "solid/rigid_body_modes.h"
-#include "solver/finite_bodies.h"
+#include "solver/nonlinear_solid.h"
 
 #include <doctest/doctest.h>
 
@@ -55,7 +55,7 @@ namespace
       return bodies.stiffness();
     }
 
-    FiniteBodies<3> bodies;
+    NonlinearSolid<3> bodies;
   };
 } // namespace
 
@@ -81,7 +81,7 @@ TEST_CASE("products, diagonal and rows of tangents without a matrix are those of
       cells.stiffness().vmult(product, v);
       CHECK(distance(product, exact) < rounding);
       // Means over cells are another operator, which is as large.
-      const LA::Vector mean = times(cells.stiffness().rounded(), v);
+      const LA::Vector mean = times(cells.stiffness().single_precision(), v);
       CHECK(v * mean > 0.5 * (v * exact));
       CHECK(v * mean < 2 * (v * exact));
 
@@ -120,12 +120,12 @@ namespace
     const LA::Vector v     = scene.rough_field(1, 0.7);
     LA::Vector       exact = v;
     stiffness.vmult(exact, v);
-    CHECK(distance(times(stiffness.rounded(), v), exact) < 1e-5);
+    CHECK(distance(times(stiffness.single_precision(), v), exact) < 1e-5);
 
     const Spaces spaces = make_spaces(*scene.elasticity, stiffness, true);
     REQUIRE(spaces.levels.size() >= least);
     REQUIRE(spaces.levels.back().matrix);
-    const StiffnessOperator<float> *above = &stiffness.rounded();
+    const StiffnessOperator<float> *above = &stiffness.single_precision();
     for (const Level &level : spaces.levels)
       {
         CHECK(galerkin_defect(*above, level) < 1e-5);
@@ -170,15 +170,15 @@ TEST_CASE("all instruction sets give the same products of tangents")
         std::vector<double> u(6 * n_nodes), first;
         for (unsigned int i = 0; i < u.size(); ++i)
           u[i] = std::sin(1 + 2. * i * i);
-        std::vector<float> rounded(u.begin(), u.end());
-        rounded.push_back(0); // may be read
+        std::vector<float> single_precision(u.begin(), u.end());
+        single_precision.push_back(0); // may be read
         for (const std::string &set : instruction_sets())
           {
             CAPTURE(set);
             std::vector<double> f(u.size(), 0.);
             CellKernel<double>::create(cells, set)->add_product(f.data(), u.data());
             std::vector<float> g(u.size(), 0.f);
-            CellKernel<float>::create(cells, set)->add_product(g.data(), rounded.data());
+            CellKernel<float>::create(cells, set)->add_product(g.data(), single_precision.data());
             if (first.empty())
               first = f;
             double size = 0, worst = 0, worst_rounded = 0;

@@ -120,9 +120,9 @@ namespace
       const LA::Vector f = elasticity.load(), u = interpolated(displacement);
       LA::Vector       r = elasticity.zero_vector();
       elasticity.stiffness().vmult(r, u);
-      if (elasticity.has_free_motions())
+      if (elasticity.has_unsupported_modes())
         {
-          LA::Vector springs = elasticity.stabilising_springs();
+          LA::Vector springs = elasticity.stabilising_stiffness();
           springs.scale(u);
           r -= springs;
         }
@@ -316,7 +316,7 @@ TEST_CASE("a temperature within cells is fitted with one degree less than the di
       for (const auto &cell : block.mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned() && cell->center()[0] < 0.5)
           for (const double x : {0., 0.2, 0.5})
-            CHECK(block.elasticity.thermal().rise(*cell, {x, cell->center()[1]}) ==
+            CHECK(block.elasticity.thermal().temperature_change(*cell, {x, cell->center()[1]}) ==
                   doctest::Approx(degree == 1 ? 1. / 32 : 9 * x / 40 - 1. / 40));
     }
 }
@@ -358,7 +358,7 @@ namespace
                                  elasticity, pair, nullptr, method, {Rule::segments, degree + 1})},
                                method);
       elasticity.set_time(1);
-      contact->set_rises(elasticity.thermal().coefficients());
+      contact->set_temperature_change(elasticity.thermal().coefficients());
     }
 
     static Support<dim>

@@ -1,7 +1,7 @@
 // What is carried over from mesh to mesh and from run to run, and where meshes are refined.
 
 #include "accuracy/cell_errors.h"
-#include "accuracy/enrichment.h"
+#include "accuracy/p_refinement.h"
 #include "accuracy/refinement.h"
 #include "checkpoint/cells.h"
 #include "driver/body_setup.h"
@@ -132,7 +132,8 @@ namespace
           return one;
         });
         CHECK(difference<dim>(constant, one) < 1e-13);
-        // It obeys the constraints of the new mesh: but for the lid, whose motion is prescribed.
+        // It satisfies the constraints of the new mesh: but for the lid, whose motion is
+        // prescribed.
         elasticity.hanging_nodes().distribute(field);
         CHECK(difference<dim>(field, expected) < 1e-13);
         elasticity.distribute(field);
@@ -211,7 +212,7 @@ namespace
   /// Bodies of degree 1 and 2 on an adaptive mesh: both get degree 2.
   template <int dim>
   void
-  check_enrichment()
+  check_p_refinement()
   {
     CAPTURE(dim);
     SmallScene<dim> scene(degrees_one_and_two<dim>());
@@ -219,8 +220,8 @@ namespace
     mark_by_estimate(*scene.mesh, *scene.elasticity, bent);
     refine(*scene.mesh, *scene.elasticity, {&bent});
     const LA::Vector poor = interpolant(scene, polynomial<dim>);
-    CHECK(growth_of_enrichment(*scene.mesh, {}) == 1);
-    CHECK(growth_of_enrichment(*scene.mesh, {0, 1}) == std::pow(2, dim));
+    CHECK(growth_of_p_refinement(*scene.mesh, {}) == 1);
+    CHECK(growth_of_p_refinement(*scene.mesh, {0, 1}) == std::pow(2, dim));
 
     const auto before = std::move(scene.elasticity);
     scene.decisions.raise_degree(0);
@@ -228,7 +229,7 @@ namespace
     scene.elasticity = make_elasticity(scene.decisions, *scene.mesh);
     scene.elasticity->setup();
     CHECK(scene.elasticity->dof_handler().n_dofs() > before->dof_handler().n_dofs());
-    CHECK(difference<dim>(enriched(*before, poor, *scene.elasticity),
+    CHECK(difference<dim>(p_refined(*before, poor, *scene.elasticity),
                           interpolant(scene, polynomial<dim>)) < 1e-14);
   }
 
@@ -245,9 +246,9 @@ namespace
       if (cell->is_locally_owned())
         indicators[cell->active_cell_index()] = cell->material_id() == 0 ? 1. : 1e-4;
     using Bodies = std::vector<unsigned int>;
-    CHECK(bodies_to_enrich(*scene.mesh, indicators, {true, true}, 1.1 * enough) == Bodies{0});
-    CHECK(bodies_to_enrich(*scene.mesh, indicators, {false, true}, 1.1 * enough) == Bodies{});
-    CHECK(bodies_to_enrich(*scene.mesh, indicators, {true, true}, 0.9 * enough) == Bodies{});
+    CHECK(bodies_to_p_refine(*scene.mesh, indicators, {true, true}, 1.1 * enough) == Bodies{0});
+    CHECK(bodies_to_p_refine(*scene.mesh, indicators, {false, true}, 1.1 * enough) == Bodies{});
+    CHECK(bodies_to_p_refine(*scene.mesh, indicators, {true, true}, 0.9 * enough) == Bodies{});
   }
 } // namespace
 
@@ -255,8 +256,8 @@ namespace
 
 TEST_CASE("displacements are carried over to quadratic elements")
 {
-  check_enrichment<2>();
-  check_enrichment<3>();
+  check_p_refinement<2>();
+  check_p_refinement<3>();
 }
 
 
@@ -317,11 +318,11 @@ namespace
     const LA::Vector pressure = linear_pressure<dim>(scene.gap_operator());
     ContactState     state    = open_contact(scene.gap_operator());
     state.traction[0]         = pressure;
-    const SurfaceField field  = places_of_rows(scene.gap_operator(), state, dim);
+    const SurfaceField field  = to_surface_field(scene.gap_operator(), state, dim);
     const auto         n      = scene.mesh->triangulation().n_global_active_cells();
 
     // What is asked for again is what was given, to the last digit.
-    state = rows_of_places(field, scene.gap_operator(), {});
+    state = from_surface_field(field, scene.gap_operator(), {});
     CHECK(difference<dim>(state.pressure(), pressure) < 1e-15);
 
     LA::Vector u = scene.rough_field(1, 0.4);
@@ -329,7 +330,7 @@ namespace
     refine(*scene.mesh, *scene.elasticity, {&u});
     scene.use(method);
     CHECK(scene.mesh->triangulation().n_global_active_cells() != n);
-    state = rows_of_places(field, scene.gap_operator(), {});
+    state = from_surface_field(field, scene.gap_operator(), {});
     CHECK(difference<dim>(state.pressure(), linear_pressure<dim>(scene.gap_operator())) < 1e-8);
     CHECK(state.status.linfty_norm() == 1);
   }

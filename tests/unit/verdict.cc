@@ -8,21 +8,21 @@ using namespace Signorini;
 
 namespace
 {
-  Finding
-  finding(const std::string  &check,
-          const double        value,
-          const Outcome       outcome,
-          const Finding::Over over = Finding::Over::worst)
+  CheckResult
+  check_result(const std::string             &check,
+               const double                   value,
+               const Outcome                  outcome,
+               const CheckResult::Aggregation aggregation = CheckResult::Aggregation::worst)
   {
-    Finding result;
-    result.check   = check;
-    result.where   = "pair a";
-    result.value   = value;
-    result.limit   = 1;
-    result.outcome = outcome;
-    result.what    = "what of " + check;
-    result.cure    = "cure";
-    result.over    = over;
+    CheckResult result;
+    result.check       = check;
+    result.where       = "pair a";
+    result.value       = value;
+    result.limit       = 1;
+    result.outcome     = outcome;
+    result.message     = "what of " + check;
+    result.advice      = "cure";
+    result.aggregation = aggregation;
     return result;
   }
 } // namespace
@@ -35,9 +35,9 @@ TEST_CASE("of several load steps the worst, the last or the best counts")
   Verdict        verdict;
   CHECK(verdict.outcome() == passed);
   const auto step = [&](const double time, const double value, const Outcome outcome) {
-    verdict.add({finding("worst", value, outcome),
-                 finding("last", value, outcome, Finding::Over::last),
-                 finding("best", value, outcome, Finding::Over::best)},
+    verdict.add({check_result("worst", value, outcome),
+                 check_result("last", value, outcome, CheckResult::Aggregation::last),
+                 check_result("best", value, outcome, CheckResult::Aggregation::best)},
                 time);
   };
   step(1, 0.5, passed);
@@ -58,7 +58,7 @@ TEST_CASE("of several load steps the worst, the last or the best counts")
   CHECK(verdict.json()["outcome"] == "warned");
   CHECK(verdict.summary(warned) == "worst, pair a: what of worst; cure");
 
-  verdict.add({finding("other", 2, Outcome::failed)}, 5);
+  verdict.add({check_result("other", 2, Outcome::failed)}, 5);
   CHECK(verdict.outcome() == Outcome::failed);
   std::ostringstream table;
   verdict.print(table);
@@ -73,15 +73,15 @@ TEST_CASE("of several load steps the worst, the last or the best counts")
 TEST_CASE("balances: passed, warned, failed")
 {
   const auto outcomes = [](const double forces, const double moments) {
-    const auto findings =
+    const auto check_results =
       check_balance({{"largest_force", 2.},
                      {"bodies",
                       {{"good", {{"force_balance", 0.}, {"moment_balance", 0.}}},
                        {"bad", {{"force_balance", forces}, {"moment_balance", moments}}}}}},
                     4.,
                     1e-5);
-    CHECK(findings.at(0).where == "body bad");
-    return std::pair(findings.at(0).outcome, findings.at(1).outcome);
+    CHECK(check_results.at(0).where == "body bad");
+    return std::pair(check_results.at(0).outcome, check_results.at(1).outcome);
   };
   CHECK(outcomes(1.9e-5, 1.9e-3) == std::pair(Outcome::passed, Outcome::passed));
   CHECK(outcomes(2.1e-5, 2.1e-3) == std::pair(Outcome::warned, Outcome::warned));

@@ -16,7 +16,7 @@ public:
   declare(Signorini::Section &) override
   {} // no keys: the shape is not read from a file
 
-  Signorini::ObstaclePlace<2>
+  Signorini::ObstaclePoint<2>
   closest(const Point<2> &x) const override
   {
     Tensor<1, 2> up;

@@ -12,9 +12,9 @@ namespace Signorini
   template <int dim>
   struct KnownSolution
   {
-    VectorExpression<dim> displacement; ///< empty: not known
-    Formula               pressure;     ///< empty: not known
-    Formula               bulk_stress;  ///< of mixed bodies; empty: not known
+    VectorExpression<dim> displacement;      ///< empty: not known
+    Formula               pressure;          ///< empty: not known
+    Formula               volumetric_stress; ///< of mixed bodies; empty: not known
 
     void
     declare(Section &section);

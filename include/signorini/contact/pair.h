@@ -24,10 +24,10 @@ namespace Signorini
   struct ContactPair
   {
     std::string name, slave, master;
-    std::string slave_place, master_place;     ///< in the scene file
+    std::string slave_location, master_location; ///< in the scene file
     Formula     initial_gap = "from geometry"; ///< or "closed", or a formula of the place and time
-    double closed_up_to = -1; ///< gaps at rest up to this are zero, and so are overlaps; < 0: none
-    bool   separates    = true;          ///< no: the law is g = 0, whatever the pressure's sign
+    double closes_below = -1; ///< gaps at rest up to this are zero, and so are overlaps; < 0: none
+    bool   can_separate = true;          ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
     std::vector<dealii::Point<dim>> directions; ///< along which its extents are told

@@ -14,16 +14,16 @@ namespace Signorini
 {
   /// A place in a coarse cell: its corners, and the middles of its edges and faces.
   template <int dim>
-  struct NodePlace
+  struct NodeLocation
   {
-    unsigned int       cell;            ///< coarse
-    dealii::Point<dim> unit;            ///< in the unit cell
-    bool               is_made = false; ///< by the division of cells; no node of the file
+    unsigned int       cell;                ///< coarse
+    dealii::Point<dim> unit;                ///< in the unit cell
+    bool               is_inserted = false; ///< by the division of cells; no node of the file
   };
 
   /// The nodes of a set, each with its places in all coarse cells that have it.
   template <int dim>
-  using NodeSet = std::vector<std::vector<NodePlace<dim>>>;
+  using NodeSet = std::vector<std::vector<NodeLocation<dim>>>;
 
   /// A facet of a coarse mesh that stands for a curved surface.
   struct FacetHeight

@@ -7,7 +7,7 @@
 namespace Signorini
 {
   /// How many derivatives of the energy are wanted: the second ones take most of the time.
-  enum class UpTo
+  enum class ResponseOrder
   {
     stress,
     tangent
@@ -23,7 +23,7 @@ namespace Signorini
   /// What a law is asked with at a point of a body.
   struct ConstitutiveInput
   {
-    /// The right Cauchy-Green tensor, thesis (7), or what takes its place, see StrainMeasure;
+    /// The right Cauchy-Green tensor, or what takes its place, see StrainMeasure;
     /// positive definite.
     dealii::SymmetricTensor<2, 3> C;
     /// Internal variables at the end of the last load step, n_internal() of them.
@@ -59,6 +59,6 @@ namespace Signorini
     }
 
     virtual ConstitutiveResponse
-    response(const ConstitutiveInput &in, UpTo wanted) const = 0;
+    response(const ConstitutiveInput &in, ResponseOrder wanted) const = 0;
   };
 } // namespace Signorini

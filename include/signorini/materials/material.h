@@ -15,7 +15,7 @@ namespace Signorini
   {
     automatic,    ///< mixed where Poisson's ratio asks for it, and nothing is against it
     displacement, ///< all stress follows from the displacement
-    mixed         ///< the stress of changes of volume is a field of its own, see BulkStress
+    mixed         ///< the stress of changes of volume is a field of its own, see VolumetricStress
   };
 
   /// Isotropic elasticity. At small deformation all laws are linear:
@@ -30,15 +30,15 @@ namespace Signorini
     std::shared_ptr<const ConstitutiveLaw> constitutive_law = {};
     StrainMeasure                          strain_measure   = StrainMeasure::finite; ///< of the law
 
-    Formulation formulation = Formulation::automatic; ///< what the user wants
-    bool        is_mixed    = false;                  ///< what it is
+    Formulation formulation       = Formulation::automatic; ///< what the user wants
+    bool        is_up_formulation = false;                  ///< what it is
 
     /// That of stresses that follow from the displacement: none in a mixed body, whose displacement
     /// alone does not feel how nearly incompressible it is.
     double
     lambda() const
     {
-      return is_mixed ? 0. : full_lambda();
+      return is_up_formulation ? 0. : full_lambda();
     }
 
     /// Infinite for nu = 1/2.
@@ -58,7 +58,7 @@ namespace Signorini
     double
     bulk_modulus() const
     {
-      return is_mixed ? 2 * mu() / 3 : youngs_modulus / (3 * (1 - 2 * poissons_ratio));
+      return is_up_formulation ? 2 * mu() / 3 : youngs_modulus / (3 * (1 - 2 * poissons_ratio));
     }
 
     /// By how much what is mixed gives way: 1/lambda, zero for nu = 1/2.

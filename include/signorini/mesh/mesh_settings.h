@@ -12,7 +12,7 @@ namespace Signorini
 
   /// A part of space in which cells are refined before the first solution.
   template <int dim>
-  struct RefinementZone
+  struct RefinementRegion
   {
     std::string     name;
     Expression<dim> where{"1"}; ///< refined where positive (at a vertex or the center of the cell)
@@ -34,12 +34,12 @@ namespace Signorini
   template <int dim>
   struct MeshSettings
   {
-    std::optional<Distribution>      distribution; ///< none: chosen
-    unsigned int                     refinements         = 0;
-    unsigned int                     contact_refinements = 0;
-    unsigned int                     geometry_degree     = 0; ///< 0: chosen
-    double                           slave_face_weight   = 2;
-    std::vector<RefinementZone<dim>> zones;
+    std::optional<Distribution>        distribution; ///< none: chosen
+    unsigned int                       refinements         = 0;
+    unsigned int                       contact_refinements = 0;
+    unsigned int                       geometry_degree     = 0; ///< 0: chosen
+    double                             slave_face_weight   = 2;
+    std::vector<RefinementRegion<dim>> refinement_regions;
 
     void
     declare(Section &section);

@@ -50,7 +50,7 @@ namespace Signorini
     }
 
     bool
-    knows(const std::string &name) const;
+    is_defined(const std::string &name) const;
 
   private:
     std::vector<std::pair<std::string, std::string>> formulas;

@@ -210,7 +210,7 @@ namespace Signorini
     /// Where and how a key of this section was set, for messages about its value:
     /// "scene.prm:12: Bodies/block/Mesh = ball". Works while reading.
     std::string
-    place_of(const std::string &key) const;
+    source_of(const std::string &key) const;
 
     /// Throws SceneError("PLACE: what").
     [[noreturn]] void

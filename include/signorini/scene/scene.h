@@ -69,7 +69,7 @@ namespace Signorini
   enum class Deformation
   {
     small,    ///< strains and rotations are small beside one
-    finite,   ///< any amount, thesis (1)-(20)
+    finite,   ///< any amount (doc/theory, 6)
     automatic ///< small, until a solution shows that this neglects too much
   };
 
@@ -82,9 +82,9 @@ namespace Signorini
     Deformation deformation       = Deformation::small;
     double      deformation_share = 0.01; ///< of the work that automatic does not become finite for
     std::string title;
-    std::string left_out; ///< by an import, see left_out_of()
-    std::string name;     ///< of the scene file, without folder and .prm
-    RawSection  given;    ///< what was read
+    std::string skipped_items; ///< by an import, see skipped_in()
+    std::string name;          ///< of the scene file, without folder and .prm
+    RawSection  given;         ///< what was read
 
     Definitions                   definitions;
     std::vector<Body<dim>>        bodies;
@@ -130,7 +130,7 @@ namespace Signorini
 
     /// Meshes that are refined, at most.
     unsigned int
-    most_cycles() const;
+    maximum_cycles() const;
 
     /// The obstacle that is a pair's master, or null.
     const Obstacle<dim> *
@@ -139,6 +139,6 @@ namespace Signorini
   private:
     /// Throws SceneError where a support begins after the end.
     void
-    end_steps_where_supports_change();
+    end_steps_at_support_changes();
   };
 } // namespace Signorini

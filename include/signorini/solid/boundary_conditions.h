@@ -15,7 +15,7 @@ namespace Signorini
     std::vector<std::string> sets;  ///< "body.set"
     std::vector<double>      point; ///< coordinates; empty: none
     std::string              body;  ///< that has the point; empty: the only one there
-    std::string              sets_place, point_place; ///< in the scene file
+    std::string              sets_location, point_location; ///< in the scene file
 
     bool
     empty() const
@@ -70,11 +70,11 @@ namespace Signorini
   {
     std::string              name;
     std::vector<std::string> boundaries;
-    std::string              place, bodies_place; ///< of the names in the scene file
-    VectorExpression<dim>    traction;            ///< [force/area]
-    Expression<dim>          pressure;            ///< [force/area], positive pushes into the body
-    std::vector<std::string> bodies;              ///< "body", or "body.set" of cells
-    VectorExpression<dim>    body_force;          ///< [force/volume]
+    std::string              place, bodies_location; ///< of the names in the scene file
+    VectorExpression<dim>    traction;               ///< [force/area]
+    Expression<dim>          pressure;   ///< [force/area], positive pushes into the body
+    std::vector<std::string> bodies;     ///< "body", or "body.set" of cells
+    VectorExpression<dim>    body_force; ///< [force/volume]
     NodeChoice               nodes;
     VectorExpression<dim>    force;       ///< at each node, or at the point [force]
     VectorExpression<dim>    total_force; ///< on all boundaries or nodes of this load [force]

@@ -44,11 +44,11 @@ namespace Signorini
 
     /// The prescribed value of degree of freedom i at time t, a length.
     double
-    prescribed(unsigned int i, double t, double lever) const;
+    prescribed(unsigned int i, double t, double rotation_length_scale) const;
 
     /// What drives degree of freedom i, a force.
     double
-    load(unsigned int i, double t, double lever) const;
+    load(unsigned int i, double t, double rotation_length_scale) const;
 
     /// The longest lever arm of a point of the box about the reference point.
     double

@@ -28,7 +28,7 @@ namespace Signorini
     /// @param motion degrees of freedom: translation, rotation * lever [length]
     RigidPose(const dealii::Point<dim>         &reference,
               const std::array<double, n_dofs> &motion,
-              double                            lever);
+              double                            rotation_length_scale);
 
     /// Where the body's point that is now at x was at rest.
     dealii::Point<dim>

@@ -7,7 +7,7 @@ namespace Signorini
   class Section;
 
   /// What is done about motions that neither supports nor contact hold, and no force drives.
-  enum class Undetermined
+  enum class UnconstrainedModeTreatment
   {
     refuse,
     hold ///< by forces that are small and reported
@@ -15,16 +15,16 @@ namespace Signorini
 
   struct NewtonSettings
   {
-    unsigned int maximum_steps = 40;
-    double       tolerance     = 1e-10;
-    double       of_geometry   = 1e-8;
-    double       reduction     = 1e-2;
-    double       stabilisation = 0.25;
-    Undetermined undetermined  = Undetermined::refuse;
+    unsigned int               maximum_steps      = 40;
+    double                     tolerance          = 1e-10;
+    double                     of_geometry        = 1e-8;
+    double                     reduction          = 1e-2;
+    double                     stabilisation      = 0.25;
+    UnconstrainedModeTreatment undetermined_modes = UnconstrainedModeTreatment::refuse;
 
     /// What to do about motions that nothing determines, for messages.
     static std::string
-    how_to_hold();
+    stabilisation_advice();
 
     void
     declare(Section &section);

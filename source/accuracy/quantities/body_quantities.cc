@@ -16,18 +16,18 @@ namespace Signorini
     /// One along a direction at the nodes of a support, as far as it holds them, zero elsewhere.
     template <int dim>
     LA::Vector
-    one_on_support(const Elasticity<dim> &elasticity,
-                   const std::string     &name,
-                   const Tensor<1, dim>  &direction)
+    indicator_on_support(const Elasticity<dim> &elasticity,
+                         const std::string     &name,
+                         const Tensor<1, dim>  &direction)
     {
       LA::Vector result = elasticity.zero_vector();
-      for (const auto &[index, node] : elasticity.held_nodes())
+      for (const auto &[index, node] : elasticity.constrained_nodes())
         if (elasticity.owned().is_element(index))
           {
             const auto     directions = node.orthonormal();
             Tensor<1, dim> there;
             for (unsigned int k = 0; k < directions.size(); ++k)
-              if (const Support<dim> *support = node.holds[k].support;
+              if (const Support<dim> *support = node.prescribed_directions[k].support;
                   support && support->name == name)
                 there += (direction * directions[k]) * directions[k];
             for (unsigned int d = 0; d < dim; ++d)
@@ -76,7 +76,8 @@ namespace Signorini
     {
       Functional         result  = zero_functional(s);
       const GapOperator &contact = s.contact;
-      result.lift = one_on_support<dim>(s.elasticity, name, Point<dim>::unit_vector(direction));
+      result.lift =
+        indicator_on_support<dim>(s.elasticity, name, Point<dim>::unit_vector(direction));
       result.of_displacement = forces_of(s.elasticity, result.lift);
       if (contact.empty())
         return result;

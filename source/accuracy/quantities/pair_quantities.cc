@@ -164,7 +164,9 @@ namespace Signorini
     /// The mean over a face about a place, with weights that fall linearly.
     template <int dim>
     Functional
-    pressure_about(const Snapshot<dim> &s, const unsigned int pair, const Tensor<1, dim> &place)
+    weighted_pressure_near(const Snapshot<dim>  &s,
+                           const unsigned int    pair,
+                           const Tensor<1, dim> &place)
     {
       constexpr unsigned int most_doublings = 10; // faces differ in size
       const MPI_Comm         comm           = s.elasticity.mesh().communicator();
@@ -192,7 +194,9 @@ namespace Signorini
     /// for both, which a dual solution for this node alone does not know.
     template <int dim>
     bool
-    is_beside_held(const Snapshot<dim> &s, const unsigned int pair, const Tensor<1, dim> &place)
+    is_beside_dirichlet_node(const Snapshot<dim>  &s,
+                             const unsigned int    pair,
+                             const Tensor<1, dim> &place)
     {
       bool is_beside = false;
       for (const SlaveFace<dim> &face : s.surfaces[pair].slave_faces)
@@ -201,8 +205,9 @@ namespace Signorini
             std::any_of(face.positions.begin(), face.positions.end(), [&](const Point<dim> &node) {
               return (node - place).norm() < 1e-10 * s.elasticity.mesh().size();
             });
-          is_beside |=
-            is_near && std::find(face.held.begin(), face.held.end(), true) != face.held.end();
+          is_beside |= is_near && std::find(face.without_pressure.begin(),
+                                            face.without_pressure.end(),
+                                            true) != face.without_pressure.end();
         }
       return Utilities::MPI::max(is_beside ? 1 : 0, s.elasticity.mesh().communicator()) == 1;
     }
@@ -224,7 +229,7 @@ namespace Signorini
   {
     const unsigned int pair  = number_of_pair(s, name.of);
     const MPI_Comm     comm  = s.elasticity.mesh().communicator();
-    const LA::Vector &  nodal = recovered_pressure(s, pair);
+    const LA::Vector  &nodal = recovered_pressure(s, pair);
     // The contact point with the largest pressure, the first of those with the same.
     double                  largest = -std::numeric_limits<double>::max();
     types::global_dof_index row     = numbers::invalid_dof_index;
@@ -244,8 +249,8 @@ namespace Signorini
     place = Utilities::MPI::sum(place, comm);
 
     const bool is_nodal = samples_nodes(s.contact) && row != numbers::invalid_dof_index &&
-                          !is_beside_held(s, pair, place);
-    Functional result = is_nodal ? zero_functional(s) : pressure_about(s, pair, place);
+                          !is_beside_dirichlet_node(s, pair, place);
+    Functional result = is_nodal ? zero_functional(s) : weighted_pressure_near(s, pair, place);
     if (is_nodal)
       {
         result.is_regularised = true;
@@ -267,7 +272,7 @@ namespace Signorini
     const Probe<dim>       &probe = probe_named(probes, name.of);
     const unsigned int      pair  = pair_of(probe, s.pairs);
     const SurfaceValue<dim> at = evaluate_on_slave(s, pair, {probe.point}, probe.title()).front();
-    Functional              result = pressure_about(s, pair, Tensor<1, dim>(at.place));
+    Functional              result = weighted_pressure_near(s, pair, Tensor<1, dim>(at.place));
     result.value                   = at.pressure;
     return result;
   }

@@ -26,31 +26,32 @@ namespace Signorini
     }
 
     template <int dim>
-    FacePlace
+    SurfacePoint
     place_at(const Point<dim - 1> &xi)
     {
       return {{xi[0], dim == 3 ? xi[dim - 2] : 0.}};
     }
 
-    /// Of seams, where points are rows: all of that of the closest point of the face.
+    /// Of segment edges, where points are rows: all of that of the closest point of the face.
     template <int dim>
     std::vector<std::vector<Share>>
     shares_of_closest(const ContactSurface<dim> &surface, const types::global_dof_index first_row)
     {
-      std::vector<std::vector<Share>> result(surface.seams.size());
-      std::vector<double> closest(surface.seams.size(), std::numeric_limits<double>::max());
-      std::map<unsigned int, std::vector<std::size_t>> seams_of_face;
-      for (std::size_t i = 0; i < surface.seams.size(); ++i)
-        seams_of_face[surface.seams[i].face].push_back(i);
+      std::vector<std::vector<Share>> result(surface.edge_points.size());
+      std::vector<double> closest(surface.edge_points.size(), std::numeric_limits<double>::max());
+      std::map<unsigned int, std::vector<std::size_t>> edge_points_of_face;
+      for (std::size_t i = 0; i < surface.edge_points.size(); ++i)
+        edge_points_of_face[surface.edge_points[i].face].push_back(i);
       for (std::size_t q = 0; q < surface.points.size(); ++q)
-        if (const auto seams = seams_of_face.find(surface.points[q].face);
-            seams != seams_of_face.end())
-          for (const std::size_t i : seams->second)
-            if (const double distance = surface.seams[i].xi.distance(surface.points[q].xi);
+        if (const auto edge_points = edge_points_of_face.find(surface.points[q].face);
+            edge_points != edge_points_of_face.end())
+          for (const std::size_t i : edge_points->second)
+            if (const double distance = surface.edge_points[i].xi.distance(surface.points[q].xi);
                 distance < closest[i])
               {
                 closest[i] = distance;
-                result[i]  = {{types::global_dof_index(first_row + q), surface.seams[i].weight}};
+                result[i]  = {
+                   {types::global_dof_index(first_row + q), surface.edge_points[i].weight}};
               }
       return result;
     }
@@ -69,9 +70,9 @@ namespace Signorini
         {
           rows.shares.emplace_back();
           if (!surfaces[p].points.empty())
-            rows.seam_shares.push_back(shares_of_closest(surfaces[p], *row));
+            rows.edge_point_shares.push_back(shares_of_closest(surfaces[p], *row));
           else
-            rows.seam_shares.emplace_back(surfaces[p].seams.size());
+            rows.edge_point_shares.emplace_back(surfaces[p].edge_points.size());
           const unsigned int none = numbers::invalid_unsigned_int;
           unsigned int       face = none;
           for (const auto &point : surfaces[p].points)
@@ -94,7 +95,7 @@ namespace Signorini
     {
       unsigned int pair;
       Index        node;
-      double       paired, all; ///< area with a partner, and of all faces around it
+      double       paired, all; ///< area with a projection, and of all faces around it
 
       template <class Archive>
       void
@@ -131,10 +132,10 @@ namespace Signorini
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         {
           for (const auto &point : surfaces[p].points)
-            for (const auto &[node, value] : point.shape)
+            for (const auto &[node, value] : point.multiplier_shape)
               areas[{p, node}][0] += value * point.weight;
           if (!surfaces[p].is_apart)
-            for (const auto &[shape, weight] : surfaces[p].whole)
+            for (const auto &[shape, weight] : surfaces[p].full_face_shapes)
               for (const auto &[node, value] : shape)
                 areas[{p, node}][1] += std::abs(value) * weight;
         }
@@ -155,12 +156,12 @@ namespace Signorini
 
     /// The nodes of slave faces as places.
     template <int dim>
-    std::vector<FacePlaces>
-    node_places(const Elasticity<dim>                  &elasticity,
-                const std::vector<ContactSurface<dim>> &surfaces,
-                const std::map<Key, Index>             &row_of)
+    std::vector<SurfacePoints>
+    node_surface_points(const Elasticity<dim>                  &elasticity,
+                        const std::vector<ContactSurface<dim>> &surfaces,
+                        const std::map<Key, Index>             &row_of)
     {
-      std::vector<FacePlaces> result;
+      std::vector<SurfacePoints> result;
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         for (const SlaveFace<dim> &face : surfaces[p].slave_faces)
           {
@@ -171,7 +172,7 @@ namespace Signorini
             for (unsigned int k = 0; k < face.nodes.size(); ++k)
               {
                 SparseRow nodes = {{face.nodes[k], 1.}}, rows;
-                resolve(elasticity.hanging_nodes(), nodes);
+                condense_hanging_nodes(elasticity.hanging_nodes(), nodes);
                 for (const auto &[node, weight] : nodes)
                   if (const auto row = row_of.find({p, node}); row != row_of.end())
                     rows.emplace_back(row->second, weight);
@@ -230,7 +231,7 @@ namespace Signorini
         for (const auto &point : points)
           {
             shares.emplace_back();
-            for (const auto &[node, value] : point.shape)
+            for (const auto &[node, value] : point.multiplier_shape)
               if (const auto row = row_of.find({pair, node}); row != row_of.end())
                 shares.back().push_back({row->second, value * point.weight});
           }
@@ -239,9 +240,9 @@ namespace Signorini
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         {
           rows.shares.push_back(shares_of(p, surfaces[p].points));
-          rows.seam_shares.push_back(shares_of(p, surfaces[p].seams));
+          rows.edge_point_shares.push_back(shares_of(p, surfaces[p].edge_points));
         }
-      rows.places = node_places(elasticity, surfaces, row_of);
+      rows.places = node_surface_points(elasticity, surfaces, row_of);
       return rows;
     }
   } // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact/interface/face_places.h"
 #include "contact/interface/surface.h"
+#include "contact/interface/surface_points.h"
 #include <signorini/contact/methods/method.h>
 
 #include <vector>
@@ -21,11 +21,11 @@ namespace Signorini
     dealii::IndexSet owned;
     dealii::IndexSet writable; ///< owned, and those that points of this rank contribute to
     std::vector<std::vector<std::vector<Share>>> shares; ///< [pair][point]
-    /// Those that seams have in the pressures of rows: [pair][seam].
-    std::vector<std::vector<std::vector<Share>>> seam_shares;
+    /// Those that segment edges have in the pressures of rows: [pair][segment edge].
+    std::vector<std::vector<std::vector<Share>>> edge_point_shares;
     std::vector<unsigned int>                    pair;
     std::vector<dealii::types::global_dof_index> node;
-    std::vector<FacePlaces> places; ///< of the faces of this rank that have points
+    std::vector<SurfacePoints> places; ///< of the faces of this rank that have points
   };
 
   template <int dim>

@@ -1,11 +1,11 @@
 #include "contact/constraints/gap_operator.h"
 
+#include "contact/constraints/coinciding_surface_points.h"
+#include "contact/constraints/condensed_columns.h"
 #include "contact/constraints/contact_rows.h"
-#include "contact/constraints/shared_places.h"
 #include "contact/constraints/tangents.h"
-#include "contact/constraints/tied_columns.h"
 #include "contact/traction/face_matrices.h"
-#include "contact/traction/stress_of_fields.h"
+#include "contact/traction/field_stress.h"
 #include "linear_algebra/diagonal.h"
 #include "linear_algebra/entries.h"
 #include "linear_algebra/sparsity_pattern.h"
@@ -74,7 +74,7 @@ namespace Signorini
     {
       const MPI_Comm               comm = elasticity.mesh().communicator();
       std::optional<Tangents<dim>> tangents;
-      if (method.needs_slip())
+      if (method.uses_slip())
         tangents.emplace(rows, surfaces, comm);
       const std::vector<FaceMatrix> matrices = face_matrices(rows,
                                                              surfaces,
@@ -92,12 +92,13 @@ namespace Signorini
       contact.B.compress(VectorOperation::add);
       if (tangents)
         assemble_slip(contact, rows, surfaces, matrices, pattern, *tangents, comm);
-      if (method.predictor() != Predictor::normal_stress)
+      if (method.pressure_shift() != PressureShift::normal_stress)
         return;
       // The term with theta S^T takes s = p for granted at each point, which another pair may
       // spoil; without it all is consistent.
-      const bool are_shared = Utilities::MPI::max(share_places(surfaces) ? 1 : 0, comm) > 0;
-      contact.theta         = are_shared ? 0. : method.theta();
+      const bool are_shared =
+        Utilities::MPI::max(have_coinciding_points(surfaces) ? 1 : 0, comm) > 0;
+      contact.theta = are_shared ? 0. : method.theta();
       contact.S.reinit(pattern);
       for (const FaceMatrix &matrix : matrices)
         contact.S.add(matrix.rows, matrix.columns, matrix.stress);
@@ -116,16 +117,16 @@ namespace Signorini
     {
       const unsigned int n_moments = dim == 2 ? 1 : 3;
       contact.weight.reinit(rows.owned, comm);
-      contact.rest_gap.reinit(contact.weight);
+      contact.reference_gap.reinit(contact.weight);
       contact.coefficients.stiffness.reinit(contact.weight);
-      contact.coefficients.permanent.reinit(contact.weight);
+      contact.coefficients.bilateral.reinit(contact.weight);
       contact.coefficients.epsilon.reinit(contact.weight);
       contact.geometry.position.assign(dim, contact.zero());
       contact.geometry.normal.assign(dim, contact.zero());
       contact.geometry.moment.assign(n_moments, contact.zero());
       if (moved)
         {
-          contact.moved.drift = contact.zero();
+          contact.moved.gap_offset = contact.zero();
           contact.geometry.master_moment.assign(n_moments, contact.zero());
         }
 
@@ -133,16 +134,16 @@ namespace Signorini
         for (unsigned int q = 0; q < surfaces[p].points.size(); ++q)
           {
             const ContactPoint<dim> &point  = surfaces[p].points[q];
-            const Tensor<1, 3>       moment = moment_of(point.slave_place, point.normal),
-                               on_master    = moment_of(point.master_place, point.normal);
+            const Tensor<1, 3>       moment = moment_of(point.slave_force_point, point.normal),
+                               on_master    = moment_of(point.master_force_point, point.normal);
             const double epsilon =
               method.penalty({point.stiffness, size / point.depth, point.bound});
             for (const auto &[row, weight] : rows.shares[p][q])
               {
                 contact.weight(row) += weight;
-                contact.rest_gap(row) += weight * point.gap;
+                contact.reference_gap(row) += weight * point.gap;
                 if (moved)
-                  contact.moved.drift(row) += weight * point.drift;
+                  contact.moved.gap_offset(row) += weight * point.gap_offset;
                 contact.coefficients.stiffness(row) += weight * point.stiffness;
                 contact.coefficients.epsilon(row) += weight * epsilon;
                 for (unsigned int d = 0; d < dim; ++d)
@@ -202,11 +203,11 @@ namespace Signorini
         inverse(i) = 1 / contact.weight(i);
       inverse.compress(VectorOperation::insert);
 
-      std::vector<LA::Vector *> means = {&contact.rest_gap,
+      std::vector<LA::Vector *> means = {&contact.reference_gap,
                                          &contact.coefficients.stiffness,
                                          &contact.coefficients.epsilon};
-      if (contact.moved.drift.size() > 0)
-        means.push_back(&contact.moved.drift);
+      if (contact.moved.gap_offset.size() > 0)
+        means.push_back(&contact.moved.gap_offset);
       for (auto *group : {&contact.geometry.position,
                           &contact.geometry.normal,
                           &contact.geometry.moment,
@@ -249,22 +250,27 @@ namespace Signorini
     contact.origin.readable           = rows.writable;
     contact.origin.regions = ContactRegions(elasticity, surfaces, rows, method.sampling());
     assemble_matrices(contact, rows, surfaces, method, elasticity);
-    assemble_vectors(
-      contact, rows, surfaces, method, elasticity.mesh().size(), !configuration.is_rest(), comm);
+    assemble_vectors(contact,
+                     rows,
+                     surfaces,
+                     method,
+                     elasticity.mesh().size(),
+                     !configuration.is_reference(),
+                     comm);
     normalise(contact);
     if (contact.has_stress())
-      assemble_stress_of_fields(elasticity, rows, surfaces, contact);
+      assemble_field_stress(elasticity, rows, surfaces, contact);
     auto pair = rows.pair.begin();
     for (const auto i : rows.owned)
       {
-        const bool stays                  = !surfaces[*pair++].separates && contact.weight(i) > 0;
-        contact.coefficients.permanent(i) = stays ? 1. : 0.;
+        const bool stays = !surfaces[*pair++].can_separate && contact.weight(i) > 0;
+        contact.coefficients.bilateral(i) = stays ? 1. : 0.;
       }
-    contact.coefficients.permanent.compress(VectorOperation::insert);
+    contact.coefficients.bilateral.compress(VectorOperation::insert);
     if (method.sampling() == Sampling::nodes)
       move_to_nodes(contact, elasticity);
     // So that the slip is true where the surfaces are.
-    for (unsigned int a = 0; a < contact.tangential.B.size() && !configuration.is_rest(); ++a)
+    for (unsigned int a = 0; a < contact.tangential.B.size() && !configuration.is_reference(); ++a)
       {
         LA::Vector linear = contact.zero();
         contact.tangential.B[a].vmult(linear, configuration.displacement());
@@ -288,9 +294,9 @@ namespace Signorini
         LA::scale_columns(contact.S_free, free);
       }
     contact.set_interference(std::vector<double>(surfaces.size(), 1.));
-    contact.tied = elasticity.has_inclined_supports();
-    if (contact.tied)
-      add_tied_columns(elasticity, contact);
+    contact.has_condensed_constraints = elasticity.has_inclined_supports();
+    if (contact.has_condensed_constraints)
+      add_condensed_columns(elasticity, contact);
     return result;
   }
 
@@ -301,13 +307,13 @@ namespace Signorini
   {
     interference = shares;
     auto which   = origin.pair.begin();
-    initial_gap.reinit(rest_gap);
-    for (const auto i : rest_gap.locally_owned_elements())
+    initial_gap.reinit(reference_gap);
+    for (const auto i : reference_gap.locally_owned_elements())
       {
         const double share  = shares[*which++];
-        const bool   counts = rest_gap(i) < 0 || coefficients.permanent(i) > 0;
-        const double change = at_rest() ? 0. : double(moved.drift(i));
-        initial_gap(i)      = (counts ? share : 1.) * rest_gap(i) + change;
+        const bool   counts = reference_gap(i) < 0 || coefficients.bilateral(i) > 0;
+        const double change = at_rest() ? 0. : double(moved.gap_offset(i));
+        initial_gap(i)      = (counts ? share : 1.) * reference_gap(i) + change;
       }
     initial_gap.compress(VectorOperation::insert);
   }
@@ -315,12 +321,12 @@ namespace Signorini
 
 
   void
-  GapOperator::set_rises(const LA::Vector &rises)
+  GapOperator::set_temperature_change(const LA::Vector &temperature_change)
   {
     if (S_thermal.m() == 0)
       return;
     thermal_stress = zero();
-    S_thermal.vmult(thermal_stress, rises);
+    S_thermal.vmult(thermal_stress, temperature_change);
   }
 
 
@@ -383,8 +389,8 @@ namespace Signorini
     for (const LA::Vector *fixed : {&thermal_stress, &fixed_stress})
       if (fixed->size() > 0)
         s += *fixed;
-    if (has_bulk_stress())
-      S_bulk.vmult_add(s, m);
+    if (has_volumetric_stress())
+      S_volumetric.vmult_add(s, m);
     return s;
   }
 
@@ -409,7 +415,7 @@ namespace Signorini
       }
     if (theta == 0)
       return result;
-    (is_free ? S_free : S).Tvmult(term, lack_of_stress(p[0], s));
+    (is_free ? S_free : S).Tvmult(term, nitsche_residual(p[0], s));
     result += term;
     return result;
   }
@@ -417,7 +423,7 @@ namespace Signorini
 
 
   LA::Vector
-  GapOperator::lack_of_stress(const LA::Vector &p, const LA::Vector &s) const
+  GapOperator::nitsche_residual(const LA::Vector &p, const LA::Vector &s) const
   {
     LA::Vector result = zero();
     for (const auto i : result.locally_owned_elements())
@@ -429,11 +435,11 @@ namespace Signorini
 
 
   LA::Vector
-  GapOperator::force_on_bulk(const PointVectors &p, const LA::Vector &s) const
+  GapOperator::force_on_volumetric_stress(const PointVectors &p, const LA::Vector &s) const
   {
-    LA::Vector result(S_bulk.locally_owned_domain_indices(), weight.get_mpi_communicator());
+    LA::Vector result(S_volumetric.locally_owned_domain_indices(), weight.get_mpi_communicator());
     if (theta != 0)
-      S_bulk.Tvmult(result, lack_of_stress(p[0], s));
+      S_volumetric.Tvmult(result, nitsche_residual(p[0], s));
     return result;
   }
 
@@ -461,7 +467,7 @@ namespace Signorini
     if (!moved.G)
       return;
     LA::Vector change = u;
-    change -= moved.place;
+    change -= moved.linearisation_point;
     moved.G->vmult_add(dst, change, 1);
   }
 
@@ -487,19 +493,19 @@ namespace Signorini
 
 
   std::size_t
-  GapOperator::memory() const
+  GapOperator::memory_consumption() const
   {
     std::size_t                           bytes    = 0;
     std::vector<const LA::SparseMatrix *> matrices = {
-      &B, &B_free, &S, &S_free, &S_thermal, &S_bulk};
+      &B, &B_free, &S, &S_free, &S_thermal, &S_volumetric};
     for (const auto *more : {&tangential.B, &tangential.B_free})
       for (const LA::SparseMatrix &matrix : *more)
         matrices.push_back(&matrix);
     for (const LA::SparseMatrix *matrix : matrices)
       if (matrix->m() > 0)
-        bytes += LA::memory(*matrix);
+        bytes += LA::memory_consumption(*matrix);
     if (moved.G)
-      bytes += moved.G->memory();
+      bytes += moved.G->memory_consumption();
     const std::size_t n_vectors =
       5 + geometry.position.size() + geometry.normal.size() + geometry.moment.size();
     return bytes + weight.locally_owned_size() * n_vectors * sizeof(double);

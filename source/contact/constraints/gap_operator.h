@@ -19,7 +19,7 @@ namespace Signorini
   /// What the contact law needs to know of each point.
   struct ContactCoefficients
   {
-    LA::Vector permanent; ///< 1 at points of pairs that never separate, else 0
+    LA::Vector bilateral; ///< 1 at points of pairs that never separate, else 0
     LA::Vector stiffness; ///< E/h [force/length^3]
     LA::Vector epsilon;   ///< of the contact law, ContactMethod::penalty(), likewise
   };
@@ -43,9 +43,9 @@ namespace Signorini
     std::vector<dealii::types::global_dof_index> node;
     /// Where on the slave faces of this rank the rows are, and these rows, with those of other
     /// ranks.
-    std::vector<FacePlaces> places;
-    dealii::IndexSet        readable;
-    ContactRegions          regions;
+    std::vector<SurfacePoints> places;
+    dealii::IndexSet           readable;
+    ContactRegions             regions;
   };
 
   /// How the forces of the pressures at the contact points change as surfaces move, see
@@ -68,7 +68,7 @@ namespace Signorini
 
     /// Bytes on this rank.
     virtual std::size_t
-    memory() const = 0;
+    memory_consumption() const = 0;
   };
 
   /// The slip of the slave relative to the master along dim - 1 tangents of each point, B_a u +
@@ -84,8 +84,8 @@ namespace Signorini
   /// Contact on surfaces that have moved by u_k, to first order about that place; empty at rest.
   struct MovedContact
   {
-    LA::Vector drift;                      ///< what the true gap at u_k is beyond B u_k + rest_gap
-    LA::Vector place;                      ///< u_k
+    LA::Vector gap_offset;          ///< what the true gap at u_k is beyond B u_k + reference_gap
+    LA::Vector linearisation_point; ///< u_k
     std::unique_ptr<GeometricStiffness> G; ///< null: zero
   };
 
@@ -99,12 +99,12 @@ namespace Signorini
   /// points, positive in compression, less what loads exert on the surfaces there, since
   /// sigma n = - p n + t, and p exerts B^T W p + theta S^T W (s - p)/eps. s_0 comes
   /// with such loads, with thermal strain, and with large deformation, where S is the derivative of
-  /// the stress where the surfaces are; of mixed bodies, with their bulk stress m, s has T m
+  /// the stress where the surfaces are; of mixed bodies, with their volumetric stress m, s has T m
   /// beside, and p exerts theta T^T W (s - p)/eps on m.
   struct GapOperator
   {
     dealii::IndexSet dofs; ///< locally owned degrees of freedom
-    LA::SparseMatrix B;    ///< columns: all degrees of freedom (hanging nodes resolved)
+    LA::SparseMatrix B;    ///< columns: all degrees of freedom (hanging nodes condensed)
     /// The same for changes of free degrees of freedom: without the columns of prescribed
     /// displacements, those of tied components added to the ones that move them.
     LA::SparseMatrix B_free;
@@ -112,12 +112,14 @@ namespace Signorini
     LA::SparseMatrix S_thermal; ///< of s_0, by ThermalStrain::coefficients(); empty: none expands
     LA::Vector       thermal_stress; ///< what that is now; empty: zero
     LA::Vector       fixed_stress;   ///< what else there is of s_0; empty: zero
-    LA::SparseMatrix S_bulk;         ///< T, by BulkStress::coefficients(); empty: no body is mixed
-    double           theta = 0;      ///< see above
-    bool       tied = false; ///< B refers to components that supports tie to others, see B_free
-    LA::Vector weight;       ///< area of each point; sums up to the slave area that has a partner
-    LA::Vector rest_gap;     ///< from the geometry
-    LA::Vector initial_gap;  ///< g_0: the same with the share of overlaps that counts now
+    LA::SparseMatrix
+           S_volumetric; ///< T, by VolumetricStress::coefficients(); empty: no body is mixed
+    double theta = 0;    ///< see above
+    bool   has_condensed_constraints =
+      false;           ///< B refers to components that supports tie to others, see B_free
+    LA::Vector weight; ///< area of each point; sums up to the slave area that has a projection
+    LA::Vector reference_gap;         ///< from the geometry
+    LA::Vector initial_gap;           ///< g_0: the same with the share of overlaps that counts now
     std::vector<double> interference; ///< that share of each pair; empty: all
 
     TangentialRows      tangential;
@@ -135,9 +137,9 @@ namespace Signorini
     void
     set_start(const LA::Vector &u);
 
-    /// @param rises ThermalStrain::coefficients(); ignored without S_thermal
+    /// @param temperature_change ThermalStrain::coefficients(); ignored without S_thermal
     void
-    set_rises(const LA::Vector &rises);
+    set_temperature_change(const LA::Vector &temperature_change);
 
     /// B u + g_0; u must satisfy its constraints.
     LA::Vector
@@ -148,7 +150,7 @@ namespace Signorini
     gaps(const LA::Vector &u) const;
 
     /// S u + s_0 + T m, the normal stress of the bodies; zero if there is no S.
-    /// @param m BulkStress::coefficients(); ignored without T
+    /// @param m VolumetricStress::coefficients(); ignored without T
     LA::Vector
     stress(const LA::Vector &u, const LA::Vector &m = LA::Vector()) const;
 
@@ -157,9 +159,9 @@ namespace Signorini
     LA::Vector
     force(const PointVectors &p, const LA::Vector &s) const;
 
-    /// The one on the bulk stress of mixed bodies, which must be there.
+    /// The one on the volumetric stress of mixed bodies, which must be there.
     LA::Vector
-    force_on_bulk(const PointVectors &p, const LA::Vector &s) const;
+    force_on_volumetric_stress(const PointVectors &p, const LA::Vector &s) const;
 
     /// The same as force() on prescribed degrees of freedom too.
     LA::Vector
@@ -223,13 +225,13 @@ namespace Signorini
 
     /// Bytes of its matrices and vectors on this rank.
     std::size_t
-    memory() const;
+    memory_consumption() const;
 
     /// False: contact was looked for on surfaces that have moved.
     bool
     at_rest() const
     {
-      return moved.drift.size() == 0;
+      return moved.gap_offset.size() == 0;
     }
 
     bool
@@ -238,17 +240,17 @@ namespace Signorini
       return S.m() > 0;
     }
 
-    /// It depends on the bulk stress of mixed bodies.
+    /// It depends on the volumetric stress of mixed bodies.
     bool
-    has_bulk_stress() const
+    has_volumetric_stress() const
     {
-      return S_bulk.m() > 0;
+      return S_volumetric.m() > 0;
     }
 
   private:
     /// What S^T is applied to: theta W (s - p)/eps. @param p pressure
     LA::Vector
-    lack_of_stress(const LA::Vector &p, const LA::Vector &s) const;
+    nitsche_residual(const LA::Vector &p, const LA::Vector &s) const;
     LA::Vector
     transposed(bool is_free, const PointVectors &p, const LA::Vector &s) const;
   };

@@ -1,6 +1,6 @@
 #include "contact/constraints/geometric_stiffness.h"
 
-#include "contact/constraints/pressed_points.h"
+#include "contact/constraints/loaded_points.h"
 #include "linear_algebra/ghost_exchange.h"
 #include "linear_algebra/values.h"
 
@@ -20,7 +20,7 @@ namespace Signorini
     class PointwiseStiffness : public GeometricStiffness
     {
     public:
-      PointwiseStiffness(const Elasticity<dim> &elasticity, std::vector<PressedPoint<dim>> &&points)
+      PointwiseStiffness(const Elasticity<dim> &elasticity, std::vector<LoadedPoint<dim>> &&points)
         : points(std::move(points))
         , exchange(elasticity.owned(),
                    dofs(elasticity.owned().size()),
@@ -43,7 +43,7 @@ namespace Signorini
         exchange.fetch(u.data(), u.data() + n_owned);
 
         f.assign(u.size(), 0.);
-        for (const PressedPoint<dim> &point : points)
+        for (const LoadedPoint<dim> &point : points)
           {
             point.evaluate_rows(u.data(), T);
             CT.assign(T.size(), 0.);
@@ -75,12 +75,12 @@ namespace Signorini
           names.numbers[line] = -1;
         exchange.fetch(names.numbers.data(), names.numbers.data() + n_owned);
         for (std::vector<double> &shares : names.shares)
-          if (has_ties)
+          if (has_condensed_dofs)
             shares.assign(names.numbers.size(), 0.);
         for (const auto &[line, other, share] : ties)
           names.shares[other + dim - 1 - line][line] = share;
         for (std::vector<double> &shares : names.shares)
-          if (has_ties)
+          if (has_condensed_dofs)
             exchange.fetch(shares.data(), shares.data() + n_owned);
         u.assign(names.numbers.size(), 0.);
         std::vector<Named> named, before;
@@ -90,7 +90,7 @@ namespace Signorini
             for (unsigned int l = 0; l < before.size(); ++l)
               add(before[k].number, before[l].number, sum(k, l));
         };
-        for (const PressedPoint<dim> &point : points)
+        for (const LoadedPoint<dim> &point : points)
           {
             name_dofs(point, names, named);
             if (named.empty())
@@ -107,9 +107,9 @@ namespace Signorini
             weighted.reinit(n, named.size());
             for (unsigned int k = 0; k < named.size(); ++k)
               {
-                u[named[k].place] = named[k].share;
+                u[named[k].slot] = named[k].share;
                 point.evaluate_rows(u.data(), T);
-                u[named[k].place] = 0;
+                u[named[k].slot] = 0;
                 for (unsigned int i = 0; i < n; ++i)
                   rows(i, k) = T[i];
               }
@@ -120,12 +120,12 @@ namespace Signorini
       }
 
       std::size_t
-      memory() const override
+      memory_consumption() const override
       {
         std::size_t bytes = 0;
-        for (const PressedPoint<dim> &point : points)
+        for (const LoadedPoint<dim> &point : points)
           bytes += sizeof(point) +
-                   (point.slave.size() + point.master.size()) * sizeof(NodeFunction<dim>) +
+                   (point.slave.size() + point.master.size()) * sizeof(NodeShapeFunction<dim>) +
                    point.factors.size() * sizeof(double);
         return bytes;
       }
@@ -134,13 +134,13 @@ namespace Signorini
       /// A degree of freedom as a share of one that has a number.
       struct Named
       {
-        std::uint32_t place;
+        std::uint32_t slot;
         double        share, number;
 
         bool
         operator==(const Named &other) const
         {
-          return std::tie(place, share, number) == std::tie(other.place, other.share, other.number);
+          return std::tie(slot, share, number) == std::tie(other.slot, other.share, other.number);
         }
       };
 
@@ -154,21 +154,21 @@ namespace Signorini
 
       /// Those of a point.
       void
-      name_dofs(const PressedPoint<dim> &point, const Names &names, std::vector<Named> &named) const
+      name_dofs(const LoadedPoint<dim> &point, const Names &names, std::vector<Named> &named) const
       {
         named.clear();
-        const auto take = [&](const std::uint32_t place) {
+        const auto take = [&](const std::uint32_t slot) {
           const auto name = [&](const std::uint32_t other, const double share) {
             if (names.numbers[other] >= 0)
-              named.push_back({place, share, names.numbers[other]});
+              named.push_back({slot, share, names.numbers[other]});
           };
-          name(place, 1);
-          for (unsigned int k = 0; k < names.shares.size() && has_ties; ++k)
-            if (const double share = names.shares[k][place]; share != 0)
-              name(place + k + 1 - dim, share);
+          name(slot, 1);
+          for (unsigned int k = 0; k < names.shares.size() && has_condensed_dofs; ++k)
+            if (const double share = names.shares[k][slot]; share != 0)
+              name(slot + k + 1 - dim, share);
         };
         for (const auto *functions : {&point.slave, &point.master})
-          for (const NodeFunction<dim> &function : *functions)
+          for (const NodeShapeFunction<dim> &function : *functions)
             for (unsigned int d = 0; d < dim; ++d)
               take(function.node + d);
         std::vector<std::uint32_t> rigid;
@@ -185,12 +185,12 @@ namespace Signorini
       dofs(const types::global_dof_index n_dofs) const
       {
         std::vector<types::global_dof_index> indices;
-        const PressedPoint<dim>             *before = nullptr;
-        for (const PressedPoint<dim> &point : points)
+        const LoadedPoint<dim>              *before = nullptr;
+        for (const LoadedPoint<dim> &point : points)
           {
             if (before == nullptr || !same_nodes(*before, point))
               for (const auto *functions : {&point.slave, &point.master})
-                for (const NodeFunction<dim> &function : *functions)
+                for (const NodeShapeFunction<dim> &function : *functions)
                   for (unsigned int d = 0; d < dim; ++d)
                     indices.push_back(function.node + d);
             before = &point;
@@ -208,14 +208,14 @@ namespace Signorini
       void
       use_places()
       {
-        for (PressedPoint<dim> &point : points)
+        for (LoadedPoint<dim> &point : points)
           {
             for (auto *functions : {&point.slave, &point.master})
-              for (NodeFunction<dim> &function : *functions)
-                function.node = exchange.place(function.node);
+              for (NodeShapeFunction<dim> &function : *functions)
+                function.node = exchange.local_index(function.node);
             for (SparseRow &row : point.rigid)
               for (auto &entry : row)
-                entry.first = exchange.place(entry.first);
+                entry.first = exchange.local_index(entry.first);
           }
       }
 
@@ -227,21 +227,22 @@ namespace Signorini
         const auto &owned       = elasticity.owned();
         for (const auto line : owned)
           if (constraints.is_constrained(line))
-            fixed.push_back(exchange.place(line));
-        for (const auto &[first, node] : elasticity.held_nodes())
+            fixed.push_back(exchange.local_index(line));
+        for (const auto &[first, node] : elasticity.constrained_nodes())
           for (const auto line : node.dofs)
             if (owned.is_element(line) && constraints.is_constrained(line))
               for (const auto &[other, share] : *constraints.get_constraint_entries(line))
-                ties.emplace_back(exchange.place(line), exchange.place(other), share);
-        has_ties = Utilities::MPI::max(ties.empty() ? 0 : 1, elasticity.mesh().communicator()) == 1;
+                ties.emplace_back(exchange.local_index(line), exchange.local_index(other), share);
+        has_condensed_dofs =
+          Utilities::MPI::max(ties.empty() ? 0 : 1, elasticity.mesh().communicator()) == 1;
       }
 
-      std::vector<PressedPoint<dim>>                                points;
+      std::vector<LoadedPoint<dim>>                                 points;
       const LA::GhostExchange<double>                               exchange;
       std::vector<std::uint32_t>                                    fixed; ///< constrained
       std::vector<std::tuple<std::uint32_t, std::uint32_t, double>> ties;
-      bool                                                          has_ties = false; ///< any rank
-      mutable std::vector<double>                                   u, f, T, CT;      ///< T: rows
+      bool                        has_condensed_dofs = false; ///< any rank
+      mutable std::vector<double> u, f, T, CT;                ///< T: rows
     };
   } // namespace
 
@@ -255,7 +256,7 @@ namespace Signorini
                       const PointVectors                     &traction)
   {
     return std::make_unique<PointwiseStiffness<dim>>(
-      elasticity, pressed_points(surfaces, rows, traction, elasticity.mesh().communicator()));
+      elasticity, loaded_points(surfaces, rows, traction, elasticity.mesh().communicator()));
   }
 
 

@@ -6,13 +6,13 @@
 namespace Signorini
 {
   /// How the forces of given tractions change as surfaces move, on free degrees of freedom: of
-  /// pressures G = sum_q p_q w_q d2 g_q/du2 over the contact points and seams. K - G is the
+  /// pressures G = sum_q p_q w_q d2 g_q/du2 over the contact points and segment edges. K - G is the
   /// derivative of the forces out of balance, in the condensed and in the saddle point form.
   ///
   /// The tangential traction T = sum_a t_a tau_a on the slave does the work T.(dS - dM(xi)) in a
-  /// virtual displacement d, S and M the slave's point and its partner. With the change u of the
+  /// virtual displacement d, S and M the slave's point and its projection. With the change u of the
   /// displacement the tangents tau_a turn with the contact normal n and about it, by the angle
-  /// omega, and the partner moves on by dxi:
+  /// omega, and the projection moves on by dxi:
   ///
   ///   G(d, u) = w [-(T.dn) n.(dS - dM) + omega T'.(dS - dM) - dxi_b T.dM,b],
   ///

@@ -100,7 +100,7 @@ namespace Signorini
 
     /// Adds the functions of nodes to those of the nearest of some of them: a row a node of these.
     Eigen::MatrixXd
-    taken_over(const Nodes &nodes, const Numbers &takers)
+    absorbed_nodes(const Nodes &nodes, const Numbers &takers)
     {
       Eigen::MatrixXd L = Eigen::MatrixXd::Zero(takers.size(), nodes.size());
       for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -143,10 +143,12 @@ namespace Signorini
       return left.front();
     }
 
-    /// The nodes that carry the pressure of a face of which only a part has a partner, so that
+    /// The nodes that carry the pressure of a face of which only a part has a projection, so that
     /// their functions are independent there.
     Numbers
-    bearers(const Nodes &nodes, const Eigen::VectorXd &whole, const Integrals &functions)
+    multiplier_carriers(const Nodes           &nodes,
+                        const Eigen::VectorXd &whole,
+                        const Integrals       &functions)
     {
       constexpr double      enough = 0.25;
       const Eigen::VectorXd shares = functions.D.cwiseQuotient(whole);
@@ -157,7 +159,7 @@ namespace Signorini
           result.push_back(i);
       while (result.size() > 1)
         {
-          const Integrals taken = functions.combined(taken_over(nodes, result));
+          const Integrals taken = functions.combined(absorbed_nodes(nodes, result));
           if (taken.are_independent())
             break;
           result.erase(result.begin() + most_dependent(taken));
@@ -188,8 +190,8 @@ namespace Signorini
             Eigen::VectorXd whole(nodes.size());
             for (unsigned int i = 0; i < nodes.size(); ++i)
               whole[i] = nodes[i].share * area;
-            own          = bearers(nodes, whole, functions);
-            coefficients = taken_over(nodes, own);
+            own          = multiplier_carriers(nodes, whole, functions);
+            coefficients = absorbed_nodes(nodes, own);
             taken        = functions.combined(coefficients);
           }
         if (basis == Basis::dual && taken.are_independent())

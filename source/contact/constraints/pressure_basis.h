@@ -19,10 +19,10 @@ namespace Signorini
 
   /// The basis on one slave face, from the shape functions there. Both bases sum up to one.
   ///
-  /// Duality holds on that part of the face that has a partner (Cichosz, Bischoff, Comput. Methods
-  /// Appl. Mech. Engrg. 200 (2011) 1317-1332). A node that has less than a quarter of its area
-  /// there has no pressure of its own: the force that holds it where the master would go on, over
-  /// so small an area, is no pressure of that place (Popp, Wohlmuth, Gee, Wall, SIAM J. Sci.
+  /// Duality holds on that part of the face that has a projection (Cichosz, Bischoff, Comput.
+  /// Methods Appl. Mech. Engrg. 200 (2011) 1317-1332). A node that has less than a quarter of its
+  /// area there has no pressure of its own: the force that holds it where the master would go on,
+  /// over so small an area, is no pressure of that place (Popp, Wohlmuth, Gee, Wall, SIAM J. Sci.
   /// Comput. 34 (2012) B421-B446, have the same trouble). The nearest node with more of its area
   /// takes its function over, so that the functions sum up to one also there; and so it is where
   /// functions hardly differ on the covered part, until the pressure of the face is constant.

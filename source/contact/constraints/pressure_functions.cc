@@ -23,12 +23,12 @@ namespace Signorini
                    const FacePatch<dim>         &face,
                    const Point<dim - 1>         &xi)
   {
-    const auto node = elasticity.held_nodes().find(first);
-    if (node != elasticity.held_nodes().end() &&
+    const auto node = elasticity.constrained_nodes().find(first);
+    if (node != elasticity.constrained_nodes().end() &&
         node->second.free_part(face.normal(xi)).norm() < 0.1)
       return false;
     return elasticity.model() != Model::axisymmetric || degree < 2 ||
-           face.position(xi)[0] >= 1e-10 * elasticity.lever();
+           face.position(xi)[0] >= 1e-10 * elasticity.rotation_length_scale();
   }
 
 
@@ -92,17 +92,17 @@ namespace Signorini
                          const Basis                          kind,
                          const BoundaryFaces<dim>            &slave,
                          const std::vector<PairedPoint<dim>> &paired_points,
-                         const std::vector<PairedPoint<dim>> &paired_seams,
+                         const std::vector<PairedPoint<dim>> &paired_edge_points,
                          std::vector<ContactPoint<dim>>      &points,
-                         std::vector<Seam<dim>>              &seams)
+                         std::vector<EdgeContactPoint<dim>>  &edge_points)
   {
     // Otherwise a law says what the pressure is, even where nothing can move.
-    const bool must_balance =
-      method.predictor() == Predictor::multiplier || method.predictor() == Predictor::last_pressure;
+    const bool must_balance = method.pressure_shift() == PressureShift::multiplier ||
+                              method.pressure_shift() == PressureShift::last_pressure;
     Trace<dim>                 trace(elasticity);
     std::vector<SparseRow>     shapes;
     std::vector<double>        weights;
-    auto                       seam = paired_seams.begin();
+    auto                       edge_point = paired_edge_points.begin();
     std::vector<PressureNodes> result(slave.faces.size());
     for (unsigned int first = 0, last = 0; first < points.size(); first = last)
       {
@@ -129,23 +129,25 @@ namespace Signorini
         for (const FaceNode &node : nodes)
           if (basis.has(node.index))
             of_face.own.push_back(node.index);
-        seam = std::find_if(seam, paired_seams.end(), [&](const auto &paired) {
+        edge_point = std::find_if(edge_point, paired_edge_points.end(), [&](const auto &paired) {
           return paired.face >= points[first].face;
         });
-        for (; seam != paired_seams.end() && seam->face == points[first].face; ++seam)
+        for (; edge_point != paired_edge_points.end() && edge_point->face == points[first].face;
+             ++edge_point)
           {
-            SparseRow &shape = seams[seam - paired_seams.begin()].shape;
-            shape            = basis.at(trace.unresolved_shape(seam->xi));
-            resolve(elasticity.hanging_nodes(), shape);
+            SparseRow &shape =
+              edge_points[edge_point - paired_edge_points.begin()].multiplier_shape;
+            shape = basis.at(trace.unresolved_shape(edge_point->xi));
+            condense_hanging_nodes(elasticity.hanging_nodes(), shape);
           }
         for (unsigned int q = first; q < last; ++q)
           {
-            points[q].shape = basis.at(shapes[q - first]);
-            resolve(elasticity.hanging_nodes(), points[q].shape);
+            points[q].multiplier_shape = basis.at(shapes[q - first]);
+            condense_hanging_nodes(elasticity.hanging_nodes(), points[q].multiplier_shape);
             if (kind == Basis::standard)
               continue;
             points[q].interpolation = standard.at(shapes[q - first]);
-            resolve(elasticity.hanging_nodes(), points[q].interpolation);
+            condense_hanging_nodes(elasticity.hanging_nodes(), points[q].interpolation);
           }
       }
     return result;
@@ -173,7 +175,7 @@ namespace Signorini
                          const std::vector<PairedPoint<2>> &,
                          const std::vector<PairedPoint<2>> &,
                          std::vector<ContactPoint<2>> &,
-                         std::vector<Seam<2>> &);
+                         std::vector<EdgeContactPoint<2>> &);
   template std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<3> &,
                          const ContactMethod &,
@@ -182,5 +184,5 @@ namespace Signorini
                          const std::vector<PairedPoint<3>> &,
                          const std::vector<PairedPoint<3>> &,
                          std::vector<ContactPoint<3>> &,
-                         std::vector<Seam<3>> &);
+                         std::vector<EdgeContactPoint<3>> &);
 } // namespace Signorini

@@ -17,7 +17,7 @@ namespace Signorini
                    const dealii::Point<dim - 1>   &xi);
 
   /// On a slave face: the nodes with functions of their own, by their first degrees of freedom, and
-  /// the share of its area that has a partner.
+  /// the share of its area that has a projection.
   struct PressureNodes
   {
     std::vector<dealii::types::global_dof_index> own;
@@ -26,10 +26,11 @@ namespace Signorini
 
   /// Sets the functions of the pressure at the points of a surface (`shape` and `interpolation`).
   /// Nodes that cannot move along the normal carry none if the pressure is an unknown of its own,
-  /// nor do those whose area the master hardly covers; their neighbours take over. Those of seams
+  /// nor do those whose area the master hardly covers; their neighbours take over. Those of segment
+  /// edges
   /// (`shape`) likewise, on faces that have points. Returns what each face of the slave has: no
   /// nodes where all are prescribed, or where there are no points.
-  /// @param paired_points and points: the same ones, face by face; and so are seams
+  /// @param paired_points and points: the same ones, face by face; and so are segment edges
   template <int dim>
   std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<dim>               &elasticity,
@@ -37,7 +38,7 @@ namespace Signorini
                          Basis                                basis,
                          const BoundaryFaces<dim>            &slave,
                          const std::vector<PairedPoint<dim>> &paired_points,
-                         const std::vector<PairedPoint<dim>> &paired_seams,
+                         const std::vector<PairedPoint<dim>> &paired_edge_points,
                          std::vector<ContactPoint<dim>>      &points,
-                         std::vector<Seam<dim>>              &seams);
+                         std::vector<EdgeContactPoint<dim>>  &edge_points);
 } // namespace Signorini

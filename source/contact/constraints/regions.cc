@@ -31,7 +31,7 @@ namespace Signorini
     };
 
     void
-    sort_and_unite(std::vector<unsigned int> &numbers)
+    sort_and_remove_duplicates(std::vector<unsigned int> &numbers)
     {
       std::sort(numbers.begin(), numbers.end());
       numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
@@ -64,11 +64,11 @@ namespace Signorini
         for (unsigned int q = 0; q < surfaces[p].points.size(); ++q)
           {
             Numbers &face = faces[first + surfaces[p].points[q].face];
-            for (const Share &share : nodes.shares[p][q])
-              face.push_back(layout->global_to_local(share.row));
+            for (const Share &maximise_over_ranks : nodes.shares[p][q])
+              face.push_back(layout->global_to_local(maximise_over_ranks.row));
           }
         for (std::size_t f = first; f < faces.size(); ++f)
-          sort_and_unite(faces[f]);
+          sort_and_remove_duplicates(faces[f]);
         if (!at_nodes)
           for (const ContactPoint<dim> &point : surfaces[p].points)
             points.push_back(faces[first + point.face]);
@@ -94,7 +94,7 @@ namespace Signorini
         ++point;
       }
 
-    share(number);
+    maximise_over_ranks(number);
 
     Connected sets(n);
     for (const Numbers &face : faces)
@@ -122,14 +122,14 @@ namespace Signorini
             }
         if (Utilities::MPI::max<unsigned int>(has_changed, layout->get_mpi_communicator()) == 0)
           return number;
-        share(number);
+        maximise_over_ranks(number);
       }
   }
 
 
 
   void
-  ContactRegions::share(std::vector<Index> &number) const
+  ContactRegions::maximise_over_ranks(std::vector<Index> &number) const
   {
     LinearAlgebra::distributed::Vector<double> field(layout);
     for (unsigned int i = 0; i < number.size(); ++i)

@@ -59,7 +59,7 @@ namespace Signorini
 
     /// The largest of the numbers that ranks have of a node. Collective.
     void
-    share(std::vector<Index> &number) const;
+    maximise_over_ranks(std::vector<Index> &number) const;
 
     /// @param sum_of points of this rank, by numbers of regions; out: of all ranks
     void

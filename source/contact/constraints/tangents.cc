@@ -13,7 +13,7 @@ namespace Signorini
     /// `to`.
     template <int dim>
     Tensor<1, dim>
-    turned(const Tensor<1, dim> &v, const Tensor<1, dim> &from, const Tensor<1, dim> &to)
+    rotated(const Tensor<1, dim> &v, const Tensor<1, dim> &from, const Tensor<1, dim> &to)
     {
       constexpr double least = 1e-12; // opposite normals: there is no such turn
       return v - (to * v) / std::max(1 + from * to, least) * (from + to);
@@ -101,20 +101,20 @@ namespace Signorini
   {
     std::vector<SurfaceFrame<dim>> result;
     result.reserve(points.size());
-    for (const auto &[face, xi, weight, partner, is_beside] : points)
+    for (const auto &[face, xi, weight, master_point, is_beside] : points)
       {
         const FacePatch<dim> &rest = slave.rest[face], &now = slave.patches[face];
         SurfaceFrame<dim>    &frame = result.emplace_back();
         frame.normal                = rest.normal(xi);
         frame.parameters            = parameters_of(rest, xi);
         frame.deformation           = deformation_of(rest, now, xi);
-        frame.apart                 = now.position(xi) - partner.position;
+        frame.apart                 = now.position(xi) - master_point.position;
         frame.deformation_at_start  = frame.deformation; // no slip
         frame.apart_at_start        = frame.apart;
         if (slave.start.empty())
           continue;
         frame.deformation_at_start = deformation_of(rest, slave.start[face], xi);
-        frame.apart_at_start       = slave.start[face].position(xi) - partner.start;
+        frame.apart_at_start       = slave.start[face].position(xi) - master_point.start;
       }
     return result;
   }
@@ -176,7 +176,7 @@ namespace Signorini
     Frame                     result;
     for (unsigned int a = 0; a < dim - 1; ++a)
       {
-        const Tensor<1, dim> v = turned(of_row[a], mean, normal_at_rest);
+        const Tensor<1, dim> v = rotated(of_row[a], mean, normal_at_rest);
         for (unsigned int j = 0; j < dim - 1; ++j)
           result[a] += (v * rest[j]) * now.vectors[j];
       }

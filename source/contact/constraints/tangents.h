@@ -63,9 +63,9 @@ namespace Signorini
        const dealii::Tensor<1, dim>   &direction) const;
 
     /// Where surfaces have moved, the slip of this load step at a point along the tangents of the
-    /// row: with x and y the slave's point and its partner, and with the tangents t, the change of
-    /// t.(x - y) since the start of the load step, of the points that are partners now. A rigid
-    /// motion of both surfaces does not change it.
+    /// row: with x and y the slave's point and its projection, and with the tangents t, the change
+    /// of t.(x - y) since the start of the load step, of the points that are projections now. A
+    /// rigid motion of both surfaces does not change it.
     dealii::Tensor<1, dim - 1>
     slip(dealii::types::global_dof_index row,
          const SurfaceFrame<dim>        &frame,

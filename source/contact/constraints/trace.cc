@@ -45,7 +45,7 @@ namespace Signorini
 
     template <int dim>
     void
-    unite(FaceFunctions<dim> &functions)
+    sum_duplicates(FaceShapeFunctions<dim> &functions)
     {
       std::sort(functions.begin(), functions.end(), [](const auto &a, const auto &b) {
         return a.node < b.node;
@@ -65,26 +65,28 @@ namespace Signorini
 
     template <int dim>
     void
-    resolve(const AffineConstraints<double> &hanging, FaceFunctions<dim> &functions)
+    condense_hanging_nodes(const AffineConstraints<double> &hanging,
+                           FaceShapeFunctions<dim>         &functions)
     {
-      const auto scaled =
-        [](NodeFunction<dim> function, const types::global_dof_index node, const double weight) {
-          function.node = node;
-          function.value *= weight;
-          for (double &slope : function.slopes)
-            slope *= weight;
-          return function;
-        };
+      const auto scaled = [](NodeShapeFunction<dim>        function,
+                             const types::global_dof_index node,
+                             const double                  weight) {
+        function.node = node;
+        function.value *= weight;
+        for (double &slope : function.slopes)
+          slope *= weight;
+        return function;
+      };
       if (replace_hanging(
             hanging, functions, [](const auto &function) { return function.node; }, scaled))
-        unite<dim>(functions);
+        sum_duplicates<dim>(functions);
     }
   } // namespace
 
 
 
   void
-  unite(SparseRow &row)
+  sum_duplicates(SparseRow &row)
   {
     std::sort(row.begin(), row.end());
     std::size_t last = 0;
@@ -100,7 +102,7 @@ namespace Signorini
 
 
   void
-  resolve(const AffineConstraints<double> &hanging, SparseRow &row)
+  condense_hanging_nodes(const AffineConstraints<double> &hanging, SparseRow &row)
   {
     using Entry       = SparseRow::value_type;
     const auto scaled = [](const Entry &entry, const auto index, const double weight) {
@@ -108,7 +110,7 @@ namespace Signorini
     };
     if (replace_hanging(
           hanging, row, [](const Entry &entry) { return entry.first; }, scaled))
-      unite(row);
+      sum_duplicates(row);
   }
 
 
@@ -164,7 +166,7 @@ namespace Signorini
 
 
   template <int dim>
-  FaceFunctions<dim>
+  FaceShapeFunctions<dim>
   Trace<dim>::unresolved(const Parameter &xi) const
   {
     // The polynomials of a line: value and derivative of each, for each parameter.
@@ -174,12 +176,12 @@ namespace Signorini
       for (unsigned int i = 0; i < n; ++i)
         element->line[i].value(xi[d], 1, &lines[2 * (d * n + i)]);
 
-    FaceFunctions<dim> result;
+    FaceShapeFunctions<dim> result;
     result.reserve(nodes.size());
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const auto       &place = element->nodes[face][k].place;
-        NodeFunction<dim> one{nodes[k], 1., {}};
+        const auto            &place = element->nodes[face][k].place;
+        NodeShapeFunction<dim> one{nodes[k], 1., {}};
         one.slopes.fill(1.);
         for (unsigned int d = 0; d < dim - 1; ++d)
           {
@@ -196,11 +198,11 @@ namespace Signorini
 
 
   template <int dim>
-  FaceFunctions<dim>
+  FaceShapeFunctions<dim>
   Trace<dim>::functions(const Parameter &xi) const
   {
-    FaceFunctions<dim> result = unresolved(xi);
-    resolve<dim>(hanging, result);
+    FaceShapeFunctions<dim> result = unresolved(xi);
+    condense_hanging_nodes<dim>(hanging, result);
     return result;
   }
 
@@ -211,7 +213,7 @@ namespace Signorini
   Trace<dim>::unresolved_shape(const Parameter &xi) const
   {
     SparseRow row;
-    for (const NodeFunction<dim> &function : unresolved(xi))
+    for (const NodeShapeFunction<dim> &function : unresolved(xi))
       if (std::abs(function.value) > zero)
         row.emplace_back(function.node, function.value);
     return row;
@@ -224,7 +226,7 @@ namespace Signorini
   Trace<dim>::shape(const Parameter &xi) const
   {
     SparseRow row = unresolved_shape(xi);
-    Signorini::resolve(hanging, row);
+    Signorini::condense_hanging_nodes(hanging, row);
     return row;
   }
 

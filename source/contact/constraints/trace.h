@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/search/partner.h"
+#include "contact/search/master_projection.h"
 #include "solid/elasticity.h"
 
 #include <deal.II/base/polynomial.h>
@@ -13,11 +13,11 @@ namespace Signorini
 {
   /// Sum entries of the same index.
   void
-  unite(SparseRow &row);
+  sum_duplicates(SparseRow &row);
 
   /// Replace hanging nodes by the nodes that they hang on. Sorts and unites a row that has any.
   void
-  resolve(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
+  condense_hanging_nodes(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
 
   /// Shape functions of a cell at points of one of its faces, by nodes. Keeps a reference to its
   /// argument.
@@ -33,8 +33,8 @@ namespace Signorini
     void
     reinit(const Cell &cell, unsigned int face);
 
-    /// Hanging nodes resolved.
-    FaceFunctions<dim>
+    /// Hanging nodes condensed.
+    FaceShapeFunctions<dim>
     functions(const Parameter &xi) const;
 
     /// The values alone, without those that are zero.
@@ -64,7 +64,7 @@ namespace Signorini
     static Element
     element_of(const dealii::FiniteElement<dim> &fe);
 
-    FaceFunctions<dim>
+    FaceShapeFunctions<dim>
     unresolved(const Parameter &xi) const;
 
     const dealii::AffineConstraints<double> &hanging;

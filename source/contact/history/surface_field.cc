@@ -26,7 +26,7 @@ namespace Signorini
 
   namespace
   {
-    using Values = std::vector<PlaceValue>;
+    using Values = std::vector<SurfacePointValue>;
 
     /// Where along the axes of a face the child of a cell lies: 0 or 1.
     std::array<unsigned int, 2>
@@ -63,7 +63,7 @@ namespace Signorini
     }
 
     double
-    distance_square(const FacePlace &a, const FacePlace &b)
+    distance_square(const SurfacePoint &a, const SurfacePoint &b)
     {
       return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
     }
@@ -81,7 +81,7 @@ namespace Signorini
         return 0;
       for (unsigned int i = 0; i < values.size(); ++i)
         {
-          const FacePlace node = {
+          const SurfacePoint node = {
             {double(i % n) / (n - 1), dim == 3 ? double(i / n) / (n - 1) : 0.}};
           if (distance_square(values[i].place, node) > rounding * rounding)
             return 0;
@@ -91,17 +91,17 @@ namespace Signorini
 
     /// A number of a place that is interpolated: the pressure, then the history.
     double
-    entry(const PlaceValue &value, const unsigned int k)
+    entry(const SurfacePointValue &value, const unsigned int k)
     {
       return k == 0 ? value.pressure : value.history[k - 1];
     }
 
     template <int dim>
     double
-    polynomial(const Values      &values,
-               const unsigned int degree,
-               const FacePlace   &place,
-               const unsigned int k)
+    polynomial(const Values       &values,
+               const unsigned int  degree,
+               const SurfacePoint &place,
+               const unsigned int  k)
     {
       Point<dim - 1> xi;
       for (unsigned int d = 0; d < dim - 1; ++d)
@@ -116,11 +116,11 @@ namespace Signorini
     /// The value at the place of the plane that fits best near there (moving least squares,
     /// Lancaster, Salkauskas, Math. Comp. 37 (1981) 141); a mean where places have no plane.
     double
-    plane(const Values &values, const FacePlace &place, const unsigned int k)
+    plane(const Values &values, const SurfacePoint &place, const unsigned int k)
     {
       Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
       Eigen::Vector3d b = Eigen::Vector3d::Zero();
-      for (const PlaceValue &value : values)
+      for (const SurfacePointValue &value : values)
         {
           const double          square = distance_square(value.place, place) + 1e-6;
           const double          weight = 1 / (square * square);
@@ -135,13 +135,13 @@ namespace Signorini
       return A.ldlt().solve(b)[0];
     }
 
-    PlaceValue
-    interpolate(const Values &values, const FacePlace &place, const unsigned int dim)
+    SurfacePointValue
+    interpolate(const Values &values, const SurfacePoint &place, const unsigned int dim)
     {
-      for (const PlaceValue &value : values)
+      for (const SurfacePointValue &value : values)
         if (distance_square(value.place, place) < rounding * rounding)
           return value;
-      PlaceValue result;
+      SurfacePointValue result;
       result.place = place;
       if (values.empty())
         return result;
@@ -156,7 +156,7 @@ namespace Signorini
         result.history.push_back(at(k + 1));
       // Closed where there is pressure, and then as the closest place that is.
       double closest = std::numeric_limits<double>::max();
-      for (const PlaceValue &value : values)
+      for (const SurfacePointValue &value : values)
         if (const double distance = distance_square(value.place, place);
             result.pressure > 0 && value.status > 0 && distance < closest)
           {
@@ -172,7 +172,7 @@ namespace Signorini
 
 
   SurfaceField
-  SurfaceField::known_at(const std::vector<FaceId> &wanted, const MPI_Comm comm) const
+  SurfaceField::gathered_at(const std::vector<FaceId> &wanted, const MPI_Comm comm) const
   {
     std::vector<FaceId> names;
     for (const FaceId &id : wanted)
@@ -184,14 +184,14 @@ namespace Signorini
           names.push_back(child_of(id, child_at(id.face, {{half % 2, half / 2}}, dim)));
       }
     SurfaceField result(dim);
-    result.faces = look_up(faces, names, comm);
+    result.faces = gather_values(faces, names, comm);
     return result;
   }
 
 
 
-  std::optional<PlaceValue>
-  SurfaceField::at(const FaceId &face, const FacePlace &place) const
+  std::optional<SurfacePointValue>
+  SurfaceField::at(const FaceId &face, const SurfacePoint &place) const
   {
     if (const auto own = faces.find(face); own != faces.end())
       return interpolate(own->second, place, dim);
@@ -206,7 +206,7 @@ namespace Signorini
         }
 
     std::array<unsigned int, 2> half{};
-    FacePlace                   there{};
+    SurfacePoint                there{};
     for (unsigned int d = 0; d + 1 < dim; ++d)
       {
         half[d]  = place[d] < 0.5 ? 0 : 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/interface/face_places.h"
+#include "contact/interface/surface_points.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -11,11 +11,11 @@
 namespace Signorini
 {
   /// What is known of contact at a place.
-  struct PlaceValue
+  struct SurfacePointValue
   {
-    FacePlace place{};
-    double    pressure = 0; ///< positive in compression [force/length^2]
-    double    status   = 0; ///< value of a ContactStatus
+    SurfacePoint place{};
+    double       pressure = 0; ///< positive in compression [force/length^2]
+    double       status   = 0; ///< value of a ContactStatus
     /// Vectors along the surface, turned and stretched back to where it is at rest, three
     /// components each: the tangential traction on the slave, if the law has one, and internal
     /// vectors. Then internal scalars.
@@ -46,13 +46,13 @@ namespace Signorini
     }
 
     void
-    set(const FaceId &face, std::vector<PlaceValue> values)
+    set(const FaceId &face, std::vector<SurfacePointValue> values)
     {
       faces[face] = std::move(values);
     }
 
     /// Of this rank.
-    const std::map<FaceId, std::vector<PlaceValue>> &
+    const std::map<FaceId, std::vector<SurfacePointValue>> &
     values() const
     {
       return faces;
@@ -61,17 +61,17 @@ namespace Signorini
     /// What ranks have to know to ask at() for the faces that they want, whoever knew it before:
     /// these faces, and those of their cells' parents and children. Collective.
     SurfaceField
-    known_at(const std::vector<FaceId> &wanted, MPI_Comm comm) const;
+    gathered_at(const std::vector<FaceId> &wanted, MPI_Comm comm) const;
 
     /// The values at a place: as they were set, if they were set there; else the polynomial through
     /// those of the face (where they are on a lattice), or a plane that weighs them by their
     /// distance. Of a face that is not known, those of its parent or of its children. Empty if they
     /// are not known either.
-    std::optional<PlaceValue>
-    at(const FaceId &face, const FacePlace &place) const;
+    std::optional<SurfacePointValue>
+    at(const FaceId &face, const SurfacePoint &place) const;
 
   private:
-    unsigned int                              dim;
-    std::map<FaceId, std::vector<PlaceValue>> faces;
+    unsigned int                                     dim;
+    std::map<FaceId, std::vector<SurfacePointValue>> faces;
   };
 } // namespace Signorini

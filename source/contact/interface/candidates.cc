@@ -20,14 +20,14 @@ namespace Signorini
 
   template <int dim>
   void
-  keep_candidates(const double                    reach,
+  keep_candidates(const double                    candidate_gap,
                   const BoundaryFaces<dim>       &slave,
                   std::vector<PairedPoint<dim>>  &paired,
                   std::vector<ContactPoint<dim>> &points)
   {
     std::vector<bool> is_near(slave.faces.size(), false);
     for (const ContactPoint<dim> &point : points)
-      if (point.gap_now() <= reach)
+      if (point.current_gap() <= candidate_gap)
         is_near[point.face] = true;
     const auto is_far = [&](const auto &point) { return !is_near[point.face]; };
     paired.erase(std::remove_if(paired.begin(), paired.end(), is_far), paired.end());
@@ -38,10 +38,10 @@ namespace Signorini
 
   template <int dim>
   void
-  keep_touching(const ContactPair<dim>         &pair,
-                const BoundaryFaces<dim>       &slave,
-                std::vector<PairedPoint<dim>>  &paired,
-                std::vector<ContactPoint<dim>> &points)
+  keep_zero_gap_points(const ContactPair<dim>         &pair,
+                       const BoundaryFaces<dim>       &slave,
+                       std::vector<PairedPoint<dim>>  &paired,
+                       std::vector<ContactPoint<dim>> &points)
   {
     constexpr double error_of_mesh = 0.1; // in face sizes
     const bool       is_given      = pair.gap_is_given();
@@ -73,10 +73,10 @@ namespace Signorini
                                 const BoundaryFaces<dim> &,                                        \
                                 std::vector<PairedPoint<dim>> &,                                   \
                                 std::vector<ContactPoint<dim>> &);                                 \
-  template void keep_touching(const ContactPair<dim> &,                                            \
-                              const BoundaryFaces<dim> &,                                          \
-                              std::vector<PairedPoint<dim>> &,                                     \
-                              std::vector<ContactPoint<dim>> &);
+  template void keep_zero_gap_points(const ContactPair<dim> &,                                     \
+                                     const BoundaryFaces<dim> &,                                   \
+                                     std::vector<PairedPoint<dim>> &,                              \
+                                     std::vector<ContactPoint<dim>> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -16,7 +16,7 @@ namespace Signorini
   /// Faces that are farther away than the reach are no candidates; overlapping ones always are.
   template <int dim>
   void
-  keep_candidates(double                          reach,
+  keep_candidates(double                          candidate_gap,
                   const BoundaryFaces<dim>       &slave,
                   std::vector<PairedPoint<dim>>  &paired,
                   std::vector<ContactPoint<dim>> &points);
@@ -25,8 +25,8 @@ namespace Signorini
   /// mesh, or what is within the search distance. Their gaps stay, their overlaps do not.
   template <int dim>
   void
-  keep_touching(const ContactPair<dim>         &pair,
-                const BoundaryFaces<dim>       &slave,
-                std::vector<PairedPoint<dim>>  &paired,
-                std::vector<ContactPoint<dim>> &points);
+  keep_zero_gap_points(const ContactPair<dim>         &pair,
+                       const BoundaryFaces<dim>       &slave,
+                       std::vector<PairedPoint<dim>>  &paired,
+                       std::vector<ContactPoint<dim>> &points);
 } // namespace Signorini

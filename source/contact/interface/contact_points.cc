@@ -1,6 +1,6 @@
 #include "contact/interface/contact_points.h"
 
-#include "contact/constraints/gap_bend.h"
+#include "contact/constraints/gap_second_variation.h"
 #include "contact/traction/stress_bounds.h"
 #include "geometry/lagrange.h"
 #include <signorini/contact/methods/method.h>
@@ -24,7 +24,7 @@ namespace Signorini
     public:
       InitialGap(const ContactPair<dim> &pair)
         : is_given(pair.gap_is_given())
-        , closed_up_to(pair.closed_up_to)
+        , closes_below(pair.closes_below)
         , formula(is_given && pair.initial_gap.text != "closed" ? pair.initial_gap : Formula("0"))
       {}
 
@@ -33,12 +33,12 @@ namespace Signorini
       {
         if (is_given)
           return formula.value(x, t);
-        return closed_up_to >= 0 && from_geometry <= closed_up_to ? 0. : from_geometry;
+        return closes_below >= 0 && from_geometry <= closes_below ? 0. : from_geometry;
       }
 
     private:
       const bool            is_given;
-      const double          closed_up_to;
+      const double          closes_below;
       const Expression<dim> formula;
     };
 
@@ -50,25 +50,27 @@ namespace Signorini
                   const double            stiffness,
                   const Trace<dim>       &trace)
     {
-      const Partner<dim> &partner = paired.partner;
-      const Point<dim>    x       = patch.position(paired.xi);
-      ContactPoint<dim>   point;
-      point.position        = rest.position(paired.xi);
-      point.master_position = partner.rest;
-      point.slave_place     = point.position;
-      point.master_place    = partner.rest;
-      point.normal          = partner.normal;
-      point.weight          = paired.weight;
-      point.facing          = -(patch.normal(paired.xi) * partner.normal);
-      point.gap             = gap_of(x, partner);
-      point.stiffness       = 1 / (1 / stiffness + 1 / partner.stiffness);
-      point.direction       = partner.normal;
-      point.slave           = trace.functions(paired.xi);
-      point.master          = partner.functions;
-      point.rigid           = partner.rigid;
-      point.bend            = partner.functions.empty() ? partner.bend : bend_of_bodies(x, partner);
-      point.face            = paired.face;
-      point.xi              = paired.xi;
+      const MasterProjection<dim> &master_point = paired.master_point;
+      const Point<dim>             x            = patch.position(paired.xi);
+      ContactPoint<dim>            point;
+      point.position           = rest.position(paired.xi);
+      point.master_position    = master_point.rest;
+      point.slave_force_point  = point.position;
+      point.master_force_point = master_point.rest;
+      point.normal             = master_point.normal;
+      point.weight             = paired.weight;
+      point.normal_alignment   = -(patch.normal(paired.xi) * master_point.normal);
+      point.gap                = gap_of(x, master_point);
+      point.stiffness          = 1 / (1 / stiffness + 1 / master_point.stiffness);
+      point.direction          = master_point.normal;
+      point.slave              = trace.functions(paired.xi);
+      point.master             = master_point.functions;
+      point.rigid              = master_point.rigid;
+      point.second_variation   = master_point.functions.empty() ?
+                                   master_point.second_variation :
+                                   second_variation_of_bodies(x, master_point);
+      point.face               = paired.face;
+      point.xi                 = paired.xi;
       return point;
     }
 
@@ -77,54 +79,61 @@ namespace Signorini
     /// (Annavarapu, Hautefeuille, Dolbow, Comput. Methods Appl. Mech. Engrg. 225-228 (2012) 44-54).
     template <int dim>
     void
-    set_stress(const SparseRow    &own,
-               const SparseRow    &own_thermal,
-               const SparseRow    &own_bulk,
-               const double        own_bound,
-               const Partner<dim> &partner,
-               const bool          own_alone,
-               ContactPoint<dim>  &point)
+    set_stress(const SparseRow             &own,
+               const SparseRow             &own_thermal,
+               const SparseRow             &own_volumetric,
+               const double                 own_bound,
+               const MasterProjection<dim> &master_point,
+               const bool                   own_alone,
+               ContactPoint<dim>           &point)
     {
-      const double share =
-        own_alone || std::isinf(partner.bound) ? 1. : partner.bound / (own_bound + partner.bound);
-      const auto mean = [share](const SparseRow &own, const SparseRow &other) {
+      const double share = own_alone || std::isinf(master_point.bound) ?
+                             1. :
+                             master_point.bound / (own_bound + master_point.bound);
+      const auto   mean  = [share](const SparseRow &own, const SparseRow &other) {
         SparseRow row;
         for (const auto &[index, value] : own)
           row.emplace_back(index, share * value);
         if (share < 1)
           for (const auto &[index, value] : other)
             row.emplace_back(index, (1 - share) * value);
-        unite(row);
+        sum_duplicates(row);
         return row;
       };
-      point.stress         = mean(own, partner.stress);
-      point.thermal_stress = mean(own_thermal, partner.thermal_stress);
-      point.bulk_stress    = mean(own_bulk, partner.bulk_stress);
-      point.bound          = share * own_bound;
+      point.stress            = mean(own, master_point.stress);
+      point.thermal_stress    = mean(own_thermal, master_point.thermal_stress);
+      point.volumetric_stress = mean(own_volumetric, master_point.volumetric_stress);
+      point.bound             = share * own_bound;
     }
 
     /// The same of Cauchy's stresses, times the area now per area at rest of the slave, since
     /// pressures act on areas at rest.
     template <int dim>
     void
-    set_cauchy_stress(const CauchyStress &own,
-                      const double        own_bound,
-                      const Partner<dim> &partner,
-                      const bool          own_alone,
-                      ContactPoint<dim>  &point)
+    set_cauchy_stress(const CauchyStress          &own,
+                      const double                 own_bound,
+                      const MasterProjection<dim> &master_point,
+                      const bool                   own_alone,
+                      ContactPoint<dim>           &point)
     {
-      set_stress(
-        own.stress, {}, own.bulk_stress, own.stiffening * own_bound, partner, own_alone, point);
+      set_stress(own.stress,
+                 {},
+                 own.volumetric_stress,
+                 own.stiffening * own_bound,
+                 master_point,
+                 own_alone,
+                 point);
       const double share = point.bound / (own.stiffening * own_bound),
-                   value = share * own.value + (1 - share) * partner.stress_value;
-      for (SparseRow *row : {&point.stress, &point.bulk_stress})
+                   value = share * own.value + (1 - share) * master_point.stress_value;
+      for (SparseRow *row : {&point.stress, &point.volumetric_stress})
         for (auto &entry : *row)
           entry.second *= own.ratio;
       for (const auto &[index, entry] : own.ratio_row)
         point.stress.emplace_back(index, value * entry);
-      unite(point.stress);
-      point.stress_offset = own.ratio * (share * own.offset + (1 - share) * partner.stress_offset) +
-                            value * (own.ratio_offset - own.ratio);
+      sum_duplicates(point.stress);
+      point.stress_offset =
+        own.ratio * (share * own.offset + (1 - share) * master_point.stress_offset) +
+        value * (own.ratio_offset - own.ratio);
     }
 
     /// Area now per area at rest.
@@ -174,9 +183,9 @@ namespace Signorini
 
   template <int dim>
   double
-  gap_of(const Point<dim> &x, const Partner<dim> &partner)
+  gap_of(const Point<dim> &x, const MasterProjection<dim> &master_point)
   {
-    const double gap      = (x - partner.position) * partner.normal;
+    const double gap      = (x - master_point.position) * master_point.normal;
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * x.norm();
     return std::abs(gap) <= rounding ? 0. : gap;
   }
@@ -185,7 +194,7 @@ namespace Signorini
 
   template <int dim>
   void
-  weigh_at_rest(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired)
+  weigh_by_reference_area(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired)
   {
     for (PairedPoint<dim> &point : paired)
       point.weight *=
@@ -202,16 +211,16 @@ namespace Signorini
                  const BoundaryFaces<dim>            &slave,
                  const Integration                   &integration,
                  const std::vector<PairedPoint<dim>> &paired_points,
-                 const std::vector<double>           &gaps_at_rest)
+                 const std::vector<double>           &reference_gaps)
   {
     const Elasticity<dim>         &elasticity = configuration.elasticity();
     std::vector<ContactPoint<dim>> result;
     result.reserve(paired_points.size());
-    double                           face_depth = 0, face_stiffness = 0;
-    Trace<dim>                       trace(elasticity);
-    const bool                       with_stress = method.predictor() == Predictor::normal_stress;
-    StressBounds<dim>                bound(slave);
-    const InitialGap<dim>            initial_gap(pair);
+    double                face_depth = 0, face_stiffness = 0;
+    Trace<dim>            trace(elasticity);
+    const bool            with_stress = method.pressure_shift() == PressureShift::normal_stress;
+    StressBounds<dim>     bound(slave);
+    const InitialGap<dim> initial_gap(pair);
     std::optional<NormalStress<dim>> of_body;
     std::optional<SurfaceLoads<dim>> loads;
     if (with_stress)
@@ -234,23 +243,23 @@ namespace Signorini
           contact_point(slave.patches[paired.face], rest, paired, face_stiffness, trace));
         ContactPoint<dim> &point = result.back();
         point.depth              = face_depth;
-        if (elasticity.is_finite())
+        if (elasticity.is_finite_strain())
           {
-            point.slave_place  = slave.patches[paired.face].position(paired.xi);
-            point.master_place = paired.partner.position;
+            point.slave_force_point  = slave.patches[paired.face].position(paired.xi);
+            point.master_force_point = paired.master_point.position;
             point.stretch =
               stretch(elasticity.model(), slave.patches[paired.face], rest, paired.xi);
           }
         point.weight *=
           circumference(elasticity, rest, paired.xi, integration, cell->get_fe().degree);
-        if (!gaps_at_rest.empty())
+        if (!reference_gaps.empty())
           {
-            point.closing = gaps_at_rest[result.size() - 1] - point.gap;
-            point.gap     = gaps_at_rest[result.size() - 1];
+            point.gap_decrease = reference_gaps[result.size() - 1] - point.gap;
+            point.gap          = reference_gaps[result.size() - 1];
           }
         const double of_geometry = point.gap;
         point.gap                = initial_gap(point.position, elasticity.time(), of_geometry);
-        point.told               = point.gap - of_geometry;
+        point.prescribed_gap     = point.gap - of_geometry;
         if (!with_stress)
           continue;
         NormalStress<dim> &stress = *of_body;
@@ -259,41 +268,42 @@ namespace Signorini
         const Point<dim>     place = unit_point<dim>(face, paired.xi);
         const Tensor<1, dim> n     = rest.normal(paired.xi);
         const auto           load  = loads->at(cell->face(face)->boundary_id(), point.position);
-        if (elasticity.is_finite())
+        if (elasticity.is_finite_strain())
           {
-            set_cauchy_stress(stress.cauchy(place, paired.partner.normal, n, load),
+            set_cauchy_stress(stress.cauchy(place, paired.master_point.normal, n, load),
                               bound(stress, paired.face),
-                              paired.partner,
+                              paired.master_point,
                               method.unbiased(),
                               point);
             continue;
           }
-        set_stress(stress.row(place, paired.partner.normal, n),
-                   stress.thermal_row(place, paired.partner.normal, n),
-                   stress.bulk_row(place, paired.partner.normal, n),
+        set_stress(stress.row(place, paired.master_point.normal, n),
+                   stress.thermal_row(place, paired.master_point.normal, n),
+                   stress.volumetric_row(place, paired.master_point.normal, n),
                    bound(stress, paired.face),
-                   paired.partner,
+                   paired.master_point,
                    method.unbiased(),
                    point);
         // Of sigma n, contact bears what loads do not.
         const double share  = point.bound / bound(stress, paired.face);
-        point.stress_offset = -share * (paired.partner.normal * load.on(n)) +
-                              (1 - share) * paired.partner.stress_offset;
+        point.stress_offset = -share * (paired.master_point.normal * load.on(n)) +
+                              (1 - share) * paired.master_point.stress_offset;
       }
     return result;
   }
 
 
 
-#define INSTANTIATE(dim)                                                                           \
-  template double gap_of(const Point<dim> &, const Partner<dim> &);                                \
-  template void   weigh_at_rest(const BoundaryFaces<dim> &, std::vector<PairedPoint<dim>> &);      \
-  template std::vector<ContactPoint<dim>> contact_points(const Configuration<dim> &,               \
-                                                         const ContactPair<dim> &,                 \
-                                                         const ContactMethod &,                    \
-                                                         const BoundaryFaces<dim> &,               \
-                                                         const Integration &,                      \
-                                                         const std::vector<PairedPoint<dim>> &,    \
+#define INSTANTIATE(dim)                                                                             \
+  template double                         gap_of(const Point<dim> &, const MasterProjection<dim> &); \
+  template void                           weigh_by_reference_area(const BoundaryFaces<dim> &,        \
+                                                                  std::vector<PairedPoint<dim>> &);  \
+  template std::vector<ContactPoint<dim>> contact_points(const Configuration<dim> &,                 \
+                                                         const ContactPair<dim> &,                   \
+                                                         const ContactMethod &,                      \
+                                                         const BoundaryFaces<dim> &,                 \
+                                                         const Integration &,                        \
+                                                         const std::vector<PairedPoint<dim>> &,      \
                                                          const std::vector<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -7,7 +7,7 @@ namespace Signorini
 {
   /// The contact points of paired points, which are sorted by faces; all but the functions of the
   /// pressure.
-  /// @param gaps_at_rest of the points, if they are needed (see gaps_at_rest()); else empty
+  /// @param reference_gaps of the points, if they are needed (see reference_gaps()); else empty
   template <int dim>
   std::vector<ContactPoint<dim>>
   contact_points(const Configuration<dim>            &configuration,
@@ -16,16 +16,16 @@ namespace Signorini
                  const BoundaryFaces<dim>            &slave,
                  const Integration                   &integration,
                  const std::vector<PairedPoint<dim>> &paired,
-                 const std::vector<double>           &gaps_at_rest);
+                 const std::vector<double>           &reference_gaps);
 
-  /// The gap between a point and its partner. What touches up to the rounding of the coordinates
+  /// The gap between a point and its projection. What touches up to the rounding of the coordinates
   /// touches: otherwise that rounding were all that drives a body without loads.
   template <int dim>
   double
-  gap_of(const dealii::Point<dim> &x, const Partner<dim> &partner);
+  gap_of(const dealii::Point<dim> &x, const MasterProjection<dim> &master_point);
 
   /// From areas where the slave is now to areas at rest, which contact is integrated over.
   template <int dim>
   void
-  weigh_at_rest(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired);
+  weigh_by_reference_area(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired);
 } // namespace Signorini

@@ -1,6 +1,6 @@
 #include "contact/interface/geometry_change.h"
 
-#include "contact/constraints/openings.h"
+#include "contact/constraints/gap_increments.h"
 #include "contact/search/boundary_faces.h"
 #include "contact/search/self_contact.h"
 
@@ -15,7 +15,7 @@ namespace Signorini
   namespace
   {
     template <int dim>
-    using PointsThatPress = std::vector<std::pair<const ContactPoint<dim> *, double>>;
+    using LoadedContactPoints = std::vector<std::pair<const ContactPoint<dim> *, double>>;
 
     /// A place on the master as far as it is asked for here.
     template <int dim>
@@ -28,10 +28,10 @@ namespace Signorini
     /// @param slave where it is now
     template <int dim>
     std::vector<std::optional<Facing<dim>>>
-    on_obstacle(const Configuration<dim>   &now,
-                const Obstacle<dim>        &obstacle,
-                const BoundaryFaces<dim>   &slave,
-                const PointsThatPress<dim> &points)
+    on_obstacle(const Configuration<dim>       &now,
+                const Obstacle<dim>            &obstacle,
+                const BoundaryFaces<dim>       &slave,
+                const LoadedContactPoints<dim> &points)
     {
       const RigidPose<dim>                    pose = now.pose(obstacle);
       std::vector<std::optional<Facing<dim>>> result;
@@ -47,17 +47,17 @@ namespace Signorini
     /// Collective.
     template <int dim>
     std::vector<std::optional<Facing<dim>>>
-    on_body(const Configuration<dim>   &now,
-            const ContactPair<dim>     &pair,
-            const BoundaryFaces<dim>   &slave,
-            const PointsThatPress<dim> &points,
-            const MPI_Comm              comm)
+    on_body(const Configuration<dim>       &now,
+            const ContactPair<dim>         &pair,
+            const BoundaryFaces<dim>       &slave,
+            const LoadedContactPoints<dim> &points,
+            const MPI_Comm                  comm)
     {
-      const BoundaryFaces<dim>      master(now, pair.master);
-      std::vector<Point<dim>>       positions;
-      std::vector<Tensor<1, dim>>   normals;
-      std::vector<PlaceAtRest<dim>> rest;
-      double                        farthest = 0;
+      const BoundaryFaces<dim>         master(now, pair.master);
+      std::vector<Point<dim>>          positions;
+      std::vector<Tensor<1, dim>>      normals;
+      std::vector<ReferencePoint<dim>> rest;
+      double                           farthest = 0;
       for (const auto &[point, force] : points)
         {
           const FacePatch<dim> &patch = slave.patches[point->face];
@@ -65,24 +65,25 @@ namespace Signorini
           normals.push_back(patch.normal(point->xi));
           farthest = std::max(farthest, patch.diameter());
           if (pair.is_self())
-            rest.push_back(place_at_rest(slave.rest[point->face], point->xi));
+            rest.push_back(reference_point(slave.rest[point->face], point->xi));
         }
-      MasterFaces<dim> faces = faces_beyond(master);
+      MasterFaces<dim> faces = all_faces_as_masters(master);
       if (!pair.is_self())
         faces.rest.clear();
       std::vector<std::optional<Facing<dim>>> result;
-      const auto                              partners = find_partners(
+      const auto                              master_points = find_master_projections(
         positions, normals, faces, Utilities::MPI::max(farthest, comm), comm, nullptr, {}, rest);
-      for (std::size_t i = 0; i < partners.size(); ++i)
-        if (partners[i])
-          result.push_back(Facing<dim>{(positions[i] - partners[i]->position) * partners[i]->normal,
-                                       partners[i]->normal});
+      for (std::size_t i = 0; i < master_points.size(); ++i)
+        if (master_points[i])
+          result.push_back(
+            Facing<dim>{(positions[i] - master_points[i]->position) * master_points[i]->normal,
+                        master_points[i]->normal});
         else
           result.emplace_back();
       return result;
     }
 
-    /// Nodes at the rims of a slave and a master that are flush lose their partner with the
+    /// Nodes at the rims of a slave and a master that are flush lose their projection with the
     /// slightest slide.
     template <int dim>
     bool
@@ -105,8 +106,8 @@ namespace Signorini
                   const ContactSurface<dim> &surface,
                   const std::vector<double> &forces)
   {
-    const MPI_Comm       comm = now.elasticity().mesh().communicator();
-    PointsThatPress<dim> points;
+    const MPI_Comm           comm = now.elasticity().mesh().communicator();
+    LoadedContactPoints<dim> points;
     for (std::size_t i = 0; i < forces.size(); ++i)
       if (forces[i] > 0 && surface.points[i].face < surface.own_faces)
         points.emplace_back(&surface.points[i], forces[i]);
@@ -118,9 +119,9 @@ namespace Signorini
     std::vector<const ContactPoint<dim> *> places;
     for (const auto &[point, force] : points)
       places.push_back(point);
-    const std::vector<double> opened = openings(places, now.displacement());
+    const std::vector<double> opened = gap_increments(places, now.displacement());
 
-    std::vector<double> sums(6, 0.); // force, area, modulus, gap^2, angle^2, without partner
+    std::vector<double> sums(6, 0.); // force, area, modulus, gap^2, angle^2, without projection
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const auto &[point, force] = points[i];
@@ -129,7 +130,7 @@ namespace Signorini
         sums[2] += force * point->stiffness * point->depth;
         if (there[i])
           {
-            const double gap = there[i]->gap + point->told - (point->gap + opened[i]);
+            const double gap = there[i]->gap + point->prescribed_gap - (point->gap + opened[i]);
             sums[3] += force * gap * gap;
             sums[4] += force * (there[i]->normal - point->normal).norm_square();
           }
@@ -142,7 +143,7 @@ namespace Signorini
     // What rounding presses bends nothing.
     if (pressure < std::numeric_limits<double>::epsilon() * modulus)
       return {};
-    // Points at rims lose their partner at once, and pressures are largest there.
+    // Points at rims lose their projection at once, and pressures are largest there.
     constexpr double at_rims = 0.02;
     GeometryChange   result;
     result.gap      = std::sqrt(sums[3] / sums[0]);

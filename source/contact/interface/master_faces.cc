@@ -1,6 +1,6 @@
 #include "contact/interface/master_faces.h"
 
-#include "contact/constraints/gap_bend.h"
+#include "contact/constraints/gap_second_variation.h"
 #include "contact/traction/stress_bounds.h"
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace Signorini
 
   namespace
   {
-    /// What partners on the faces of a body tell of it.
+    /// What projections on the faces of a body tell of it.
     template <int dim>
     class BodyBehind
     {
@@ -26,8 +26,8 @@ namespace Signorini
                   std::make_shared<SurfaceLoads<dim>>(surface_loads(configuration.elasticity())) :
                   nullptr)
         , bound(boundary)
-        , is_finite(configuration.elasticity().is_finite())
-        , with_bend(!configuration.is_rest())
+        , is_finite_strain(configuration.elasticity().is_finite_strain())
+        , with_second_variation(!configuration.is_reference())
       {
         const Elasticity<dim> &elasticity = configuration.elasticity();
         for (unsigned int i = 0; i < boundary.faces.size(); ++i)
@@ -39,41 +39,44 @@ namespace Signorini
       }
 
       void
-      operator()(const unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner)
+      operator()(const unsigned int     i,
+                 const Point<dim - 1>  &xi,
+                 MasterProjection<dim> &master_point)
       {
         const auto &[cell, face] = boundary.faces[i];
         trace.reinit(cell, face);
-        partner.functions = trace.functions(xi);
-        partner.stiffness = stiffnesses[i];
-        partner.modulus   = moduli[i];
-        partner.size      = sizes[i];
-        partner.rest      = boundary.rest[i].position(xi);
+        master_point.functions = trace.functions(xi);
+        master_point.stiffness = stiffnesses[i];
+        master_point.modulus   = moduli[i];
+        master_point.size      = sizes[i];
+        master_point.rest      = boundary.rest[i].position(xi);
         if (!boundary.start.empty())
-          partner.start = boundary.start[i].position(xi);
-        if (with_bend && is_near_enough(partner.distance, sizes[i]))
-          partner.bend = bend_of_master(boundary.patches[i], xi, partner.normal);
+          master_point.start = boundary.start[i].position(xi);
+        if (with_second_variation && may_carry_pressure(master_point.distance, sizes[i]))
+          master_point.second_variation =
+            second_variation_of_master(boundary.patches[i], xi, master_point.normal);
         if (!stress)
           return;
         stress->reinit(cell);
         const Point<dim>      place   = unit_point<dim>(face, xi);
-        const Tensor<1, dim> &n       = partner.normal;
+        const Tensor<1, dim> &n       = master_point.normal;
         const Tensor<1, dim>  at_rest = boundary.rest[i].normal(xi);
-        const auto            load    = loads->at(cell->face(face)->boundary_id(), partner.rest);
-        partner.bound                 = bound(*stress, i);
-        if (is_finite)
+        const auto            load = loads->at(cell->face(face)->boundary_id(), master_point.rest);
+        master_point.bound         = bound(*stress, i);
+        if (is_finite_strain)
           {
-            CauchyStress now      = stress->cauchy(place, -n, at_rest, load);
-            partner.stress        = std::move(now.stress);
-            partner.bulk_stress   = std::move(now.bulk_stress);
-            partner.stress_value  = now.value;
-            partner.stress_offset = now.offset;
-            partner.bound *= now.stiffening;
+            CauchyStress now               = stress->cauchy(place, -n, at_rest, load);
+            master_point.stress            = std::move(now.stress);
+            master_point.volumetric_stress = std::move(now.volumetric_stress);
+            master_point.stress_value      = now.value;
+            master_point.stress_offset     = now.offset;
+            master_point.bound *= now.stiffening;
             return;
           }
-        partner.stress         = stress->row(place, -n, at_rest);
-        partner.thermal_stress = stress->thermal_row(place, -n, at_rest);
-        partner.bulk_stress    = stress->bulk_row(place, -n, at_rest);
-        partner.stress_offset  = n * load.on(at_rest);
+        master_point.stress            = stress->row(place, -n, at_rest);
+        master_point.thermal_stress    = stress->thermal_row(place, -n, at_rest);
+        master_point.volumetric_stress = stress->volumetric_row(place, -n, at_rest);
+        master_point.stress_offset     = n * load.on(at_rest);
       }
 
     private:
@@ -82,7 +85,7 @@ namespace Signorini
       std::shared_ptr<NormalStress<dim>> stress;
       std::shared_ptr<SurfaceLoads<dim>> loads;
       StressBounds<dim>                  bound;
-      const bool                         is_finite, with_bend;
+      const bool                         is_finite_strain, with_second_variation;
       std::vector<double>                stiffnesses, moduli, sizes;
     };
   } // namespace

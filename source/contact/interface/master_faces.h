@@ -5,7 +5,7 @@
 
 namespace Signorini
 {
-  /// The master side of a pair: faces with what a partner on them has to tell of their body.
+  /// The master side of a pair: faces with what a projection on them has to tell of their body.
   /// Where surfaces have moved, also how the gap bends, all but the factors.
   /// @param with_stress also its normal stress
   template <int dim>

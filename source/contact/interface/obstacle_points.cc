@@ -1,6 +1,6 @@
 #include "contact/interface/obstacle_points.h"
 
-#include "contact/constraints/gap_bend.h"
+#include "contact/constraints/gap_second_variation.h"
 #include "contact/constraints/trace.h"
 
 #include <algorithm>
@@ -71,21 +71,23 @@ namespace Signorini
     for (unsigned int i = 0; i < slave.size(); ++i)
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const Point<dim - 1>    &xi    = rule.point(q);
-          const Point<dim>         x     = slave[i].position(xi);
-          const ObstaclePlace<dim> place = configuration.closest(obstacle, pose, x);
-          if (std::abs(place.gap) > reach(slave[i], limit) ||
-              !faces_each_other(slave[i].normal(xi), place.normal))
+          const Point<dim - 1>    &xi                = rule.point(q);
+          const Point<dim>         x                 = slave[i].position(xi);
+          const ObstaclePoint<dim> point_on_obstacle = configuration.closest(obstacle, pose, x);
+          if (std::abs(point_on_obstacle.gap) > search_radius(slave[i], limit) ||
+              !faces_each_other(slave[i].normal(xi), point_on_obstacle.normal))
             continue;
           PairedPoint<dim> point{i, xi, rule.weight(q) * slave[i].jacobian(xi), {}};
-          point.partner.position  = x - place.gap * place.normal;
-          point.partner.normal    = place.normal;
-          point.partner.distance  = std::abs(place.gap);
-          point.partner.stiffness = std::numeric_limits<double>::infinity();
-          point.partner.bound     = std::numeric_limits<double>::infinity();
-          point.partner.rigid     = rigid_row(pose, first, point.partner.position, place.normal);
-          if (!configuration.is_rest())
-            point.partner.bend = bend_of_obstacle(place, pose, x, first);
+          point.master_point.position  = x - point_on_obstacle.gap * point_on_obstacle.normal;
+          point.master_point.normal    = point_on_obstacle.normal;
+          point.master_point.distance  = std::abs(point_on_obstacle.gap);
+          point.master_point.stiffness = std::numeric_limits<double>::infinity();
+          point.master_point.bound     = std::numeric_limits<double>::infinity();
+          point.master_point.rigid =
+            rigid_row(pose, first, point.master_point.position, point_on_obstacle.normal);
+          if (!configuration.is_reference())
+            point.master_point.second_variation =
+              second_variation_of_obstacle(point_on_obstacle, pose, x, first);
           points.push_back(std::move(point));
         }
     keep_near_faces(slave, limit, points);

@@ -8,10 +8,10 @@
 
 namespace Signorini
 {
-  /// The points of slave faces that have a partner on a rigid obstacle: no mesh, no search, no
+  /// The points of slave faces that have a projection on a rigid obstacle: no mesh, no search, no
   /// segments.
   /// @param slave where it is now
-  /// @param limit farther partners than that are none
+  /// @param limit farther projections than that are none
   template <int dim>
   std::vector<PairedPoint<dim>>
   obstacle_points(const Configuration<dim>          &configuration,

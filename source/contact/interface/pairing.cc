@@ -1,5 +1,5 @@
-#include "contact/interface/false_overlaps.h"
 #include "contact/interface/segment_pairs.h"
+#include "contact/interface/spurious_penetrations.h"
 #include "contact/search/self_contact.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -18,12 +18,12 @@ namespace Signorini
 
     // The same points on each face of a list.
     template <int dim>
-    std::vector<LaidPoint<dim>>
-    lay(const std::vector<FacePatch<dim>> &slave,
-        const std::vector<unsigned int>   &faces,
-        const Quadrature<dim - 1>         &rule)
+    std::vector<FixedIntegrationPoint<dim>>
+    make_integration_point(const std::vector<FacePatch<dim>> &slave,
+                           const std::vector<unsigned int>   &faces,
+                           const Quadrature<dim - 1>         &rule)
     {
-      std::vector<LaidPoint<dim>> points;
+      std::vector<FixedIntegrationPoint<dim>> points;
       for (const unsigned int i : faces)
         for (unsigned int q = 0; q < rule.size(); ++q)
           points.push_back(
@@ -33,45 +33,49 @@ namespace Signorini
 
     template <int dim>
     std::vector<PairedPoint<dim>>
-    pair_by_projection(const SlaveSide<dim>              &slave,
-                       const std::vector<LaidPoint<dim>> &laid,
-                       const MasterFaces<dim>            &master,
-                       const double                       limit,
-                       const MPI_Comm                     comm,
-                       SearchStatistics                  &statistics)
+    pair_by_projection(const SlaveSide<dim>                          &slave,
+                       const std::vector<FixedIntegrationPoint<dim>> &fixed_points,
+                       const MasterFaces<dim>                        &master,
+                       const double                                   limit,
+                       const MPI_Comm                                 comm,
+                       SearchStatistics                              &statistics)
     {
-      std::vector<Point<dim>>       positions;
-      std::vector<Tensor<1, dim>>   normals;
-      std::vector<FormerFace<dim>>  former;
-      std::vector<PlaceAtRest<dim>> rest;
-      double                        largest = 0;
+      std::vector<Point<dim>>              positions;
+      std::vector<Tensor<1, dim>>          normals;
+      std::vector<PreviousMasterFace<dim>> former;
+      std::vector<ReferencePoint<dim>>     rest;
+      double                               largest = 0;
       for (const FacePatch<dim> &face : slave.patches)
-        largest = std::max(largest, reach(face, limit));
-      for (const LaidPoint<dim> &point : laid)
+        largest = std::max(largest, search_radius(face, limit));
+      for (const FixedIntegrationPoint<dim> &point : fixed_points)
         {
           positions.push_back(slave.patches[point.face].position(point.xi));
           normals.push_back(slave.patches[point.face].normal(point.xi));
           former.push_back(point.former);
           if (slave.rest)
-            rest.push_back(place_at_rest((*slave.rest)[point.face], point.xi));
+            rest.push_back(reference_point((*slave.rest)[point.face], point.xi));
         }
-      auto partners = find_partners(positions,
-                                    normals,
-                                    master,
-                                    Utilities::MPI::max(largest, comm),
-                                    comm,
-                                    &statistics,
-                                    former,
-                                    rest);
+      auto master_points = find_master_projections(positions,
+                                                   normals,
+                                                   master,
+                                                   Utilities::MPI::max(largest, comm),
+                                                   comm,
+                                                   &statistics,
+                                                   former,
+                                                   rest);
 
       std::vector<PairedPoint<dim>> points;
-      for (std::size_t i = 0; i < laid.size(); ++i)
-        if (partners[i])
-          points.push_back({laid[i].face, laid[i].xi, laid[i].weight, std::move(*partners[i])});
+      for (std::size_t i = 0; i < fixed_points.size(); ++i)
+        if (master_points[i])
+          points.push_back({fixed_points[i].face,
+                            fixed_points[i].xi,
+                            fixed_points[i].weight,
+                            std::move(*master_points[i])});
       return points;
     }
 
-    // Of points beside their partner's face the partner that is closest, if that is another one.
+    // Of points beside their projection's face the projection that is closest, if that is another
+    // one.
     template <int dim>
     void
     move_to_closest(const SlaveSide<dim>          &slave,
@@ -85,27 +89,28 @@ namespace Signorini
       std::vector<PairedPoint<dim> *> beside_faces;
       std::vector<Point<dim>>         positions;
       std::vector<Tensor<1, dim>>     normals;
-      std::vector<PlaceAtRest<dim>>   rest;
-      double                          farthest = 0;
+      std::vector<ReferencePoint<dim>> rest;
+      double                           farthest = 0;
       for (PairedPoint<dim> &point : points)
-        if (point.is_beside &&
-            (!slave.rest || point.partner.distance < far * slave.patches[point.face].diameter()))
+        if (point.is_beside && (!slave.rest || point.master_point.distance <
+                                                 far * slave.patches[point.face].diameter()))
           {
             beside_faces.push_back(&point);
             positions.push_back(slave.patches[point.face].position(point.xi));
             normals.push_back(slave.patches[point.face].normal(point.xi));
-            farthest = std::max(farthest, point.partner.distance);
+            farthest = std::max(farthest, point.master_point.distance);
             if (slave.rest)
-              rest.push_back(place_at_rest((*slave.rest)[point.face], point.xi));
+              rest.push_back(reference_point((*slave.rest)[point.face], point.xi));
           }
       farthest = Utilities::MPI::max(farthest, comm);
       if (farthest == 0)
         return;
-      auto partners =
-        find_partners(positions, normals, master, farthest, comm, &statistics, {}, rest);
-      for (std::size_t i = 0; i < partners.size(); ++i)
-        if (partners[i] && partners[i]->distance < closer * beside_faces[i]->partner.distance)
-          beside_faces[i]->partner = std::move(*partners[i]);
+      auto master_points =
+        find_master_projections(positions, normals, master, farthest, comm, &statistics, {}, rest);
+      for (std::size_t i = 0; i < master_points.size(); ++i)
+        if (master_points[i] &&
+            master_points[i]->distance < closer * beside_faces[i]->master_point.distance)
+          beside_faces[i]->master_point = std::move(*master_points[i]);
     }
 
     // Points of one face one after the other, in the order that they were found in. Numbers are
@@ -173,7 +178,7 @@ namespace Signorini
                                   points.end(),
                                   [&](const auto &point) {
                                     return is_one[point.face] &&
-                                           point.partner.distance > most[point.face];
+                                           point.master_point.distance > most[point.face];
                                   }),
                    points.end());
     }
@@ -192,7 +197,7 @@ namespace Signorini
         return faces;
       std::vector<double> most(slave.size(), std::numeric_limits<double>::max());
       for (const PairedPoint<dim> &point : points)
-        most[point.face] = std::min(most[point.face], point.partner.distance);
+        most[point.face] = std::min(most[point.face], point.master_point.distance);
       for (const unsigned int face : faces)
         most[face] += slave[face].diameter();
       remove_points(faces, most, points);
@@ -236,11 +241,15 @@ namespace Signorini
         move_to_closest(slave, master, comm, statistics, points);
       }
     if (Utilities::MPI::max(faces.size(), comm) > 0)
-      for (auto &point : pair_by_projection(
-             slave, lay(slave.patches, faces, rule), master, limit, comm, statistics))
+      for (auto &point : pair_by_projection(slave,
+                                            make_integration_point(slave.patches, faces, rule),
+                                            master,
+                                            limit,
+                                            comm,
+                                            statistics))
         points.push_back(std::move(point));
     if (!slave.rest) // what is beyond a body itself is left out already
-      drop_false_overlaps(slave.patches, master, comm, statistics, points);
+      drop_spurious_penetrations(slave.patches, master, comm, statistics, points);
     keep_near_faces(slave.patches, limit, points);
     points = sorted_by_faces(std::move(points));
     // Of faces without points, and of those that are not paired by segments, they are not asked
@@ -248,12 +257,14 @@ namespace Signorini
     std::vector<bool> has_segments(slave.patches.size(), true);
     for (const unsigned int face : faces)
       has_segments[face] = false;
-    auto &seams = pairing.seams;
-    seams.erase(std::remove_if(seams.begin(),
-                               seams.end(),
-                               [&](const auto &seam) { return !has_segments[seam.face]; }),
-                seams.end());
-    seams = sorted_by_faces(std::move(seams));
+    auto &edge_points = pairing.edge_points;
+    edge_points.erase(std::remove_if(edge_points.begin(),
+                                     edge_points.end(),
+                                     [&](const auto &edge_point) {
+                                       return !has_segments[edge_point.face];
+                                     }),
+                      edge_points.end());
+    edge_points = sorted_by_faces(std::move(edge_points));
     return pairing;
   }
 
@@ -261,14 +272,14 @@ namespace Signorini
 
   template <int dim>
   std::vector<PairedPoint<dim>>
-  pair_laid_points(const SlaveSide<dim>              &slave,
-                   const std::vector<LaidPoint<dim>> &laid,
-                   const MasterFaces<dim>            &master,
-                   const double                       limit,
-                   const MPI_Comm                     comm,
-                   SearchStatistics                  &statistics)
+  reproject_points(const SlaveSide<dim>                          &slave,
+                   const std::vector<FixedIntegrationPoint<dim>> &fixed_points,
+                   const MasterFaces<dim>                        &master,
+                   const double                                   limit,
+                   const MPI_Comm                                 comm,
+                   SearchStatistics                              &statistics)
   {
-    auto points = pair_by_projection(slave, laid, master, limit, comm, statistics);
+    auto points = pair_by_projection(slave, fixed_points, master, limit, comm, statistics);
     keep_near_faces(slave.patches, limit, points);
     return points;
   }
@@ -284,11 +295,12 @@ namespace Signorini
     std::vector<bool> is_near(slave.size(), false);
     for (const PairedPoint<dim> &point : points)
       {
-        const Partner<dim> &partner = point.partner;
+        const MasterProjection<dim> &master_point = point.master_point;
         if (!is_near[point.face])
           is_near[point.face] =
-            partner.distance <= limit ||
-            (slave[point.face].position(point.xi) - partner.position) * partner.normal < 0;
+            master_point.distance <= limit ||
+            (slave[point.face].position(point.xi) - master_point.position) * master_point.normal <
+              0;
       }
     points.erase(std::remove_if(points.begin(),
                                 points.end(),
@@ -299,15 +311,15 @@ namespace Signorini
 
 
   template std::vector<PairedPoint<2>>
-  pair_laid_points(const SlaveSide<2> &,
-                   const std::vector<LaidPoint<2>> &,
+  reproject_points(const SlaveSide<2> &,
+                   const std::vector<FixedIntegrationPoint<2>> &,
                    const MasterFaces<2> &,
                    double,
                    MPI_Comm,
                    SearchStatistics &);
   template std::vector<PairedPoint<3>>
-  pair_laid_points(const SlaveSide<3> &,
-                   const std::vector<LaidPoint<3>> &,
+  reproject_points(const SlaveSide<3> &,
+                   const std::vector<FixedIntegrationPoint<3>> &,
                    const MasterFaces<3> &,
                    double,
                    MPI_Comm,

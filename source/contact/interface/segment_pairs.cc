@@ -1,6 +1,6 @@
 #include "contact/interface/segment_pairs.h"
 
-#include "contact/constraints/gap_bend.h"
+#include "contact/constraints/gap_second_variation.h"
 #include "contact/search/descent.h"
 #include "contact/search/local_faces.h"
 #include "contact/search/segments.h"
@@ -54,7 +54,7 @@ namespace Signorini
     struct SegmentRules
     {
       Quadrature<dim - 1> usual, distorted;
-      unsigned int        on_seams; ///< points
+      unsigned int        on_edges; ///< points
     };
 
     // A slave face on its way to the master's faces.
@@ -134,7 +134,8 @@ namespace Signorini
       {
         const FacetedFace<dim> own(slave.patch);
         const bool             own_distorted = is_distorted(slave.patch);
-        for (const unsigned int face : faces.in(own.extruded_box(reach(slave.patch, limit))))
+        for (const unsigned int face :
+             faces.in(own.extruded_box(search_radius(slave.patch, limit))))
           {
             for (const SegmentPoint<dim> &point :
                  segment_points(own,
@@ -143,8 +144,9 @@ namespace Signorini
               if (auto pair = paired(slave, face, point))
                 found.points.push_back(std::move(*pair));
             if (!master.inner_sides.empty())
-              for (const SeamPoint<dim> &point : seam_points(own, faceted[face], rules.on_seams))
-                add_seam(slave, face, point, found.seams);
+              for (const SegmentEdgePoint<dim> &point :
+                   segment_edge_points(own, faceted[face], rules.on_edges))
+                add_edge_points(slave, face, point, found.edge_points);
           }
       }
 
@@ -162,51 +164,52 @@ namespace Signorini
           ++statistics.fallbacks;
 
         PairedPoint<dim> pair{slave.number, point.slave, point.weight, {}};
-        pair.partner.normal = patch.normal(foot.xi);
-        pair.is_beside      = tangential_part(x - foot.position, pair.partner.normal).norm() >
+        pair.master_point.normal = patch.normal(foot.xi);
+        pair.is_beside = tangential_part(x - foot.position, pair.master_point.normal).norm() >
                          beside * patch.diameter();
-        if (foot.distance > reach(slave.patch, limit) ||
-            !faces_each_other(slave.patch.normal(point.slave), pair.partner.normal))
+        if (foot.distance > search_radius(slave.patch, limit) ||
+            !faces_each_other(slave.patch.normal(point.slave), pair.master_point.normal))
           return {};
-        if (!master.rest.empty() && is_beyond_itself(slave, point.slave, face, foot.xi))
+        if (!master.rest.empty() && cannot_self_contact(slave, point.slave, face, foot.xi))
           return {};
-        pair.partner.position    = foot.position;
-        pair.partner.distance    = foot.distance;
-        pair.partner.face_center = patch.center();
-        master.complete(face, foot.xi, pair.partner);
+        pair.master_point.position    = foot.position;
+        pair.master_point.distance    = foot.distance;
+        pair.master_point.face_center = patch.center();
+        master.complete(face, foot.xi, pair.master_point);
         return pair;
       }
 
       bool
-      is_beyond_itself(const TravellingFace<dim> &slave,
-                       const Point<dim - 1>      &xi,
-                       const unsigned int         face,
-                       const Point<dim - 1>      &at) const
+      cannot_self_contact(const TravellingFace<dim> &slave,
+                          const Point<dim - 1>      &xi,
+                          const unsigned int         face,
+                          const Point<dim - 1>      &at) const
       {
-        return Signorini::is_beyond_itself<dim>(place_at_rest(slave.rest, xi),
-                                                place_at_rest(master.rest[face], at),
-                                                master.rest[face].diameter());
+        return Signorini::cannot_self_contact<dim>(reference_point(slave.rest, xi),
+                                                   reference_point(master.rest[face], at),
+                                                   master.rest[face].diameter());
       }
 
       void
-      add_seam(const TravellingFace<dim>     &slave,
-               const unsigned int             face,
-               const SeamPoint<dim>          &point,
-               std::vector<PairedPoint<dim>> &seams)
+      add_edge_points(const TravellingFace<dim>     &slave,
+                      const unsigned int             face,
+                      const SegmentEdgePoint<dim>   &point,
+                      std::vector<PairedPoint<dim>> &edge_points)
       {
         constexpr double steepest = 10; // way along the slave's normal over the distance
         if (!master.inner_sides[face][point.side])
           return;
         const FacePatch<dim> &patch = master.patches[face];
-        if (!is_near_enough(
+        if (!may_carry_pressure(
               slave.patch.position(point.slave).distance(patch.position(point.master)) / steepest,
               patch.diameter()))
           return;
-        auto seam = paired(slave, face, point);
-        if (!seam || !is_near_enough(seam->partner.distance, patch.diameter()))
+        auto edge_point = paired(slave, face, point);
+        if (!edge_point || !may_carry_pressure(edge_point->master_point.distance, patch.diameter()))
           return;
-        seam->partner.bend = bend_of_seam(seam->partner.normal, point.outward);
-        seams.push_back(std::move(*seam));
+        edge_point->master_point.second_variation =
+          second_variation_of_edge(edge_point->master_point.normal, point.outward);
+        edge_points.push_back(std::move(*edge_point));
       }
 
       const MasterFaces<dim>             &master;
@@ -248,7 +251,7 @@ namespace Signorini
     const auto                    ranks = Utilities::MPI::all_gather(comm, segments.extent());
     std::vector<BoundingBox<dim>> boxes;
     for (const FacePatch<dim> &face : slave.patches)
-      boxes.push_back(FacetedFace<dim>(face).extruded_box(reach(face, limit)));
+      boxes.push_back(FacetedFace<dim>(face).extruded_box(search_radius(face, limit)));
     std::map<unsigned int, std::vector<TravellingFace<dim>>> outgoing;
     for (unsigned int rank = 0; rank < ranks.size(); ++rank)
       if (rank != Utilities::MPI::this_mpi_process(comm) && !ranks[rank].empty)
@@ -263,7 +266,7 @@ namespace Signorini
     for (auto &[rank, found] : Utilities::MPI::some_to_some(comm, answers))
       {
         append(pairing.points, std::move(found.points));
-        append(pairing.seams, std::move(found.seams));
+        append(pairing.edge_points, std::move(found.edge_points));
       }
     return pairing;
   }

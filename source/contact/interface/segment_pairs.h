@@ -10,7 +10,7 @@ namespace Signorini
   /// ranks whose master faces may be near, points come back. Those of a face may be far from each
   /// other in the list, and faces may be covered more than once. Collective.
   /// @param slave faces of this rank
-  /// @param limit up to which distance partners are looked for
+  /// @param limit up to which distance projections are looked for
   template <int dim>
   Pairing<dim>
   pair_by_segments(const SlaveSide<dim>   &slave,

@@ -5,7 +5,7 @@
 namespace Signorini
 {
   double
-  Sides::risk() const
+  Sides::pressure_error() const
   {
     const double finer = std::max(1., 1 / size);
     return modulus * finer * finer * finer;
@@ -14,11 +14,12 @@ namespace Signorini
 
 
   bool
-  Sides::better_exchanged() const
+  Sides::should_be_exchanged() const
   {
     // Of alike bodies the finer one follows a small contact zone better, whatever its pressure
     // does.
     constexpr double much_stiffer = 4;
-    return modulus > much_stiffer && risk() > 2 * std::max(1., exchanged().risk());
+    return modulus > much_stiffer &&
+           pressure_error() > 2 * std::max(1., exchanged().pressure_error());
   }
 } // namespace Signorini

@@ -19,7 +19,7 @@ namespace Signorini
     /// the smooth part goes with (h_M/h_S)^2 more. Measured (doc/benchmarks/measurements.md): some
     /// percents of waves of the pressure from 4 on, as much as the pressure from some hundreds on.
     double
-    risk() const;
+    pressure_error() const;
 
     /// The same if the master were the slave.
     Sides
@@ -30,6 +30,6 @@ namespace Signorini
 
     /// So clearly that the program does it.
     bool
-    better_exchanged() const;
+    should_be_exchanged() const;
   };
 } // namespace Signorini

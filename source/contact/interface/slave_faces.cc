@@ -33,13 +33,14 @@ namespace Signorini
                   return a.second < b.second;
                 })->first);
               face.positions.push_back(
-                (elasticity.is_finite() ? slave.patches : slave.rest)[point.face].position(xi));
+                (elasticity.is_finite_strain() ? slave.patches : slave.rest)[point.face].position(
+                  xi));
               const auto &own   = functions[point.face].own;
               const bool is_own = std::find(own.begin(), own.end(), face.nodes.back()) != own.end();
               // Of faces whose nodes are prescribed, all of them or none.
-              face.held.push_back(!is_own && !own.empty());
-              face.uncovered.push_back(
-                face.held.back() &&
+              face.without_pressure.push_back(!is_own && !own.empty());
+              face.under_covered.push_back(
+                face.without_pressure.back() &&
                 carries_pressure(elasticity, face.nodes.back(), k, slave.patches[point.face], xi));
             }
           face.covered = functions[point.face].covered;
@@ -51,10 +52,11 @@ namespace Signorini
 
   template <int dim>
   bool
-  any_held(const std::vector<SlaveFace<dim>> &faces)
+  any_dirichlet_node(const std::vector<SlaveFace<dim>> &faces)
   {
     return std::any_of(faces.begin(), faces.end(), [](const SlaveFace<dim> &face) {
-      return std::find(face.held.begin(), face.held.end(), true) != face.held.end();
+      return std::find(face.without_pressure.begin(), face.without_pressure.end(), true) !=
+             face.without_pressure.end();
     });
   }
 
@@ -62,7 +64,7 @@ namespace Signorini
 
   template <int dim>
   std::vector<std::pair<SparseRow, double>>
-  whole_faces(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave)
+  full_face_shape_functions(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave)
   {
     std::vector<std::pair<SparseRow, double>> result;
     Trace<dim>                                trace(elasticity);
@@ -80,14 +82,14 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                                                 \
-  template bool                                      any_held(const std::vector<SlaveFace<dim>> &);      \
-  template std::vector<SlaveFace<dim>>               slave_faces(const Elasticity<dim> &,                \
-                                                                 const BoundaryFaces<dim> &,             \
-                                                                 const std::vector<ContactPoint<dim>> &, \
-                                                                 const std::vector<PressureNodes> &);    \
-  template std::vector<std::pair<SparseRow, double>> whole_faces(const Elasticity<dim> &,                \
-                                                                 const BoundaryFaces<dim> &);
+#define INSTANTIATE(dim)                                                                           \
+  template bool                        any_dirichlet_node(const std::vector<SlaveFace<dim>> &);    \
+  template std::vector<SlaveFace<dim>> slave_faces(const Elasticity<dim> &,                        \
+                                                   const BoundaryFaces<dim> &,                     \
+                                                   const std::vector<ContactPoint<dim>> &,         \
+                                                   const std::vector<PressureNodes> &);            \
+  template std::vector<std::pair<SparseRow, double>> full_face_shape_functions(                    \
+    const Elasticity<dim> &, const BoundaryFaces<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -19,10 +19,10 @@ namespace Signorini
 
   template <int dim>
   bool
-  any_held(const std::vector<SlaveFace<dim>> &faces);
+  any_dirichlet_node(const std::vector<SlaveFace<dim>> &faces);
 
   /// (shape functions, area) at Gauss points of all faces at rest, see ContactSurface::whole.
   template <int dim>
   std::vector<std::pair<SparseRow, double>>
-  whole_faces(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave);
+  full_face_shape_functions(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave);
 } // namespace Signorini

@@ -1,6 +1,6 @@
 #include "contact/interface/surface.h"
 
-#include "contact/interface/one_sided.h"
+#include "contact/interface/single_pass_surface.h"
 #include <signorini/contact/methods/method.h>
 
 #include <utility>
@@ -23,26 +23,28 @@ namespace Signorini
           surface.points.back().normal *= -1;
         }
       surface.frames.insert(surface.frames.end(), other.frames.begin(), other.frames.end());
-      surface.seam_frames.insert(surface.seam_frames.end(),
-                                 other.seam_frames.begin(),
-                                 other.seam_frames.end());
-      for (const Seam<dim> &seam : other.seams)
+      surface.edge_point_frames.insert(surface.edge_point_frames.end(),
+                                       other.edge_point_frames.begin(),
+                                       other.edge_point_frames.end());
+      for (const EdgeContactPoint<dim> &edge_point : other.edge_points)
         {
-          surface.seams.push_back(seam);
-          surface.seams.back().face += surface.faces;
+          surface.edge_points.push_back(edge_point);
+          surface.edge_points.back().face += surface.faces;
         }
-      for (Seam<dim> &seam : surface.seams)
-        seam.weight /= 2;
-      surface.whole.insert(surface.whole.end(), other.whole.begin(), other.whole.end());
+      for (EdgeContactPoint<dim> &edge_point : surface.edge_points)
+        edge_point.weight /= 2;
+      surface.full_face_shapes.insert(surface.full_face_shapes.end(),
+                                      other.full_face_shapes.begin(),
+                                      other.full_face_shapes.end());
       for (ContactPoint<dim> &point : surface.points)
         point.weight /= 2;
-      for (auto &entry : surface.whole)
+      for (auto &entry : surface.full_face_shapes)
         entry.second /= 2;
       surface.slave_faces.resize(surface.faces);
       surface.slave_faces.insert(surface.slave_faces.end(),
                                  other.slave_faces.begin(),
                                  other.slave_faces.end());
-      surface.has_held = surface.has_held || other.has_held;
+      surface.has_dirichlet_nodes = surface.has_dirichlet_nodes || other.has_dirichlet_nodes;
       surface.faces += other.faces;
       surface.is_apart = surface.is_apart && other.is_apart;
     }
@@ -69,13 +71,13 @@ namespace Signorini
   double
   covered_share(const ContactSurface<dim> &surface, const MPI_Comm comm)
   {
-    double covered = 0, whole = 0;
+    double covered = 0, full_face_shapes = 0;
     for (const auto &point : surface.points)
       covered += point.weight;
-    for (const auto &[shape, weight] : surface.whole)
-      whole += weight;
-    whole = Utilities::MPI::sum(whole, comm);
-    return whole > 0 ? Utilities::MPI::sum(covered, comm) / whole : 0.;
+    for (const auto &[multiplier_shape, weight] : surface.full_face_shapes)
+      full_face_shapes += weight;
+    full_face_shapes = Utilities::MPI::sum(full_face_shapes, comm);
+    return full_face_shapes > 0 ? Utilities::MPI::sum(covered, comm) / full_face_shapes : 0.;
   }
 
 
@@ -87,22 +89,24 @@ namespace Signorini
                        const Obstacle<dim>       *obstacle,
                        const ContactMethod       &method,
                        const Integration         &integration,
-                       const SearchRange         &range,
+                       const SearchTolerance     &range,
                        const ContactSurface<dim> *former)
   {
-    const std::vector<LaidPoint<dim>>  none;
-    const std::vector<LaidPoint<dim>> &laid = former ? former->laid : none;
-    auto                               surface =
-      one_sided_surface(configuration, pair, obstacle, method, integration, range, laid);
+    const std::vector<FixedIntegrationPoint<dim>>  none;
+    const std::vector<FixedIntegrationPoint<dim>> &fixed_points =
+      former ? former->fixed_points : none;
+    auto surface =
+      single_pass_surface(configuration, pair, obstacle, method, integration, range, fixed_points);
     if (method.unbiased() && !obstacle)
       {
         ContactPair<dim> other = pair;
         std::swap(other.slave, other.master);
-        other.self_side                                   = -pair.self_side;
-        const std::vector<LaidPoint<dim>> &laid_on_master = former ? former->laid_on_master : none;
-        const auto                         of_master      = one_sided_surface<dim>(
-          configuration, other, nullptr, method, integration, range, laid_on_master);
-        surface.laid_on_master = of_master.laid;
+        other.self_side = -pair.self_side;
+        const std::vector<FixedIntegrationPoint<dim>> &fixed_points_on_master =
+          former ? former->fixed_points_on_master : none;
+        const auto of_master = single_pass_surface<dim>(
+          configuration, other, nullptr, method, integration, range, fixed_points_on_master);
+        surface.fixed_points_on_master = of_master.fixed_points;
         add_other_side(surface, of_master);
       }
     return surface;
@@ -132,7 +136,7 @@ namespace Signorini
                                                     const Obstacle<dim> *,                         \
                                                     const ContactMethod &,                         \
                                                     const Integration &,                           \
-                                                    const SearchRange &,                           \
+                                                    const SearchTolerance &,                       \
                                                     const ContactSurface<dim> *);                  \
   template ContactSurface<dim> make_contact_surface(const Elasticity<dim> &,                       \
                                                     const ContactPair<dim> &,                      \

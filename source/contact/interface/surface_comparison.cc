@@ -12,10 +12,10 @@ namespace Signorini
     /// At a node of the master, one function is one and all others are zero.
     template <int dim>
     bool
-    is_at_node(const Partner<dim> &partner)
+    is_at_node(const MasterProjection<dim> &master_point)
     {
       double squares = 0;
-      for (const NodeFunction<dim> &function : partner.functions)
+      for (const NodeShapeFunction<dim> &function : master_point.functions)
         squares += function.value * function.value;
       return squares > 0.95;
     }
@@ -40,17 +40,17 @@ namespace Signorini
         sums[1] += point.weight * size;
         if (is_obstacle)
           continue;
-        sums[2] += is_at_node(point.partner) ? 0. : point.weight;
-        sums[3] +=
-          point.weight * std::log(slave.modulus(elasticity, point.face) / point.partner.modulus);
-        sums[4] += point.weight * std::log(size / point.partner.size);
+        sums[2] += is_at_node(point.master_point) ? 0. : point.weight;
+        sums[3] += point.weight *
+                   std::log(slave.modulus(elasticity, point.face) / point.master_point.modulus);
+        sums[4] += point.weight * std::log(size / point.master_point.size);
       }
     Utilities::MPI::sum(sums, comm, sums);
     if (sums[0] == 0)
       return;
-    surface.face_size = sums[1] / sums[0];
-    surface.off_nodes = sums[2] / sums[0];
-    surface.sides     = {std::exp(sums[3] / sums[0]), std::exp(sums[4] / sums[0])};
+    surface.face_size          = sums[1] / sums[0];
+    surface.non_matching_share = sums[2] / sums[0];
+    surface.sides              = {std::exp(sums[3] / sums[0]), std::exp(sums[4] / sums[0])};
   }
 
 

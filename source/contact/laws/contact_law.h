@@ -126,13 +126,13 @@ namespace Signorini
     /// Multiply stiff springs by that, for a start far from the solution. True if that changes the
     /// law.
     virtual bool
-    soften(double /*factor*/)
+    scale_penalty(double /*factor*/)
     {
       return false;
     }
 
     virtual bool
-    is_soft() const
+    has_scaled_penalty() const
     {
       return false;
     }
@@ -140,7 +140,7 @@ namespace Signorini
     /// The factor with which no spring is stiffer than E/h; 1 where nothing is gained by that.
     /// Collective.
     virtual double
-    softest() const
+    minimal_penalty_scale() const
     {
       return 1;
     }

@@ -6,12 +6,12 @@ namespace Signorini
 {
   using namespace dealii;
 
-  NormalContact::NormalContact(const GapOperator &contact,
-                               const Predictor    predictor,
-                               const bool         multiplier,
-                               const double       spring)
+  NormalContact::NormalContact(const GapOperator  &contact,
+                               const PressureShift pressure_shift,
+                               const bool          multiplier,
+                               const double        spring)
     : ContactLaw(contact)
-    , predictor(predictor)
+    , pressure_shift(pressure_shift)
     , multiplier(multiplier && !contact.empty())
     , spring(spring)
     , last(contact.zero())
@@ -20,7 +20,7 @@ namespace Signorini
 
 
   NormalContact::NormalContact(const ContactMethod &method, const GapOperator &contact)
-    : NormalContact(contact, method.predictor(), method.has_multipliers(), -1)
+    : NormalContact(contact, method.pressure_shift(), method.has_multipliers(), -1)
   {}
 
 
@@ -28,17 +28,17 @@ namespace Signorini
   NormalContact
   NormalContact::springs(const GapOperator &contact, const double factor)
   {
-    return {contact, Predictor::none, false, factor};
+    return {contact, PressureShift::none, false, factor};
   }
 
 
 
   double
-  NormalContact::softest() const
+  NormalContact::minimal_penalty_scale() const
   {
-    if (contact.empty() || multiplier || predictor == Predictor::normal_stress)
+    if (contact.empty() || multiplier || pressure_shift == PressureShift::normal_stress)
       return 1;
-    const auto &[permanent, stiffness, epsilon] = contact.coefficients;
+    const auto &[bilateral, stiffness, epsilon] = contact.coefficients;
     double stiffest                             = 1;
     for (const auto i : epsilon.locally_owned_elements())
       stiffest = std::max(stiffest, epsilon(i) / stiffness(i));
@@ -50,10 +50,10 @@ namespace Signorini
   LawVector
   NormalContact::trial(const Index point, const LawInput &in) const
   {
-    const double predicted = predictor == Predictor::multiplier    ? in.traction[0] :
-                             predictor == Predictor::normal_stress ? in.stress[0] :
-                             predictor == Predictor::last_pressure ? last(point) :
-                                                                     0.;
+    const double predicted = pressure_shift == PressureShift::multiplier    ? in.traction[0] :
+                             pressure_shift == PressureShift::normal_stress ? in.stress[0] :
+                             pressure_shift == PressureShift::last_pressure ? last(point) :
+                                                                              0.;
     LawVector    result;
     result[0] = predicted - epsilon(point) * in.gap[0];
     return result;
@@ -65,7 +65,7 @@ namespace Signorini
   NormalContact::status(const Index point, const LawVector &trial) const
   {
     const bool is_closed =
-      (trial[0] > 0 || contact.coefficients.permanent(point) > 0) && contact.weight(point) > 0;
+      (trial[0] > 0 || contact.coefficients.bilateral(point) > 0) && contact.weight(point) > 0;
     return is_closed ? ContactStatus::slip : ContactStatus::open;
   }
 
@@ -83,11 +83,11 @@ namespace Signorini
       {
         result.traction        = trial(point, in);
         result.by_gap[0][0]    = -epsilon(point);
-        result.by_stress[0][0] = predictor == Predictor::normal_stress ? 1. : 0.;
+        result.by_stress[0][0] = pressure_shift == PressureShift::normal_stress ? 1. : 0.;
         return result;
       }
     result.traction[0] = in.traction[0];
-    if (predictor == Predictor::none)
+    if (pressure_shift == PressureShift::none)
       result.residual_by_traction[0][0] = 1 / epsilon(point);
     result.residual[0] += result.residual_by_traction[0][0] * in.traction[0];
     return result;
@@ -98,10 +98,11 @@ namespace Signorini
   PointVectors
   NormalContact::trial_from_traction(const LawInputs &in) const
   {
-    if (predictor == Predictor::multiplier || predictor == Predictor::normal_stress)
+    if (pressure_shift == PressureShift::multiplier ||
+        pressure_shift == PressureShift::normal_stress)
       return trial(in);
     return at_all_points([&](const Index i) {
-      const double compliance = predictor == Predictor::none ? 1 / epsilon(i) : 0;
+      const double compliance = pressure_shift == PressureShift::none ? 1 / epsilon(i) : 0;
       const double c          = std::min(epsilon(i), contact.coefficients.stiffness(i));
       const double p          = in.traction[0](i);
       LawVector    result;

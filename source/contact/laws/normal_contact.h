@@ -33,7 +33,7 @@ namespace Signorini
     bool
     augments() const override
     {
-      return predictor == Predictor::last_pressure;
+      return pressure_shift == PressureShift::last_pressure;
     }
 
     void
@@ -44,21 +44,21 @@ namespace Signorini
 
     /// Only where p^ is zero.
     bool
-    soften(const double factor) override
+    scale_penalty(const double factor) override
     {
-      const bool changes = factor != softness;
-      softness           = factor;
+      const bool changes = factor != penalty_scale;
+      penalty_scale      = factor;
       return changes;
     }
 
     bool
-    is_soft() const override
+    has_scaled_penalty() const override
     {
-      return softness < 1;
+      return penalty_scale < 1;
     }
 
     double
-    softest() const override;
+    minimal_penalty_scale() const override;
 
     using ContactLaw::status;
     using ContactLaw::trial;
@@ -87,19 +87,22 @@ namespace Signorini
     }
 
   private:
-    NormalContact(const GapOperator &contact, Predictor predictor, bool multiplier, double spring);
+    NormalContact(const GapOperator &contact,
+                  PressureShift      pressure_shift,
+                  bool               multiplier,
+                  double             spring);
 
     double
     epsilon(const Index point) const
     {
-      return spring < 0 ? softness * contact.coefficients.epsilon(point) :
+      return spring < 0 ? penalty_scale * contact.coefficients.epsilon(point) :
                           spring * contact.coefficients.stiffness(point);
     }
 
-    Predictor  predictor;
-    bool       multiplier;
-    double     spring; ///< negative: the method's eps
-    double     softness = 1;
-    LA::Vector last; ///< p^ of what augments
+    PressureShift pressure_shift;
+    bool          multiplier;
+    double        spring; ///< negative: the method's eps
+    double        penalty_scale = 1;
+    LA::Vector    last; ///< p^ of what augments
   };
 } // namespace Signorini

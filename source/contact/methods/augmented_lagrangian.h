@@ -4,12 +4,12 @@
 
 namespace Signorini
 {
-  /// Augmented Lagrangian method, thesis 3.2, in two forms. Uzawa: a sequence of penalty solutions
-  /// p = max(0, p^ - eps g), each of which starts from the pressure p^ of the one before, until the
-  /// gap weighted at the slave nodes is closed; systems without multipliers. The gap falls by about
-  /// 1/(1 + Factor) each time. Newton: displacement and pressure at once, from
-  /// p = max(0, p - eps g) (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375).
-  /// The result of both is that of the Lagrange multiplier method.
+  /// Augmented Lagrangian method (doc/theory, 2.4) in two forms. Uzawa: a sequence of penalty
+  /// solutions p = max(0, p^ - eps g), each of which starts from the pressure p^ of the one before,
+  /// until the gap weighted at the slave nodes is closed; systems without multipliers. The gap
+  /// falls by about 1/(1 + Factor) each time. Newton: displacement and pressure at once, from p =
+  /// max(0, p - eps g) (Alart, Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375). The
+  /// result of both is that of the Lagrange multiplier method.
   class AugmentedLagrangian : public ContactMethod
   {
   public:
@@ -28,10 +28,10 @@ namespace Signorini
       return Sampling::nodes;
     }
 
-    Predictor
-    predictor() const override
+    PressureShift
+    pressure_shift() const override
     {
-      return loop == Loop::Newton ? Predictor::multiplier : Predictor::last_pressure;
+      return loop == Loop::Newton ? PressureShift::multiplier : PressureShift::last_pressure;
     }
 
     bool

@@ -4,10 +4,10 @@
 
 namespace Signorini
 {
-  /// Direct constraint elimination, thesis 3.2: slave nodes that touch lie on the master surface,
-  /// u^S . n = u^M . n - g_0, whatever the nodes of the master: node-to-node where meshes match,
-  /// node-to-surface elsewhere. The linear solver eliminates these constraints, so that what it
-  /// iterates on is symmetric and positive definite; the forces that they transmit follow from
+  /// Direct constraint elimination (doc/theory, 2.6): slave nodes that touch lie on the master
+  /// surface, u^S . n = u^M . n - g_0, whatever the nodes of the master: node-to-node where meshes
+  /// match, node-to-surface elsewhere. The linear solver eliminates these constraints, so that what
+  /// it iterates on is symmetric and positive definite; the forces that they transmit follow from
   /// equilibrium and are returned as pressures by the areas of the nodes. Exact on matching meshes;
   /// elsewhere as any collocation it fails the patch test (by some percent).
   class DirectElimination : public ContactMethod
@@ -22,10 +22,10 @@ namespace Signorini
       return Sampling::nodes;
     }
 
-    Predictor
-    predictor() const override
+    PressureShift
+    pressure_shift() const override
     {
-      return Predictor::multiplier;
+      return PressureShift::multiplier;
     }
 
     bool

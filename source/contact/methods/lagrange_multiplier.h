@@ -4,7 +4,7 @@
 
 namespace Signorini
 {
-  /// Lagrange multiplier method, thesis (43)-(50): the contact pressure is an unknown in a space of
+  /// Lagrange multiplier method (doc/theory, 2.5): the contact pressure is an unknown in a space of
   /// functions on the slave, one a node; the gap weighted with them vanishes where it acts. The
   /// active set follows from p - c g > 0; c only steers the iteration, not the result.
   class LagrangeMultiplier : public ContactMethod
@@ -19,10 +19,10 @@ namespace Signorini
       return Sampling::nodes;
     }
 
-    Predictor
-    predictor() const override
+    PressureShift
+    pressure_shift() const override
     {
-      return Predictor::multiplier;
+      return PressureShift::multiplier;
     }
 
     bool

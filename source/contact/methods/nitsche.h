@@ -4,7 +4,7 @@
 
 namespace Signorini
 {
-  /// Nitsche's method, thesis (59)-(64), in the form for contact of Chouly and Hild (SIAM J. Numer.
+  /// Nitsche's method (doc/theory, 2.7) in the form for contact of Chouly and Hild (SIAM J. Numer.
   /// Anal. 51 (2013) 1295-1307): p = max(0, s(u) - eps g) with the normal stress s of the bodies at
   /// the contact points, tested with v and theta s(v):
   ///
@@ -27,10 +27,10 @@ namespace Signorini
       return Sampling::quadrature_points;
     }
 
-    Predictor
-    predictor() const override
+    PressureShift
+    pressure_shift() const override
     {
-      return Predictor::normal_stress;
+      return PressureShift::normal_stress;
     }
 
     bool

@@ -42,7 +42,7 @@ namespace Signorini
   void
   Penalty::check(const Integration &integration, const unsigned int degree) const
   {
-    if (weighting == Weighting::mortar || integration.rule == Rule::nodes || is_soft())
+    if (weighting == Weighting::mortar || integration.rule == Rule::nodes || is_low_penalty())
       return;
     const bool segments = integration.rule == Rule::segments;
     if (segments || integration.n_points > degree + 1)

@@ -4,7 +4,7 @@
 
 namespace Signorini
 {
-  /// Penalty method, thesis (51)-(58): p = max(0, -eps g). Bodies penetrate by p/eps.
+  /// Penalty method (doc/theory, 2.2): p = max(0, -eps g). Bodies penetrate by p/eps.
   class Penalty : public ContactMethod
   {
   public:
@@ -24,10 +24,10 @@ namespace Signorini
       return weighting == Weighting::mortar ? Sampling::nodes : Sampling::quadrature_points;
     }
 
-    Predictor
-    predictor() const override
+    PressureShift
+    pressure_shift() const override
     {
-      return Predictor::none;
+      return PressureShift::none;
     }
 
     bool
@@ -45,7 +45,7 @@ namespace Signorini
     Rule
     usual_integration() const override
     {
-      return weighting == Weighting::mortar || is_soft() ? Rule::segments : Rule::quadrature;
+      return weighting == Weighting::mortar || is_low_penalty() ? Rule::segments : Rule::quadrature;
     }
 
     void
@@ -55,7 +55,7 @@ namespace Signorini
   private:
     /// Soft enough for more points of a face than it has nodes.
     bool
-    is_soft() const
+    is_low_penalty() const
     {
       constexpr double largest = 10; // peaks of 3 % seen with it in Hertz contact, 8 % with 30
       return !penalty_factor.is_absolute() && penalty_factor.factor <= largest;

@@ -4,7 +4,7 @@
 
 namespace Signorini
 {
-  /// Perturbed Lagrangian method, thesis 3.2: the pressure is an unknown as in the Lagrange
+  /// Perturbed Lagrangian method (doc/theory, 2.3): the pressure is an unknown as in the Lagrange
   /// multiplier method, but the contact is elastic: g + p/eps = 0 at the slave nodes where it acts.
   /// As a block system it is a saddle point that large factors do not hurt. Condensed, the pressure
   /// is eliminated, which yields the penalty method with mortar weighting, with the same solution.
@@ -26,10 +26,10 @@ namespace Signorini
       return Sampling::nodes;
     }
 
-    Predictor
-    predictor() const override
+    PressureShift
+    pressure_shift() const override
     {
-      return Predictor::none;
+      return PressureShift::none;
     }
 
     bool

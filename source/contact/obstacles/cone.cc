@@ -35,7 +35,7 @@ namespace Signorini
           section.fail("Normal", "must not be zero");
       }
 
-      ObstaclePlace<dim>
+      ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
         const Tensor<1, dim> n      = normal / normal.norm();

@@ -30,7 +30,7 @@ namespace Signorini
           section.fail("Axis", "must not be zero");
       }
 
-      ObstaclePlace<dim>
+      ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
         Tensor<1, dim> r = x - center;
@@ -46,8 +46,8 @@ namespace Signorini
         if (dim == 3)
           curvature -= outer_product(axis, axis) / axis.norm_square();
         curvature /= distance;
-        return hollow ? ObstaclePlace<dim>{radius - distance, -n, -curvature} :
-                        ObstaclePlace<dim>{distance - radius, n, curvature};
+        return hollow ? ObstaclePoint<dim>{radius - distance, -n, -curvature} :
+                        ObstaclePoint<dim>{distance - radius, n, curvature};
       }
 
     private:

@@ -45,7 +45,7 @@ namespace Signorini
         t = time;
       }
 
-      ObstaclePlace<dim>
+      ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
         return {gap.value(x, t), normal / normal.norm()};
@@ -58,7 +58,7 @@ namespace Signorini
       }
 
       /// Of the surface where the formula is zero.
-      ObstaclePlace<dim>
+      ObstaclePoint<dim>
       closest_point(const Point<dim> &x, const double length) const override
       {
         // To the tangent plane at the last point, and back to the surface along the gradient: a

@@ -33,7 +33,7 @@ namespace Signorini
           section.fail("Normal", "must not be zero");
       }
 
-      ObstaclePlace<dim>
+      ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
         const Tensor<1, dim> n      = normal / normal.norm();
@@ -42,7 +42,7 @@ namespace Signorini
         return {height + (r.norm_square() - height * height) / (2 * radius), n};
       }
 
-      ObstaclePlace<dim>
+      ObstaclePoint<dim>
       closest_point(const Point<dim> &x, const double /*length*/) const override
       {
         const Tensor<1, dim> n      = normal / normal.norm();

@@ -21,7 +21,7 @@ namespace Signorini
         section.add("Hollow", hollow, "yes: the body is inside, in a spherical seat");
       }
 
-      ObstaclePlace<dim>
+      ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
         const Tensor<1, dim> r        = x - center;
@@ -34,8 +34,8 @@ namespace Signorini
         Tensor<2, dim> curvature;
         if (distance > 0)
           curvature = (unit_symmetric_tensor<dim>() - outer_product(n, n)) / distance;
-        return hollow ? ObstaclePlace<dim>{radius - distance, -n, -curvature} :
-                        ObstaclePlace<dim>{distance - radius, n, curvature};
+        return hollow ? ObstaclePoint<dim>{radius - distance, -n, -curvature} :
+                        ObstaclePoint<dim>{distance - radius, n, curvature};
       }
 
     private:

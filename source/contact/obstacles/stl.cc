@@ -27,7 +27,7 @@ namespace Signorini
           section.fail("Shape", "a surface of triangles needs Dimension = 3");
         if (file.empty())
           section.fail("File", "is required for Shape = STL");
-        place = section.place_of("File");
+        place = section.source_of("File");
       }
 
       void
@@ -35,7 +35,7 @@ namespace Signorini
       {
         try
           {
-            const std::string path = found_beside_scene(file, folder);
+            const std::string path = find_beside_scene(file, folder);
             if (file_exists(path))
               file = std::filesystem::absolute(path).lexically_normal(); // for the written scene
             Triangles triangles = read_stl(path);
@@ -50,7 +50,7 @@ namespace Signorini
           }
       }
 
-      ObstaclePlace<dim>
+      ObstaclePoint<dim>
       closest(const Point<dim> &x) const override
       {
         if constexpr (dim == 3)

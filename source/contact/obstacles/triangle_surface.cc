@@ -118,7 +118,7 @@ namespace Signorini
 
 
   /// The regions of Ericson, Real-Time Collision Detection, 5.1.5.
-  TriangleSurface::Foot
+  TriangleSurface::TrianglePoint
   TriangleSurface::foot(const Point<3> &x, const unsigned int triangle) const
   {
     const auto     &c = corners[triangle];
@@ -127,11 +127,11 @@ namespace Signorini
     const double    ap = a * (x - p), bp = b * (x - p), aq = a * (x - q), bq = b * (x - q),
                  ar = a * (x - r), br = b * (x - r);
     const auto at_vertex = [&](const unsigned int i) {
-      return Foot{vertices[c[i]], vertex_normals[c[i]], false};
+      return TrianglePoint{vertices[c[i]], vertex_normals[c[i]], false};
     };
     const auto on_edge = [&](const unsigned int i, const double s) {
       const Point<3> &from = vertices[c[i]], &to = vertices[c[(i + 1) % 3]];
-      return Foot{from + s * (to - from), edge_normals[triangle][i], false};
+      return TrianglePoint{from + s * (to - from), edge_normals[triangle][i], false};
     };
 
     if (ap <= 0 && bp <= 0)
@@ -155,12 +155,12 @@ namespace Signorini
 
 
 
-  ObstaclePlace<3>
+  ObstaclePoint<3>
   TriangleSurface::closest(const Point<3> &x) const
   {
     namespace bgi = boost::geometry::index;
-    Foot   best;
-    double smallest = std::numeric_limits<double>::max();
+    TrianglePoint best;
+    double        smallest = std::numeric_limits<double>::max();
     // The boxes next to x, more and more, until the others are farther away than the foot.
     for (std::size_t n = 8, seen = 0; seen < tree.size(); n *= 4)
       {
@@ -169,9 +169,9 @@ namespace Signorini
         tree.query(bgi::nearest(x, n), std::back_inserter(entries));
         for (const Entry &entry : entries)
           {
-            farthest            = std::max(farthest, distance(x, entry.first));
-            const Foot   other  = foot(x, entry.second);
-            const double so_far = x.distance(other.point);
+            farthest                   = std::max(farthest, distance(x, entry.first));
+            const TrianglePoint other  = foot(x, entry.second);
+            const double        so_far = x.distance(other.point);
             if (so_far < smallest)
               {
                 smallest = so_far;

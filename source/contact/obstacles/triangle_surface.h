@@ -26,7 +26,7 @@ namespace Signorini
     /// face to different sides, or if there are no triangles. Triangles without area are left out.
     explicit TriangleSurface(const Triangles &triangles);
 
-    ObstaclePlace<3>
+    ObstaclePoint<3>
     closest(const dealii::Point<3> &x) const;
 
     dealii::BoundingBox<3>
@@ -40,7 +40,7 @@ namespace Signorini
     using Entry  = std::pair<dealii::BoundingBox<3>, unsigned int>;
 
     /// A point of a triangle, and what of the triangle it lies on.
-    struct Foot
+    struct TrianglePoint
     {
       dealii::Point<3> point;
       Vector           normal; ///< pseudo-normal there
@@ -51,7 +51,7 @@ namespace Signorini
     add_vertex_normals();
     void
     add_edge_normals();
-    Foot
+    TrianglePoint
     foot(const dealii::Point<3> &x, unsigned int triangle) const;
 
     std::vector<dealii::Point<3>>            vertices;

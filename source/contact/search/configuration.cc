@@ -39,7 +39,7 @@ namespace Signorini
     /// rigid motion of all others is one of them, too.
     template <int dim>
     LA::Vector
-    places_of_nodes(const Elasticity<dim> &elasticity)
+    positions_of_nodes(const Elasticity<dim> &elasticity)
     {
       LA::Vector     places = elasticity.zero_vector();
       CellNodes<dim> nodes_of(elasticity.mesh(), elasticity.finite_elements());
@@ -126,7 +126,7 @@ namespace Signorini
     , u(u)
     , ghosted(elasticity.with_ghosts(u))
     , of_frames(elasticity.with_ghosts(of_frames))
-    , rest_places(places_of_nodes(elasticity))
+    , reference_positions(positions_of_nodes(elasticity))
     , rigid_motion(elasticity.rigid_motion(u))
   {}
 
@@ -187,7 +187,7 @@ namespace Signorini
           for (unsigned int d = 0; d < dim; ++d)
             {
               const auto   dof = indices[fe.component_to_system_index(d, shape.function)];
-              const double X   = rest_places(dof);
+              const double X   = reference_positions(dof);
               before.origin[d] += shape.value * X;
               now.origin[d] += shape.value * (X + ghosted(dof));
               for (unsigned int a = 0; a < dim - 1; ++a)
@@ -222,24 +222,24 @@ namespace Signorini
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (bodies[b].name == obstacle.name)
         std::copy_n(rigid_motion.begin() + b * motion.size(), motion.size(), motion.begin());
-    return {obstacle.body.reference, motion, my_elasticity.lever()};
+    return {obstacle.body.reference, motion, my_elasticity.rotation_length_scale()};
   }
 
 
 
   template <int dim>
-  ObstaclePlace<dim>
+  ObstaclePoint<dim>
   Configuration<dim>::closest(const Obstacle<dim>  &obstacle,
                               const RigidPose<dim> &pose,
                               const Point<dim>     &x) const
   {
     if (at_rest)
       return obstacle.shape->closest(x);
-    ObstaclePlace<dim> place =
-      obstacle.shape->closest_point(pose.to_body(x), my_elasticity.lever());
-    place.normal    = pose.to_space(place.normal);
-    place.curvature = pose.to_space(place.curvature);
-    return place;
+    ObstaclePoint<dim> point_on_obstacle =
+      obstacle.shape->closest_point(pose.to_body(x), my_elasticity.rotation_length_scale());
+    point_on_obstacle.normal    = pose.to_space(point_on_obstacle.normal);
+    point_on_obstacle.curvature = pose.to_space(point_on_obstacle.curvature);
+    return point_on_obstacle;
   }
 
 

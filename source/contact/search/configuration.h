@@ -16,8 +16,8 @@ namespace Signorini
   using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
   /// Where the surfaces are on which contact is looked for: at rest, where gaps and normals are
-  /// those of the undeformed bodies, or displaced by a u, where they are those of the thesis (9).
-  /// Keeps a reference to the elasticity, and a copy of u.
+  /// those of the undeformed bodies, or displaced by a u, where they are those of the displaced
+  /// bodies (doc/theory, 5.1). Keeps a reference to the elasticity, and a copy of u.
   template <int dim>
   class Configuration
   {
@@ -37,7 +37,7 @@ namespace Signorini
                   const LA::Vector      &of_frames);
 
     bool
-    is_rest() const
+    is_reference() const
     {
       return at_rest;
     }
@@ -91,7 +91,7 @@ namespace Signorini
     pose(const Obstacle<dim> &obstacle, const std::vector<double> &rigid_motion) const;
 
     /// What belongs to a point: the closest point of the obstacle where it is now.
-    ObstaclePlace<dim>
+    ObstaclePoint<dim>
     closest(const Obstacle<dim>      &obstacle,
             const RigidPose<dim>     &pose,
             const dealii::Point<dim> &x) const;
@@ -115,8 +115,8 @@ namespace Signorini
     std::shared_ptr<const Configuration<dim>> my_start;
     bool                                      at_rest;
     LA::Vector                                u, ghosted;
-    LA::Vector          of_frames;   ///< the displacement of the frames, with ghosts
-    LA::Vector          rest_places; ///< of nodes, with ghosts
+    LA::Vector          of_frames;           ///< the displacement of the frames, with ghosts
+    LA::Vector          reference_positions; ///< of nodes, with ghosts
     std::vector<double> rigid_motion;
 
     mutable std::map<std::tuple<unsigned int, unsigned int, unsigned int>, ShapesAtNodes> shapes;

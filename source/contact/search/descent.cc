@@ -25,10 +25,10 @@ namespace Signorini
     // coupling) says nothing about the minimum, which is on the side.
     template <int n>
     Tensor<2, n>
-    without_pressed(Tensor<2, n>        hessian,
-                    const Tensor<2, n> &gauss_newton,
-                    const Tensor<1, n> &gradient,
-                    const Point<n>     &xi)
+    without_constrained(Tensor<2, n>        hessian,
+                        const Tensor<2, n> &gauss_newton,
+                        const Tensor<1, n> &gradient,
+                        const Point<n>     &xi)
     {
       for (unsigned int i = 0; i < n; ++i)
         if ((xi[i] == 0 && gradient[i] > 0) || (xi[i] == 1 && gradient[i] < 0))
@@ -57,7 +57,7 @@ namespace Signorini
             }
         }
       // On the concave side, beyond the centre of curvature, Newton would climb to a maximum.
-      hessian  = without_pressed(hessian, gauss_newton, m.gradient, xi);
+      hessian  = without_constrained(hessian, gauss_newton, m.gradient, xi);
       m.convex = hessian[0][0] > 1e-10 * gauss_newton[0][0] &&
                  determinant(hessian) > 1e-10 * determinant(gauss_newton);
       m.hessian = m.convex ? hessian : gauss_newton;
@@ -67,10 +67,10 @@ namespace Signorini
     // Minimiser s of the quadratic g.s + s.H.s/2 between the bounds. The bounds are the sides of
     // the parameter square seen from xi, so an active one needs no bookkeeping.
     Tensor<1, 1>
-    best_step(const Tensor<1, 1> &g,
-              const Tensor<2, 1> &H,
-              const Tensor<1, 1> &lower,
-              const Tensor<1, 1> &upper)
+    constrained_minimiser(const Tensor<1, 1> &g,
+                          const Tensor<2, 1> &H,
+                          const Tensor<1, 1> &lower,
+                          const Tensor<1, 1> &upper)
     {
       Tensor<1, 1> s;
       s[0] = std::clamp(-g[0] / H[0][0], lower[0], upper[0]);
@@ -78,10 +78,10 @@ namespace Signorini
     }
 
     Tensor<1, 2>
-    best_step(const Tensor<1, 2> &g,
-              const Tensor<2, 2> &H,
-              const Tensor<1, 2> &lower,
-              const Tensor<1, 2> &upper)
+    constrained_minimiser(const Tensor<1, 2> &g,
+                          const Tensor<2, 2> &H,
+                          const Tensor<1, 2> &lower,
+                          const Tensor<1, 2> &upper)
     {
       const Tensor<1, 2> newton = -1. * (invert(H) * g);
       if (newton[0] >= lower[0] && newton[0] <= upper[0] && newton[1] >= lower[1] &&
@@ -169,7 +169,7 @@ namespace Signorini
             lower[d] = -xi[d];
             upper[d] = 1 - xi[d];
           }
-        const Tensor<1, dim - 1> step = best_step(m.gradient, m.hessian, lower, upper);
+        const Tensor<1, dim - 1> step = constrained_minimiser(m.gradient, m.hessian, lower, upper);
         Tensor<1, dim>           way;
         for (unsigned int d = 0; d < dim - 1; ++d)
           way += step[d] * m.tangents[d];

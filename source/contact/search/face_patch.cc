@@ -275,7 +275,7 @@ namespace Signorini
 
   template <int dim>
   double
-  FacePatch<dim>::bend() const
+  FacePatch<dim>::second_derivative_bound() const
   {
     return largest_curvature;
   }

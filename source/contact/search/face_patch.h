@@ -78,7 +78,7 @@ namespace Signorini
 
     /// About the largest norm of second derivatives, a bit more rather than less.
     double
-    bend() const;
+    second_derivative_bound() const;
 
     /// Average of the nodes: an identity of the face that does not depend on ranks or numbering.
     dealii::Point<dim>

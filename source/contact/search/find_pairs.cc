@@ -124,7 +124,7 @@ namespace Signorini
     /// both.
     template <int dim>
     std::vector<const Face<dim> *>
-    seen_from(const Face<dim> &face, const std::vector<const Face<dim> *> &front)
+    visible_from(const Face<dim> &face, const std::vector<const Face<dim> *> &front)
     {
       std::vector<const Face<dim> *> result;
       for (const Face<dim> *other : front)
@@ -145,7 +145,7 @@ namespace Signorini
     }
 
     /// A face of this rank and boundaries of another body, parts of which lie behind it.
-    using Behind = std::map<unsigned int, std::set<unsigned int>>;
+    using BoundariesBehind = std::map<unsigned int, std::set<unsigned int>>;
 
     /// Of faces that another body lies behind: what is behind may be on the far side of the face's
     /// own body, or of the other one. It meets the face if that lies inside of the other body, an
@@ -153,7 +153,7 @@ namespace Signorini
     template <int dim>
     void
     add_overlapping(const std::vector<Face<dim>>      &own,
-                    const Behind                      &behind,
+                    const BoundariesBehind            &behind,
                     const std::vector<FacePatch<dim>> &body,
                     const double                       distance,
                     const MPI_Comm                     comm,
@@ -163,15 +163,16 @@ namespace Signorini
       for (const auto &entry : behind)
         points.push_back(own[entry.first].center);
       const MasterFaces<dim> faces{body, [](auto, const auto &, auto &) {}};
-      const auto             closest =
-        find_partners(points, std::vector<Tensor<1, dim>>(points.size()), faces, distance, comm);
-      auto place = closest.begin();
+      const auto             closest = find_master_projections(
+        points, std::vector<Tensor<1, dim>>(points.size()), faces, distance, comm);
+      auto point_on_obstacle = closest.begin();
       for (const auto &[number, boundaries] : behind)
-        if (const auto &partner = *place++)
+        if (const auto &master_point = *point_on_obstacle++)
           {
-            const Face<dim> &face      = own[number];
-            const bool       is_inside = (face.center - partner->position) * partner->normal < 0;
-            if (is_inside || faces_each_other<dim>(face.normal, partner->normal))
+            const Face<dim> &face = own[number];
+            const bool       is_inside =
+              (face.center - master_point->position) * master_point->normal < 0;
+            if (is_inside || faces_each_other<dim>(face.normal, master_point->normal))
               for (const unsigned int boundary : boundaries)
                 result.insert(std::minmax(face.boundary, boundary));
           }
@@ -185,10 +186,10 @@ namespace Signorini
       std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
       for (unsigned int i = 0; i < surfaces.all.size(); ++i)
         boxes.emplace_back(surfaces.all[i].box(0), i);
-      const auto             tree = pack_rtree(boxes);
-      std::set<BoundaryPair> own;
-      std::vector<Behind>    behind(surfaces.patches.size());
-      double                 farthest = distance;
+      const auto                    tree = pack_rtree(boxes);
+      std::set<BoundaryPair>        own;
+      std::vector<BoundariesBehind> behind(surfaces.patches.size());
+      double                        farthest = distance;
       for (unsigned int k = 0; k < surfaces.own.size(); ++k)
         {
           const Face<dim> &face = surfaces.own[k];
@@ -204,7 +205,7 @@ namespace Signorini
                 else
                   behind[other.body][k].insert(other.boundary);
               }
-          for (const Face<dim> *other : seen_from(face, front))
+          for (const Face<dim> *other : visible_from(face, front))
             own.insert(std::minmax(face.boundary, other->boundary));
         }
       farthest = Utilities::MPI::max(farthest, comm);
@@ -227,9 +228,9 @@ namespace Signorini
       std::set<unsigned int> result;
       for (const Face<dim> &face : faces)
         {
-          const ObstaclePlace<dim> place = shape.closest(face.center);
-          if (std::abs(place.gap) <= distance + face.size / 2 &&
-              faces_each_other(face.normal, place.normal))
+          const ObstaclePoint<dim> point_on_obstacle = shape.closest(face.center);
+          if (std::abs(point_on_obstacle.gap) <= distance + face.size / 2 &&
+              faces_each_other(face.normal, point_on_obstacle.normal))
             result.insert(face.boundary);
         }
       return result;

@@ -34,7 +34,7 @@ namespace Signorini
       const double tolerance = std::max(a.tolerance, b.tolerance);
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const double difference = a.partner.face_center[d] - b.partner.face_center[d];
+          const double difference = a.master_point.face_center[d] - b.master_point.face_center[d];
           if (std::abs(difference) > tolerance)
             return difference < 0;
         }
@@ -64,11 +64,11 @@ namespace Signorini
   {
     double least = std::numeric_limits<double>::max();
     for (const Candidate<dim> &c : candidates)
-      least = std::min(least, c.partner.distance);
+      least = std::min(least, c.master_point.distance);
 
     const Candidate<dim> *best = nullptr;
     for (const Candidate<dim> &c : candidates)
-      if (c.partner.distance <= least + c.tolerance)
+      if (c.master_point.distance <= least + c.tolerance)
         {
           if (c.is_former && !c.overhangs)
             return &c;
@@ -115,7 +115,7 @@ namespace Signorini
       squares += tangent.norm_square();
     const double area = face.jacobian(middle), // the product of the largest and the least stretch
       stretch         = dim == 2 ? area : area / std::sqrt(squares);
-    return {face.normal(middle), 2 * face.bend() / stretch};
+    return {face.normal(middle), 2 * face.second_derivative_bound() / stretch};
   }
 
 
@@ -136,18 +136,19 @@ namespace Signorini
       ++statistics.fallbacks;
 
     Candidate<dim> c;
-    c.partner.normal = patch.normal(projection.xi);
+    c.master_point.normal = patch.normal(projection.xi);
     if (!(projection.distance <= query.limit) ||
-        (!any_orientation && !faces_each_other(query.normal, c.partner.normal)))
+        (!any_orientation && !faces_each_other(query.normal, c.master_point.normal)))
       return {};
-    if (!master.rest.empty() && is_beyond_itself(query.rest,
-                                                 place_at_rest(master.rest[face], projection.xi),
-                                                 master.rest[face].diameter()))
+    if (!master.rest.empty() &&
+        cannot_self_contact(query.rest,
+                            reference_point(master.rest[face], projection.xi),
+                            master.rest[face].diameter()))
       return {};
-    c.partner.position    = projection.position;
-    c.partner.distance    = projection.distance;
-    c.partner.face_center = patch.center();
-    c.partner.stiffness   = 0;
+    c.master_point.position    = projection.position;
+    c.master_point.distance    = projection.distance;
+    c.master_point.face_center = patch.center();
+    c.master_point.stiffness   = 0;
     c.is_former = patch.center().distance(query.former_center) < same_face * query.staying;
     c.tolerance = c.is_former ? query.staying : rounding_of(patch);
     c.face      = face;
@@ -157,7 +158,7 @@ namespace Signorini
     // points of the wedge above it belong to no face; they are ours. What is farther out is
     // beside the body.
     const double offset = projection.tangential_offset;
-    const double above  = std::abs((query.point - projection.position) * c.partner.normal);
+    const double above  = std::abs((query.point - projection.position) * c.master_point.normal);
     const double rim    = c.is_former ? query.staying : rim_tolerance * patch.diameter();
     c.overhangs         = offset > rim && offset > widest_wedge * above;
     return c;
@@ -218,8 +219,9 @@ namespace Signorini
               break;
             if (std::optional<Candidate<dim>> c = candidate(query, face))
               {
-                limit = std::min(limit,
-                                 c->partner.distance + std::max(rank_box.tolerance, query.staying));
+                limit =
+                  std::min(limit,
+                           c->master_point.distance + std::max(rank_box.tolerance, query.staying));
                 candidates.push_back(std::move(*c));
               }
           }
@@ -232,7 +234,7 @@ namespace Signorini
       return {};
     Candidate<dim> result = *best;
     if (!result.overhangs)
-      master.complete(result.face, result.xi, result.partner);
+      master.complete(result.face, result.xi, result.master_point);
     return result;
   }
 

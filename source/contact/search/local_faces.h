@@ -19,7 +19,7 @@ namespace Signorini
     double                 limit;         // farther faces cannot win
     dealii::Point<dim>     former_center; // of the face that the point is to stay with
     double                 staying = 0;   // if that is no farther than this beyond the nearest
-    PlaceAtRest<dim>       rest;          // where the master says where it was
+    ReferencePoint<dim>    rest;          // where the master says where it was
 
     // Demanded by the compiler, not called.
     template <class Archive>
@@ -34,7 +34,7 @@ namespace Signorini
   template <int dim>
   struct Candidate
   {
-    Partner<dim>           partner;
+    MasterProjection<dim>  master_point;
     double                 tolerance; // same * diameter of the face; what the point stays for
     bool                   overhangs; // the point lies beside the face, not above it
     bool                   is_former; // the point is to stay with it
@@ -45,7 +45,7 @@ namespace Signorini
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &partner &tolerance &overhangs &is_former;
+      ar &master_point &tolerance &overhangs &is_former;
     }
   };
 
@@ -65,7 +65,8 @@ namespace Signorini
     }
   };
 
-  /// The nearest candidate (nullptr if there is none), ties broken as find_partners() promises.
+  /// The nearest candidate (nullptr if there is none), ties broken as find_master_projections()
+  /// promises.
   template <int dim>
   const Candidate<dim> *
   nearest(const std::vector<Candidate<dim>> &candidates);
@@ -78,7 +79,7 @@ namespace Signorini
     LocalFaces(const MasterFaces<dim> &master, SearchStatistics &statistics);
 
     /// Candidates are the faces not beyond the limit that face the point. The best one, complete
-    /// if it can become a partner; nothing if there is none.
+    /// if it can become a projection; nothing if there is none.
     std::optional<Candidate<dim>>
     find(const Query<dim> &query);
 

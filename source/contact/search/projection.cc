@@ -100,7 +100,9 @@ namespace Signorini
     public:
       /// @param stretch see least_stretch()
       Samples(const Point<dim> &x, const FacePatch<dim> &face, const double stretch)
-        : per_line((face.bend() < stretch ? 1 : (dim == 2 ? 4 : 3)) * face.get_degree() + 1)
+        : per_line((face.second_derivative_bound() < stretch ? 1 : (dim == 2 ? 4 : 3)) *
+                     face.get_degree() +
+                   1)
         , count(dim == 3 ? per_line * per_line : per_line)
       {
         for (unsigned int n = 0; n < count; ++n)
@@ -155,8 +157,8 @@ namespace Signorini
     {
       const double farthest = x.distance(face.center()) + face.diameter();
       // From the middle, tangents change by at most the bend times the half of a diagonal.
-      const double stretch = least_stretch - 0.71 * face.bend();
-      return stretch > 0 && farthest * face.bend() < stretch * stretch;
+      const double stretch = least_stretch - 0.71 * face.second_derivative_bound();
+      return stretch > 0 && farthest * face.second_derivative_bound() < stretch * stretch;
     }
 
     template <int dim>

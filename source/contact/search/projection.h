@@ -4,7 +4,7 @@
 
 namespace Signorini
 {
-  /// Closest point projection of x onto one face, thesis (10).
+  /// Closest point projection of x onto one face (doc/theory, 3.1).
   template <int dim>
   struct Projection
   {

@@ -43,7 +43,7 @@ namespace Signorini
               Query<dim> query = queries[i];
               if (!found[i].empty())
                 query.limit = std::min(query.limit,
-                                       found[i][0].partner.distance +
+                                       found[i][0].master_point.distance +
                                          std::max(ranks[rank].tolerance, query.staying));
               if (distance(query.point, ranks[rank].box) > query.limit)
                 continue;
@@ -57,11 +57,11 @@ namespace Signorini
     // Ask the other ranks, answer their questions, and add their answers to what was found here.
     template <int dim>
     void
-    ask_others(const std::vector<Query<dim>>            &queries,
-               LocalFaces<dim>                          &faces,
-               const MPI_Comm                            comm,
-               SearchStatistics                         &statistics,
-               std::vector<std::vector<Candidate<dim>>> &found)
+    query_other_ranks(const std::vector<Query<dim>>            &queries,
+                      LocalFaces<dim>                          &faces,
+                      const MPI_Comm                            comm,
+                      SearchStatistics                         &statistics,
+                      std::vector<std::vector<Candidate<dim>>> &found)
     {
       using Answers = std::vector<std::pair<unsigned int, Candidate<dim>>>;
       static_assert(std::is_trivially_copyable<Query<dim>>::value, "queries are sent bit by bit");
@@ -88,7 +88,9 @@ namespace Signorini
 
   template <int dim>
   bool
-  is_beyond_itself(const PlaceAtRest<dim> &a, const PlaceAtRest<dim> &b, const double width)
+  cannot_self_contact(const ReferencePoint<dim> &a,
+                      const ReferencePoint<dim> &b,
+                      const double               width)
   {
     // A sheet that is rolled up has its thickness over the length of a turn.
     constexpr double     inward = 0.3;
@@ -100,15 +102,15 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<std::optional<Partner<dim>>>
-  find_partners(const std::vector<Point<dim>>       &points,
-                const std::vector<Tensor<1, dim>>   &slave_normals,
-                const MasterFaces<dim>              &master,
-                const double                         reach,
-                const MPI_Comm                       comm,
-                SearchStatistics                    *statistics,
-                const std::vector<FormerFace<dim>>  &former,
-                const std::vector<PlaceAtRest<dim>> &rest)
+  std::vector<std::optional<MasterProjection<dim>>>
+  find_master_projections(const std::vector<Point<dim>>              &points,
+                          const std::vector<Tensor<1, dim>>          &slave_normals,
+                          const MasterFaces<dim>                     &master,
+                          const double                                search_radius,
+                          const MPI_Comm                              comm,
+                          SearchStatistics                           *statistics,
+                          const std::vector<PreviousMasterFace<dim>> &former,
+                          const std::vector<ReferencePoint<dim>>     &rest)
   {
     constexpr double staying = 1e-3; // in sizes of the former face
     AssertDimension(points.size(), slave_normals.size());
@@ -124,7 +126,7 @@ namespace Signorini
     std::vector<std::vector<Candidate<dim>>> found(points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       {
-        queries[i] = {points[i], slave_normals[i], reach, Point<dim>(), 0, {}};
+        queries[i] = {points[i], slave_normals[i], search_radius, Point<dim>(), 0, {}};
         if (!rest.empty())
           queries[i].rest = rest[i];
         if (!former.empty())
@@ -136,16 +138,16 @@ namespace Signorini
           found[i].push_back(std::move(*c));
       }
     if (Utilities::MPI::n_mpi_processes(comm) > 1)
-      ask_others(queries, faces, comm, own_statistics, found);
+      query_other_ranks(queries, faces, comm, own_statistics, found);
 
-    std::vector<std::optional<Partner<dim>>> partners(points.size());
+    std::vector<std::optional<MasterProjection<dim>>> master_points(points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       if (const Candidate<dim> *best = nearest(found[i]))
         if (!best->overhangs)
-          partners[i] = best->partner;
+          master_points[i] = best->master_point;
     if (statistics != nullptr)
       *statistics += own_statistics;
-    return partners;
+    return master_points;
   }
 
 
@@ -154,13 +156,14 @@ namespace Signorini
   std::vector<double>
   depths(const std::vector<Point<dim>> &points,
          const MasterFaces<dim>        &master,
-         const double                   reach,
+         const double                   search_radius,
          const MPI_Comm                 comm,
          SearchStatistics              *statistics)
   {
     const MasterFaces<dim>            faces{master.patches, [](auto, const auto &, auto &) {}};
     const std::vector<Tensor<1, dim>> any(points.size());
-    const auto          closest = find_partners(points, any, faces, reach, comm, statistics);
+    const auto                        closest =
+      find_master_projections(points, any, faces, search_radius, comm, statistics);
     std::vector<double> result;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (!closest[i])
@@ -175,28 +178,28 @@ namespace Signorini
 
 
 
-  template std::vector<std::optional<Partner<2>>>
-  find_partners<2>(const std::vector<Point<2>> &,
-                   const std::vector<Tensor<1, 2>> &,
-                   const MasterFaces<2> &,
-                   double,
-                   MPI_Comm,
-                   SearchStatistics *,
-                   const std::vector<FormerFace<2>> &,
-                   const std::vector<PlaceAtRest<2>> &);
-  template std::vector<std::optional<Partner<3>>>
-  find_partners<3>(const std::vector<Point<3>> &,
-                   const std::vector<Tensor<1, 3>> &,
-                   const MasterFaces<3> &,
-                   double,
-                   MPI_Comm,
-                   SearchStatistics *,
-                   const std::vector<FormerFace<3>> &,
-                   const std::vector<PlaceAtRest<3>> &);
+  template std::vector<std::optional<MasterProjection<2>>>
+  find_master_projections<2>(const std::vector<Point<2>> &,
+                             const std::vector<Tensor<1, 2>> &,
+                             const MasterFaces<2> &,
+                             double,
+                             MPI_Comm,
+                             SearchStatistics *,
+                             const std::vector<PreviousMasterFace<2>> &,
+                             const std::vector<ReferencePoint<2>> &);
+  template std::vector<std::optional<MasterProjection<3>>>
+  find_master_projections<3>(const std::vector<Point<3>> &,
+                             const std::vector<Tensor<1, 3>> &,
+                             const MasterFaces<3> &,
+                             double,
+                             MPI_Comm,
+                             SearchStatistics *,
+                             const std::vector<PreviousMasterFace<3>> &,
+                             const std::vector<ReferencePoint<3>> &);
   template bool
-  is_beyond_itself(const PlaceAtRest<2> &, const PlaceAtRest<2> &, double);
+  cannot_self_contact(const ReferencePoint<2> &, const ReferencePoint<2> &, double);
   template bool
-  is_beyond_itself(const PlaceAtRest<3> &, const PlaceAtRest<3> &, double);
+  cannot_self_contact(const ReferencePoint<3> &, const ReferencePoint<3> &, double);
   template std::vector<double>
   depths<2>(
     const std::vector<Point<2>> &, const MasterFaces<2> &, double, MPI_Comm, SearchStatistics *);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/search/face_patch.h"
-#include "contact/search/partner.h"
+#include "contact/search/master_projection.h"
 #include "contact/search/projection.h"
 
 #include <deal.II/base/mpi.h>
@@ -24,7 +24,7 @@ namespace Signorini
 
   /// The face of a master that a point had before, known by where it is.
   template <int dim>
-  struct FormerFace
+  struct PreviousMasterFace
   {
     dealii::Point<dim> center;
     double             size = 0; ///< 0: none
@@ -36,21 +36,22 @@ namespace Signorini
   struct MasterFaces
   {
     std::vector<FacePatch<dim>> patches;
-    /// Fill the functions, rows, `stiffness` and `bound` of a partner on face i at parameter xi;
+    /// Fill the functions, rows, `stiffness` and `bound` of a projection on face i at parameter xi;
     /// position and normal are set.
-    std::function<void(unsigned int i, const dealii::Point<dim - 1> &xi, Partner<dim> &partner)>
+    std::function<
+      void(unsigned int i, const dealii::Point<dim - 1> &xi, MasterProjection<dim> &master_point)>
       complete;
     /// The sides of each face, by the parameter that is constant there (2 d + (0 or 1)), behind
     /// which the surface goes on. Empty: nobody wants to know.
     std::vector<std::array<bool, 2 * (dim - 1)>> inner_sides = {};
     /// Where the faces were at rest, if points that were there on the same surface must not take
-    /// what is_beyond_itself() for their partner. Empty: slave and master are two surfaces.
+    /// what cannot_self_contact() for their projection. Empty: slave and master are two surfaces.
     std::vector<FacePatch<dim>> rest = {};
   };
 
   /// A place of a surface at rest.
   template <int dim>
-  struct PlaceAtRest
+  struct ReferencePoint
   {
     dealii::Point<dim>     x;
     dealii::Tensor<1, dim> normal; ///< outward
@@ -61,7 +62,7 @@ namespace Signorini
   /// @param width of the faces there
   template <int dim>
   bool
-  is_beyond_itself(const PlaceAtRest<dim> &a, const PlaceAtRest<dim> &b, double width);
+  cannot_self_contact(const ReferencePoint<dim> &a, const ReferencePoint<dim> &b, double width);
 
   /// What a search did on this rank; `projections` counts those for other ranks'
   /// points as well.
@@ -81,7 +82,7 @@ namespace Signorini
   };
 
   /// For each slave point of this rank the closest place on the master surface of all ranks, if
-  /// there is one within `reach`, facing the point (see faces_each_other()) and not
+  /// there is one within `search_radius`, facing the point (see faces_each_other()) and not
   /// beyond the rim of the surface. Collective.
   ///
   /// Points travel to the faces: every rank announces one bounding box of its master faces, points
@@ -98,15 +99,15 @@ namespace Signorini
   /// @param former empty, or one a point
   /// @param rest one a point where `master` says where it was at rest, else empty
   template <int dim>
-  std::vector<std::optional<Partner<dim>>>
-  find_partners(const std::vector<dealii::Point<dim>>     &points,
-                const std::vector<dealii::Tensor<1, dim>> &slave_normals,
-                const MasterFaces<dim>                    &master,
-                double                                     reach,
-                MPI_Comm                                   comm,
-                SearchStatistics                          *statistics = nullptr,
-                const std::vector<FormerFace<dim>>        &former     = {},
-                const std::vector<PlaceAtRest<dim>>       &rest       = {});
+  std::vector<std::optional<MasterProjection<dim>>>
+  find_master_projections(const std::vector<dealii::Point<dim>>      &points,
+                          const std::vector<dealii::Tensor<1, dim>>  &slave_normals,
+                          const MasterFaces<dim>                     &master,
+                          double                                      search_radius,
+                          MPI_Comm                                    comm,
+                          SearchStatistics                           *statistics = nullptr,
+                          const std::vector<PreviousMasterFace<dim>> &former     = {},
+                          const std::vector<ReferencePoint<dim>>     &rest       = {});
 
   /// Of each point of this rank, how deep it lies inside of the master's body, as far as the
   /// closest place of the surface tells, of whatever orientation; negative outside, infinity if
@@ -116,7 +117,7 @@ namespace Signorini
   std::vector<double>
   depths(const std::vector<dealii::Point<dim>> &points,
          const MasterFaces<dim>                &master,
-         double                                 reach,
+         double                                 search_radius,
          MPI_Comm                               comm,
          SearchStatistics                      *statistics = nullptr);
 } // namespace Signorini

@@ -304,12 +304,12 @@ namespace Signorini
 
   template <int dim>
   BoundingBox<dim>
-  FacetedFace<dim>::extruded_box(const double reach) const
+  FacetedFace<dim>::extruded_box(const double search_radius) const
   {
     BoundingBox<dim> box = patch.box();
     for (const Facet<dim> &facet : facets)
       {
-        const Tensor<1, dim> step = reach * normal(facet);
+        const Tensor<1, dim> step = search_radius * normal(facet);
         for (const Point<dim> &corner : facet.corners)
           for (const Point<dim> &x : {corner + step, corner - step})
             box.merge_with(BoundingBox<dim>({x, x}));
@@ -381,12 +381,12 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<SeamPoint<dim>>
-  seam_points(const FacetedFace<dim> &slave,
-              const FacetedFace<dim> &master,
-              const unsigned int      n_points)
+  std::vector<SegmentEdgePoint<dim>>
+  segment_edge_points(const FacetedFace<dim> &slave,
+                      const FacetedFace<dim> &master,
+                      const unsigned int      n_points)
   {
-    std::vector<SeamPoint<dim>> result;
+    std::vector<SegmentEdgePoint<dim>> result;
     for_facet_pairs(slave, master, [&](const FacetPair<dim> &pair) {
       for (const Piece<dim - 1> &piece : common_sides(pair.ours_flat, pair.theirs_flat, n_points))
         {
@@ -406,10 +406,10 @@ namespace Signorini
 
   template struct FacetedFace<2>;
   template struct FacetedFace<3>;
-  template std::vector<SeamPoint<2>>
-  seam_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, unsigned int);
-  template std::vector<SeamPoint<3>>
-  seam_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, unsigned int);
+  template std::vector<SegmentEdgePoint<2>>
+  segment_edge_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, unsigned int);
+  template std::vector<SegmentEdgePoint<3>>
+  segment_edge_points<3>(const FacetedFace<3> &, const FacetedFace<3> &, unsigned int);
   template std::vector<SegmentPoint<2>>
   segment_points<2>(const FacetedFace<2> &, const FacetedFace<2> &, const Quadrature<1> &);
   template std::vector<SegmentPoint<3>>

@@ -18,10 +18,11 @@ namespace Signorini
     double                 weight;        ///< area of the slave face that it stands for
   };
 
-  /// A point of a seam: where a contact segment ends with its master face. As the master moves, so
-  /// does the end.
+  /// A point of a segment edge: where a contact segment ends with its master face. As the master
+  /// moves, so does the end.
   template <int dim>
-  struct SeamPoint : public SegmentPoint<dim> ///< weight: area that an outward step of 1 adds
+  struct SegmentEdgePoint
+    : public SegmentPoint<dim> ///< weight: area that an outward step of 1 adds
   {
     dealii::Tensor<1, dim> outward; ///< unit, in the mean plane of the slave's facet
     unsigned int           side;    ///< of the master face: 2 d + (0 or 1) where its xi_d is that
@@ -46,18 +47,18 @@ namespace Signorini
     FacetedFace() = default;
     FacetedFace(const FacePatch<dim> &patch);
 
-    /// The box of all that lies within `reach` along the normals of the facets, on both sides:
-    /// master faces outside have no segment with this slave face.
+    /// The box of all that lies within `search_radius` along the normals of the facets, on both
+    /// sides: master faces outside have no segment with this slave face.
     dealii::BoundingBox<dim>
-    extruded_box(double reach) const;
+    extruded_box(double search_radius) const;
 
     FacePatch<dim>          patch;
     std::vector<Facet<dim>> facets;
   };
 
-  /// Contact segments, thesis 3.2: the exact intersection of a slave face with the projection of a
-  /// master face, cut into simplices with a quadrature rule on each. Integrands that have a kink
-  /// where master faces meet are smooth on each segment.
+  /// Contact segments (doc/theory, 3.3): the exact intersection of a slave face with the projection
+  /// of a master face, cut into simplices with a quadrature rule on each. Integrands that have a
+  /// kink where master faces meet are smooth on each segment.
   ///
   /// Both faces are split along the nodes of their geometry into multilinear facets. Facets meet in
   /// the plane (2D: line) through the center of the slave's facet, normal to its mean normal, into
@@ -75,9 +76,11 @@ namespace Signorini
                  const FacetedFace<dim>            &master,
                  const dealii::Quadrature<dim - 1> &rule);
 
-  /// The seams of the segments that segment_points() makes.
+  /// The segment edges of the segments that segment_points() makes.
   /// @param n_points of Gauss, on each straight piece; 2D: there is one
   template <int dim>
-  std::vector<SeamPoint<dim>>
-  seam_points(const FacetedFace<dim> &slave, const FacetedFace<dim> &master, unsigned int n_points);
+  std::vector<SegmentEdgePoint<dim>>
+  segment_edge_points(const FacetedFace<dim> &slave,
+                      const FacetedFace<dim> &master,
+                      unsigned int            n_points);
 } // namespace Signorini

@@ -86,35 +86,35 @@ namespace Signorini
 
     template <int dim>
     Facing<dim>
-    facing_parts(const BoundaryFaces<dim> &faces, const double reach, const MPI_Comm comm)
+    facing_parts(const BoundaryFaces<dim> &faces, const double search_radius, const MPI_Comm comm)
     {
-      std::vector<Point<dim>>       centers;
-      std::vector<Tensor<1, dim>>   normals;
-      std::vector<PlaceAtRest<dim>> rest;
-      std::vector<double>           sizes;
+      std::vector<Point<dim>>          centers;
+      std::vector<Tensor<1, dim>>      normals;
+      std::vector<ReferencePoint<dim>> rest;
+      std::vector<double>              sizes;
       for (const unsigned int i : sample(faces, comm))
         {
           centers.push_back(faces.patches[i].position(middle<dim>()));
           normals.push_back(faces.patches[i].normal(middle<dim>()));
-          rest.push_back(place_at_rest(faces.rest[i], middle<dim>()));
+          rest.push_back(reference_point(faces.rest[i], middle<dim>()));
           sizes.push_back(faces.patches[i].diameter());
         }
-      const auto partners =
-        find_partners(centers, normals, faces_beyond(faces), reach, comm, nullptr, {}, rest);
+      const auto master_points = find_master_projections(
+        centers, normals, all_faces_as_masters(faces), search_radius, comm, nullptr, {}, rest);
       constexpr double    sharp = 0.05; // that perpendicular is as bad as any
       const auto          all   = directions<dim>();
       std::vector<double> scores(all.size(), 0.);
       Facing<dim>         result;
       bool                is_empty = true;
-      for (unsigned int i = 0; i < partners.size(); ++i)
+      for (unsigned int i = 0; i < master_points.size(); ++i)
         {
-          if (!partners[i])
+          if (!master_points[i])
             continue;
           // Those that are close count most.
-          const double weight = std::pow(sizes[i], dim) / (sizes[i] + partners[i]->distance);
+          const double weight = std::pow(sizes[i], dim) / (sizes[i] + master_points[i]->distance);
           for (unsigned int k = 0; k < all.size(); ++k)
             scores[k] += weight * std::log(std::abs(normals[i] * all[k]) + sharp);
-          result.ways += weight * outer_product(normals[i], partners[i]->rest - rest[i].x);
+          result.ways += weight * outer_product(normals[i], master_points[i]->rest - rest[i].x);
           is_empty = false;
         }
       Utilities::MPI::sum(scores, comm, scores);
@@ -135,11 +135,11 @@ namespace Signorini
 
   template <int dim>
   SelfContact<dim>::SelfContact(const BoundaryFaces<dim> &faces,
-                                const double              reach,
+                                const double              search_radius,
                                 const double              side,
                                 const MPI_Comm            comm)
   {
-    const Facing<dim>    facing = facing_parts(faces, reach, comm);
+    const Facing<dim>    facing = facing_parts(faces, search_radius, comm);
     const Tensor<1, dim> e =
       facing.direction.norm() == 0 ? skew_direction<dim>() : facing.direction;
     const double sign = e * facing.ways * skew_direction<dim>() < 0 ? -side : side;
@@ -162,19 +162,20 @@ namespace Signorini
 
   template <int dim>
   MasterFaces<dim>
-  faces_beyond(const BoundaryFaces<dim> &faces)
+  all_faces_as_masters(const BoundaryFaces<dim> &faces)
   {
-    const auto tell_rest = [&](unsigned int i, const Point<dim - 1> &xi, Partner<dim> &partner) {
-      partner.rest = faces.rest[i].position(xi);
-    };
+    const auto tell_rest =
+      [&](unsigned int i, const Point<dim - 1> &xi, MasterProjection<dim> &master_point) {
+        master_point.rest = faces.rest[i].position(xi);
+      };
     return {faces.patches, tell_rest, {}, faces.rest};
   }
 
 
 
   template <int dim>
-  PlaceAtRest<dim>
-  place_at_rest(const FacePatch<dim> &rest, const Point<dim - 1> &xi)
+  ReferencePoint<dim>
+  reference_point(const FacePatch<dim> &rest, const Point<dim - 1> &xi)
   {
     return {rest.position(xi), rest.normal(xi)};
   }
@@ -183,8 +184,8 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template class SelfContact<dim>;                                                                 \
-  template MasterFaces<dim> faces_beyond(const BoundaryFaces<dim> &);                              \
-  template PlaceAtRest<dim> place_at_rest(const FacePatch<dim> &, const Point<dim - 1> &);
+  template MasterFaces<dim>    all_faces_as_masters(const BoundaryFaces<dim> &);                   \
+  template ReferencePoint<dim> reference_point(const FacePatch<dim> &, const Point<dim - 1> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -11,7 +11,7 @@ namespace Signorini
     using Indices = std::vector<types::global_dof_index>;
 
     void
-    sort_and_unite(Indices &indices)
+    sort_and_remove_duplicates(Indices &indices)
     {
       std::sort(indices.begin(), indices.end());
       indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
@@ -55,7 +55,7 @@ namespace Signorini
         {
           const auto frame_of_row = tangents.at(shares[i].row, frame, point.direction);
           for (const double sign : {1., -1.})
-            for (const NodeFunction<dim> &function : sign > 0 ? point.slave : point.master)
+            for (const NodeShapeFunction<dim> &function : sign > 0 ? point.slave : point.master)
               for (unsigned int d = 0; d < dim; ++d)
                 {
                   const unsigned int j = position_in(matrix.columns, function.node + d);
@@ -83,7 +83,7 @@ namespace Signorini
           const ContactPoint<dim> &point = surface.points[q];
           if (q == first || !same_nodes(surface.points[q - 1], point))
             for (const auto *functions : {&point.slave, &point.master})
-              for (const NodeFunction<dim> &function : *functions)
+              for (const NodeShapeFunction<dim> &function : *functions)
                 for (unsigned int d = 0; d < dim; ++d)
                   if (components[d])
                     matrix.columns.push_back(function.node + d);
@@ -91,8 +91,8 @@ namespace Signorini
             for (const auto &entry : *entries)
               matrix.columns.push_back(entry.first);
         }
-      sort_and_unite(matrix.rows);
-      sort_and_unite(matrix.columns);
+      sort_and_remove_duplicates(matrix.rows);
+      sort_and_remove_duplicates(matrix.columns);
       const bool with_stress = !surface.points[first].stress.empty();
       matrix.displacement.reinit(matrix.rows.size(), matrix.columns.size());
       if (with_stress)
@@ -138,7 +138,7 @@ namespace Signorini
         const auto &points = surfaces[p].points;
         for (unsigned int first = 0, last = 0; first < points.size(); first = last)
           {
-            // Rows of points have the columns of their own partner only.
+            // Rows of points have the columns of their own projection only.
             while (last < points.size() && points[last].face == points[first].face &&
                    (sampling == Sampling::nodes || same_nodes(points[first], points[last])))
               ++last;

@@ -57,9 +57,9 @@ namespace Signorini
   NormalStress<dim>::NormalStress(const Configuration<dim> &configuration)
     : NormalStress(configuration.elasticity())
   {
-    if (elasticity.is_finite())
-      displacement = elasticity.with_ghosts(configuration.is_rest() ? elasticity.zero_vector() :
-                                                                      configuration.displacement());
+    if (elasticity.is_finite_strain())
+      displacement = elasticity.with_ghosts(
+        configuration.is_reference() ? elasticity.zero_vector() : configuration.displacement());
   }
 
 
@@ -73,11 +73,11 @@ namespace Signorini
     cell = new_cell;
     read_indices<dim>(cell, indices);
     nodes.clear();
-    for (const auto &place : lattice)
+    for (const auto &unit_x : lattice)
       {
         Point<dim> p;
         for (unsigned int d = 0; d < dim; ++d)
-          p[d] = double(place[d]) / geometry_degree;
+          p[d] = double(unit_x[d]) / geometry_degree;
         nodes.push_back(elasticity.mesh().mapping().transform_unit_to_real_cell(cell, p));
       }
   }
@@ -91,8 +91,8 @@ namespace Signorini
     const LagrangePolynomials<dim> basis(geometry_degree, unit_point);
     Tensor<2, dim>                 J;
     auto                           node = nodes.begin();
-    for (const auto &place : lattice)
-      J += outer_product(Tensor<1, dim>(*node++), basis.gradient(place));
+    for (const auto &unit_x : lattice)
+      J += outer_product(Tensor<1, dim>(*node++), basis.gradient(unit_x));
     return J;
   }
 
@@ -105,8 +105,8 @@ namespace Signorini
     const LagrangePolynomials<dim> basis(geometry_degree, unit_point);
     Point<dim>                     x;
     auto                           node = nodes.begin();
-    for (const auto &place : lattice)
-      x += basis.value(place) * *node++;
+    for (const auto &unit_x : lattice)
+      x += basis.value(unit_x) * *node++;
     return x;
   }
 
@@ -148,7 +148,7 @@ namespace Signorini
     for (unsigned int i = 0; i < values.size(); ++i)
       if (values[i] != 0)
         result.emplace_back(indices[i], values[i]);
-    resolve(elasticity.hanging_nodes(), result);
+    condense_hanging_nodes(elasticity.hanging_nodes(), result);
     return result;
   }
 
@@ -173,22 +173,23 @@ namespace Signorini
 
   template <int dim>
   std::vector<double>
-  NormalStress<dim>::product_with_gradient(const Tensor<2, 3> &V, const Point<dim> &place) const
+  NormalStress<dim>::product_with_gradient(const Tensor<2, 3> &V, const Point<dim> &unit_x) const
   {
     const auto          &fe      = cell->get_fe();
-    const Tensor<2, dim> to_real = transpose(invert(jacobian(place)));
-    const double         r       = position(place)[0];
+    const Tensor<2, dim> to_real = transpose(invert(jacobian(unit_x)));
+    const double         r       = position(unit_x)[0];
     std::vector<double>  result(indices.size());
     for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
       {
-        const Tensor<1, dim> gradient = to_real * fe.base_element(0).shape_grad(i, place);
+        const Tensor<1, dim> gradient = to_real * fe.base_element(0).shape_grad(i, unit_x);
         for (unsigned int d = 0; d < dim; ++d)
           {
             double &sum = result[fe.component_to_system_index(d, i)];
             for (unsigned int e = 0; e < dim; ++e)
               sum += V[d][e] * gradient[e];
             if (d == 0 && elasticity.model() == Model::axisymmetric)
-              sum += V[2][2] * (r > 0 ? fe.base_element(0).shape_value(i, place) / r : gradient[0]);
+              sum +=
+                V[2][2] * (r > 0 ? fe.base_element(0).shape_value(i, unit_x) / r : gradient[0]);
           }
       }
     return result;
@@ -198,24 +199,24 @@ namespace Signorini
 
   template <int dim>
   CauchyStress
-  NormalStress<dim>::cauchy(const Point<dim>       &place,
+  NormalStress<dim>::cauchy(const Point<dim>       &unit_x,
                             const Tensor<1, dim>   &n_there,
                             const Tensor<1, dim>   &N_at_rest,
                             const SurfaceLoad<dim> &load) const
   {
-    const BulkStress<dim> &bulk    = elasticity.bulk_stress();
-    const auto            &fe      = cell->get_fe();
-    const Tensor<2, dim>   to_real = transpose(invert(jacobian(place)));
-    const Point<dim>       X       = position(place);
-    std::vector<double>    u(indices.size());
-    Tensor<2, dim>         gradient;
-    Tensor<1, dim>         value;
+    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
+    const auto                  &fe         = cell->get_fe();
+    const Tensor<2, dim>         to_real    = transpose(invert(jacobian(unit_x)));
+    const Point<dim>             X          = position(unit_x);
+    std::vector<double>          u(indices.size());
+    Tensor<2, dim>               gradient;
+    Tensor<1, dim>               value;
     for (unsigned int i = 0; i < u.size(); ++i)
       {
         u[i]                       = displacement(indices[i]);
         const auto [d, node]       = fe.system_to_component_index(i);
-        const Tensor<1, dim> slope = to_real * fe.base_element(0).shape_grad(node, place);
-        value[d] += u[i] * fe.base_element(0).shape_value(node, place);
+        const Tensor<1, dim> slope = to_real * fe.base_element(0).shape_grad(node, unit_x);
+        value[d] += u[i] * fe.base_element(0).shape_value(node, unit_x);
         gradient[d] += u[i] * slope;
       }
     const Tensor<1, 3> n = in_space(n_there), N = in_space(N_at_rest);
@@ -231,12 +232,12 @@ namespace Signorini
         result.value = result.offset = std::nan("");
         return result;
       }
-    const ConstitutiveResponse &state    = *found;
-    const Tensor<2, 3>          inverse  = invert(in_plane);
-    const Tensor<1, 3>          cofactor = determinant(in_plane) * (transpose(inverse) * N);
-    const double                j        = cofactor.norm();
-    const double                of_bulk  = n * (transpose(inverse) * N) / j;
-    const Tensor<1, 3>          now      = cofactor / j;
+    const ConstitutiveResponse &state         = *found;
+    const Tensor<2, 3>          inverse       = invert(in_plane);
+    const Tensor<1, 3>          cofactor      = determinant(in_plane) * (transpose(inverse) * N);
+    const double                j             = cofactor.norm();
+    const double                of_volumetric = n * (transpose(inverse) * N) / j;
+    const Tensor<1, 3>          now           = cofactor / j;
     const Tensor<2, 3> of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
     const double       p        = load.pressure;
     const Tensor<2, 3> of_force =
@@ -246,20 +247,20 @@ namespace Signorini
     result.ratio = j;
     result.value =
       n * (F * (Tensor<2, 3>(state.stress) * N) - in_space(load.traction)) / j + p * (n * now);
-    const std::vector<double> ratio = product_with_gradient(of_ratio, place),
+    const std::vector<double> ratio = product_with_gradient(of_ratio, unit_x),
                               stress =
                                 product_with_gradient(of_force / j - (result.value / j) * of_ratio,
-                                                      place);
+                                                      unit_x);
     result.ratio_row = resolved(ratio);
     result.stress    = resolved(stress);
-    if (bulk.is_on(*cell))
+    if (volumetric.is_on(*cell))
       {
-        const auto  phi    = bulk.functions(*cell, X);
-        const auto &number = bulk.indices(*cell);
+        const auto  phi    = volumetric.functions(*cell, X);
+        const auto &number = volumetric.indices(*cell);
         for (unsigned int i = 0; i < phi.size(); ++i)
-          result.bulk_stress.emplace_back(number[i], phi[i] * of_bulk);
+          result.volumetric_stress.emplace_back(number[i], phi[i] * of_volumetric);
       }
-    result.offset       = result.value - point.bulk_stress * of_bulk;
+    result.offset       = result.value - point.volumetric_stress * of_volumetric;
     result.ratio_offset = j;
     for (unsigned int i = 0; i < u.size(); ++i)
       {
@@ -299,15 +300,15 @@ namespace Signorini
 
   template <int dim>
   SparseRow
-  NormalStress<dim>::bulk_row(const Point<dim>     &unit_point,
-                              const Tensor<1, dim> &n,
-                              const Tensor<1, dim> &m) const
+  NormalStress<dim>::volumetric_row(const Point<dim>     &unit_point,
+                                    const Tensor<1, dim> &n,
+                                    const Tensor<1, dim> &m) const
   {
-    const BulkStress<dim> &bulk = elasticity.bulk_stress();
-    if (!bulk.is_on(*cell))
+    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
+    if (!volumetric.is_on(*cell))
       return {};
-    const auto  phi    = bulk.functions(*cell, position(unit_point));
-    const auto &number = bulk.indices(*cell);
+    const auto  phi    = volumetric.functions(*cell, position(unit_point));
+    const auto &number = volumetric.indices(*cell);
     SparseRow   result;
     for (unsigned int i = 0; i < phi.size(); ++i)
       result.emplace_back(number[i], phi[i] * (n * m));
@@ -318,25 +319,25 @@ namespace Signorini
 
   template <int dim>
   double
-  NormalStress<dim>::bound_of_bulk_stress(const unsigned int face) const
+  NormalStress<dim>::bound_of_volumetric_stress(const unsigned int face) const
   {
-    const BulkStress<dim> &bulk = elasticity.bulk_stress();
-    if (!bulk.is_on(*cell))
+    const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
+    if (!volumetric.is_on(*cell))
       return 0;
-    constexpr unsigned int n = BulkStress<dim>::functions_a_cell;
+    constexpr unsigned int n = VolumetricStress<dim>::functions_per_cell;
     const QGauss<dim - 1>  rule(3);
     const FacePatch<dim>   patch(elasticity.mesh().mapping(), geometry_degree, cell, face);
     Eigen::MatrixXd        values(n, rule.size()); // times the square roots of the areas
     for (unsigned int q = 0; q < rule.size(); ++q)
       {
         const Point<dim> x    = patch.position(rule.point(q));
-        const auto       phi  = bulk.functions(*cell, x);
+        const auto       phi  = volumetric.functions(*cell, x);
         const double     root = std::sqrt(rule.weight(q) * patch.jacobian(rule.point(q)) *
                                       measure(elasticity.model(), x));
         for (unsigned int i = 0; i < n; ++i)
           values(i, q) = root * phi[i];
       }
-    return 2 * elasticity.material(cell->material_id()).mu() / bulk.size(*cell) *
+    return 2 * elasticity.material(cell->material_id()).mu() / volumetric.size(*cell) *
            eigenvalues_of_symmetric(values * values.transpose()).maxCoeff();
   }
 
@@ -375,7 +376,7 @@ namespace Signorini
     for (unsigned int i = 0; i < n; ++i)
       scale[i] = scale[i] > smallest ? 1 / std::sqrt(scale[i]) : 0.;
     const Eigen::MatrixXd scaled = stress * modes.vectors * scale.asDiagonal();
-    return bound_of_bulk_stress(face) +
+    return bound_of_volumetric_stress(face) +
            eigenvalues_of_symmetric(scaled * scaled.transpose()).maxCoeff();
   }
 

@@ -22,9 +22,9 @@ namespace Signorini
   struct CauchyStress
   {
     double    value = 0, ratio = 0; ///< sigma; j, area now per area at rest
-    double    offset = 0;           ///< sigma - stress.u - bulk_stress.m there
-    SparseRow stress;               ///< by degrees of freedom, hanging nodes resolved
-    SparseRow bulk_stress;          ///< by BulkStress::coefficients()
+    double    offset = 0;           ///< sigma - stress.u - volumetric_stress.m there
+    SparseRow stress;               ///< by degrees of freedom, hanging nodes condensed
+    SparseRow volumetric_stress;    ///< by VolumetricStress::coefficients()
     SparseRow ratio_row;            ///< of j
     double    ratio_offset = 0;     ///< j - ratio_row.u there
     double    stiffening   = 1;     ///< N.(dP/dF) along m over what it is at rest; 1 at least
@@ -60,12 +60,12 @@ namespace Signorini
                 const dealii::Tensor<1, dim> &n,
                 const dealii::Tensor<1, dim> &m) const;
 
-    /// The same of the bulk stress, in terms of BulkStress::coefficients(). Empty if the body is
-    /// not mixed.
+    /// The same of the volumetric stress, in terms of VolumetricStress::coefficients(). Empty if
+    /// the body is not mixed.
     SparseRow
-    bulk_row(const dealii::Point<dim>     &unit_point,
-             const dealii::Tensor<1, dim> &n,
-             const dealii::Tensor<1, dim> &m) const;
+    volumetric_row(const dealii::Point<dim>     &unit_point,
+                   const dealii::Tensor<1, dim> &n,
+                   const dealii::Tensor<1, dim> &m) const;
 
     /// Of large deformation; not a number where the cell is folded.
     /// @param N outward normal of the body at rest
@@ -83,8 +83,8 @@ namespace Signorini
     ///
     /// for all displacements u of the cell T, n being the normal of its face F: the largest
     /// eigenvalue of the generalised problem, which is of the order of E/h [force/length^3]
-    /// (thesis 3.5; Griebel, Schweitzer, Geometric Analysis and Nonlinear PDE (2002) 519-542). In
-    /// mixed bodies the same of the bulk stress is added, with int_T m^2/(2 mu) dV.
+    /// (doc/theory, 2.7; Griebel, Schweitzer, Geometric Analysis and Nonlinear PDE (2002) 519-542).
+    /// In mixed bodies the same of the volumetric stress is added, with int_T m^2/(2 mu) dV.
     double
     bound(unsigned int face);
 
@@ -96,7 +96,7 @@ namespace Signorini
                  const dealii::Tensor<1, dim> &m) const;
 
     double
-    bound_of_bulk_stress(unsigned int face) const;
+    bound_of_volumetric_stress(unsigned int face) const;
 
     /// In terms of degrees of freedom. @param values of those of the cell
     SparseRow
@@ -104,7 +104,7 @@ namespace Signorini
 
     /// V : Grad u, for each degree of freedom of the cell.
     std::vector<double>
-    product_with_gradient(const dealii::Tensor<2, 3> &V, const dealii::Point<dim> &place) const;
+    product_with_gradient(const dealii::Tensor<2, 3> &V, const dealii::Point<dim> &unit_x) const;
 
     dealii::Point<dim>
     position(const dealii::Point<dim> &unit_point) const;

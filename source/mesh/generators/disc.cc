@@ -58,14 +58,14 @@ namespace Signorini
   CoarseMesh<2>
   DiscMesh::generate() const
   {
-    const CirclePart  sector = circle_part(part);
-    std::vector<Turn> turns;
+    const CirclePart          sector = circle_part(part);
+    std::vector<CopyRotation> turns;
     for (unsigned int quarter = 0; quarter < sector.quarters; ++quarter)
       turns.push_back({(sector.first + quarter) % 4});
 
     Triangulation<2> quarter, triangulation;
     GridGenerator::quarter_hyper_ball(quarter);
-    join_copies(quarter, turns, triangulation);
+    merge_copies(quarter, turns, triangulation);
     GridTools::scale(radius, triangulation);
     GridTools::shift(center, triangulation);
     return with_boundaries(triangulation, surfaces());

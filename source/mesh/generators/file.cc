@@ -4,11 +4,11 @@
 #include "mesh_import/curved_cells.h"
 #include "mesh_import/division/chosen_cells.h"
 #include "mesh_import/division/collapsed_cells.h"
-#include "mesh_import/division/division.h"
+#include "mesh_import/division/hex_subdivision.h"
 #include "mesh_import/division/merged_nodes.h"
 #include "mesh_import/numbered_sets.h"
 #include "mesh_import/pieces.h"
-#include "mesh_import/reconstruction/round_off.h"
+#include "mesh_import/reconstruction/surface_reconstruction.h"
 #include <signorini/parameters/section.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -140,7 +140,7 @@ namespace Signorini
     /// Plane cells that lie across y or x, and not across z, are turned into the plane of x and y.
     /// @return a note that says so, or none
     std::vector<std::string>
-    lay_flat(MeshFile &file)
+    flatten(MeshFile &file)
     {
       BoundingBox<3> box;
       bool           has_cells = false;
@@ -193,7 +193,7 @@ namespace Signorini
 
 
   std::string
-  found_beside_scene(const std::string &file, const std::string &folder)
+  find_beside_scene(const std::string &file, const std::string &folder)
   {
     if (file_exists(file) || std::filesystem::path(file).is_absolute())
       return file;
@@ -232,7 +232,9 @@ namespace Signorini
     section.add_choice(
       "Coinciding nodes",
       selection.coinciding_nodes,
-      {{"error", AtOnePlace::refuse}, {"merge", AtOnePlace::merge}, {"keep", AtOnePlace::keep}},
+      {{"error", CoincidingPoints::refuse},
+       {"merge", CoincidingPoints::merge},
+       {"keep", CoincidingPoints::keep}},
       "treatment of coinciding nodes of cells that are not connected; disconnected pieces "
       "of the body stay separate if a contact pair joins them");
     section.add("Node distance",
@@ -282,7 +284,7 @@ namespace Signorini
                             "Node sets",
                             "Face sets",
                             "Cell sets"})
-      place_of[key] = section.place_of(key);
+      place_of[key] = section.source_of(key);
   }
 
 
@@ -310,10 +312,10 @@ namespace Signorini
     recognise_collapsed_cells(all, cells_of_part(all, dim, selection.part));
     if (!ChosenCells(all, dim, selection.part).any)
       return result;
-    if (selection.coinciding_nodes == AtOnePlace::merge)
+    if (selection.coinciding_nodes == CoincidingPoints::merge)
       {
         merge_coinciding_nodes(all, dim, selection.part, selection.node_distance);
-        result.coinciding_nodes = AtOnePlace::refuse;
+        result.coinciding_nodes = CoincidingPoints::refuse;
         result.node_distance    = 0;
       }
     append(divide_cells(all, dim, selection.part, mid_side_nodes), notes);
@@ -326,7 +328,7 @@ namespace Signorini
   std::vector<std::string>
   FileMesh<dim>::read_file(const std::string &folder)
   {
-    const std::string path = found_beside_scene(file, folder);
+    const std::string path = find_beside_scene(file, folder);
     if (file_exists(path))
       file = std::filesystem::absolute(path).lexically_normal(); // for the scene that is written
     std::vector<std::string> notes;
@@ -335,7 +337,7 @@ namespace Signorini
       {
         MeshFile all = read_mesh_file(path);
         if (dim == 2)
-          append(lay_flat(all), notes);
+          append(flatten(all), notes);
         add_pieces(all, dim);
 
         key                                  = "Part";
@@ -376,15 +378,16 @@ namespace Signorini
               for (const unsigned int one : part.names_of_ids[id])
                 if (one == name - names.begin())
                   ids.insert(id);
-            surfaces[i].apply(triangulation, ids, i, part.made);
+            surfaces[i].apply(triangulation, ids, i, part.inserted);
           }
 
         key = "File";
         const unsigned int n_curved =
           mid_side_nodes ? curve_cells(triangulation, all, part.elements, surfaces.size()) : 0;
-        const Rounding rounding = n_curved == 0 && surfaces.empty() ?
-                                    round_off(triangulation, part, curved_text == "automatic") :
-                                    Rounding();
+        const SurfaceReconstruction rounding =
+          n_curved == 0 && surfaces.empty() ?
+            reconstruct_surfaces(triangulation, part, curved_text == "automatic") :
+            SurfaceReconstruction();
         append(rounding.notes, notes);
         is_curved = n_curved + surfaces.size() + rounding.notes.size() > 0;
         key       = "Curved boundaries";

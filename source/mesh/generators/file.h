@@ -12,7 +12,7 @@ namespace Signorini
 
   /// Where a file is: as named, or in that folder; the name itself if it is not there.
   std::string
-  found_beside_scene(const std::string &file, const std::string &folder);
+  find_beside_scene(const std::string &file, const std::string &folder);
 
   /// A mesh file, or one part of it. Boundaries: the names that the file gives to faces of the
   /// part, and `unnamed`, or `unnamed1` and so on, for faces without.

@@ -13,7 +13,7 @@ namespace Signorini
   {
     template <int dim>
     Point<dim>
-    turned(Point<dim> p, const Turn &turn)
+    rotated(Point<dim> p, const CopyRotation &turn)
     {
       for (unsigned int i = 0; i < turn.quarters; ++i)
         {
@@ -32,17 +32,17 @@ namespace Signorini
 
   template <int dim>
   void
-  join_copies(const Triangulation<dim> &first,
-              const std::vector<Turn>  &turns,
-              Triangulation<dim>       &whole)
+  merge_copies(const Triangulation<dim>        &first,
+               const std::vector<CopyRotation> &turns,
+               Triangulation<dim>              &whole)
   {
     std::deque<Triangulation<dim>>          copies;
     std::vector<const Triangulation<dim> *> pointers;
-    for (const Turn &turn : turns)
+    for (const CopyRotation &turn : turns)
       {
         copies.emplace_back();
         copies.back().copy_triangulation(first);
-        GridTools::transform([&](const Point<dim> &p) { return turned(p, turn); }, copies.back());
+        GridTools::transform([&](const Point<dim> &p) { return rotated(p, turn); }, copies.back());
         pointers.push_back(&copies.back());
       }
     GridGenerator::merge_triangulations(pointers, whole);
@@ -52,11 +52,11 @@ namespace Signorini
 
 
 
-  std::vector<Turn>
+  std::vector<CopyRotation>
   turns_of_ball_part(const std::string &part)
   {
     // Three quarters, and then upside down, take x, y, z >= 0 to x, y >= 0 and z <= 0.
-    std::vector<Turn> turns{{3, true}};
+    std::vector<CopyRotation> turns{{3, true}};
     if (part != "lower quarter")
       for (unsigned int quarters = 0; quarters < 3; ++quarters)
         turns.push_back({quarters, true});
@@ -85,7 +85,7 @@ namespace Signorini
 
 
   template void
-  join_copies(const Triangulation<2> &, const std::vector<Turn> &, Triangulation<2> &);
+  merge_copies(const Triangulation<2> &, const std::vector<CopyRotation> &, Triangulation<2> &);
   template void
-  join_copies(const Triangulation<3> &, const std::vector<Turn> &, Triangulation<3> &);
+  merge_copies(const Triangulation<3> &, const std::vector<CopyRotation> &, Triangulation<3> &);
 } // namespace Signorini

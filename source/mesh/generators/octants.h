@@ -5,7 +5,7 @@
 namespace Signorini
 {
   /// Where a copy of a mesh in the first quadrant or octant about the origin goes.
-  struct Turn
+  struct CopyRotation
   {
     unsigned int quarters;            ///< quarter turns about the origin (3D: the z axis)
     bool         upside_down = false; ///< 3D: after that, half a turn about the x axis
@@ -15,9 +15,9 @@ namespace Signorini
   /// one.
   template <int dim>
   void
-  join_copies(const dealii::Triangulation<dim> &first,
-              const std::vector<Turn>          &turns,
-              dealii::Triangulation<dim>       &whole);
+  merge_copies(const dealii::Triangulation<dim> &first,
+               const std::vector<CopyRotation>  &turns,
+               dealii::Triangulation<dim>       &whole);
 
   /// The parts of balls and spherical shells that can be meshed.
   const std::vector<std::string> ball_parts{"full", "lower half", "lower quarter"};
@@ -27,7 +27,7 @@ namespace Signorini
     "of the whole; the lower half is z <= cz, cut at `top`; of that, the lower quarter is the "
     "piece x >= cx, y >= cy, cut at `symmetry_x` and `symmetry_y` too";
 
-  std::vector<Turn>
+  std::vector<CopyRotation>
   turns_of_ball_part(const std::string &part);
 
   /// The plane boundaries of a part.

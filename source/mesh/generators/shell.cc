@@ -134,7 +134,7 @@ namespace Signorini
 
     Triangulation<3> octant, triangulation;
     OctantOfShell(cells_around, radii).create(octant);
-    join_copies(octant, turns_of_ball_part(part), triangulation);
+    merge_copies(octant, turns_of_ball_part(part), triangulation);
     GridTools::scale(outer_radius, triangulation);
     GridTools::shift(center, triangulation);
     triangulation.set_all_manifold_ids(0);

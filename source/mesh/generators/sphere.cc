@@ -50,7 +50,7 @@ namespace Signorini
   {
     Triangulation<3> octant, triangulation;
     GridGenerator::quarter_hyper_ball(octant);
-    join_copies(octant, turns_of_ball_part(part), triangulation);
+    merge_copies(octant, turns_of_ball_part(part), triangulation);
     GridTools::scale(radius, triangulation);
     GridTools::shift(center, triangulation);
     return with_boundaries(triangulation, surfaces());

@@ -59,11 +59,11 @@ namespace Signorini
               body.has_node[node] = true;
           }
         body.boundaries = boundaries_of(piece);
-        if (!give_material(body, piece))
+        if (!write_material(body, piece))
           continue;
-        give_temperature(body);
+        write_temperature(body);
         if (dim == 2 && !all.empty() && body.thickness != all[0].thickness)
-          model.leave_out("different thicknesses of " + all[0].name + " and " + body.name +
+          model.skip_item("different thicknesses of " + all[0].name + " and " + body.name +
                             "; contact acts per thickness",
                           "*SOLID SECTION",
                           "pair");
@@ -114,7 +114,7 @@ namespace Signorini
 
   /// That of most elements, and others of sets of cells. False if it has none: then it is left out.
   bool
-  SceneWriter::give_material(Body &body, const Piece &piece)
+  SceneWriter::write_material(Body &body, const Piece &piece)
   {
     // Of an element that several sections name, the last one counts.
     std::map<unsigned int, std::string> of_elements;
@@ -128,7 +128,7 @@ namespace Signorini
           }
     if (of_elements.empty())
       {
-        model.leave_out(description(piece) + ", which has no *SOLID SECTION", "", "body");
+        model.skip_item(description(piece) + ", which has no *SOLID SECTION", "", "body");
         return false;
       }
     body.thickness = thickness_of.begin()->second;
@@ -150,13 +150,13 @@ namespace Signorini
                       return a.second < b.second;
                     })->first;
     if (of_elements.size() < piece.elements.size())
-      model.leave_out("that " + std::to_string(piece.elements.size() - of_elements.size()) +
+      model.skip_item("that " + std::to_string(piece.elements.size() - of_elements.size()) +
                         " elements of " + body.name + " have no *SOLID SECTION; they are of " +
                         body.material,
                       "",
                       "body");
     if (n.size() > 1)
-      give_other_materials(body);
+      write_other_materials(body);
     for (const auto &[name, count] : n)
       {
         const auto found = model.materials.find(name);
@@ -173,7 +173,7 @@ namespace Signorini
 
   /// All sections, in their order, but those before the first one of another material.
   void
-  SceneWriter::give_other_materials(Body &body)
+  SceneWriter::write_other_materials(Body &body)
   {
     for (const auto &section : model.sections)
       {
@@ -192,7 +192,7 @@ namespace Signorini
   /// CalculiX 2.20 begins the amplitude of temperatures anew in each later step, at all nodes but
   /// one; that of loads it does not, and Abaqus neither.
   void
-  SceneWriter::leave_out_going_amplitudes(const DeckModel::Curve &curve)
+  SceneWriter::skip_continuing_amplitudes(const DeckModel::Curve &curve)
   {
     for (unsigned int i = 0; i < curve.size(); ++i)
       {
@@ -200,7 +200,7 @@ namespace Signorini
         const auto         amplitude = model.amplitudes.find(curve[i].amplitude);
         if (amplitude != model.amplitudes.end() && !amplitude->second.is_total &&
             next > curve[i].step + 1)
-          model.leave_out("that CalculiX begins the amplitude of temperatures anew in later steps; "
+          model.skip_item("that CalculiX begins the amplitude of temperatures anew in later steps; "
                           "they stay",
                           "*TEMPERATURE",
                           "load");
@@ -211,7 +211,7 @@ namespace Signorini
 
   /// A body has one temperature, from its initial one on.
   void
-  SceneWriter::give_temperature(Body &body)
+  SceneWriter::write_temperature(Body &body)
   {
     bool expands = model.materials.at(body.material).expansion.has_value();
     for (const MaterialOfCells &one : body.others)
@@ -250,14 +250,14 @@ namespace Signorini
           curve.push_back({step, body.initial_temperature, "", {}});
       }
     if (!is_uniform)
-      model.leave_out("temperatures that differ from node to node of " + body.name +
+      model.skip_item("temperatures that differ from node to node of " + body.name +
                         "; it has no thermal strain",
                       "*TEMPERATURE",
                       "load");
     else if (curve.size() > 1)
       {
         body.temperature = curve;
-        leave_out_going_amplitudes(curve);
+        skip_continuing_amplitudes(curve);
       }
   }
 } // namespace Signorini

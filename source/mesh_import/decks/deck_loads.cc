@@ -15,21 +15,21 @@ namespace Signorini
   {
     const bool result = !in_step || step_counts;
     if (!result)
-      leave_out("in a step that is left out");
+      skip_item("in a step that is left out");
     return result;
   }
 
 
 
   void
-  DeckReader::know_parameters(const std::set<std::string> &known)
+  DeckReader::check_parameters(const std::set<std::string> &known)
   {
     for (const auto &[name, value] : in.all_parameters())
       if (known.count(name) == 0)
-        leave_out("its " + name);
+        skip_item("its " + name);
     const std::string amplitude = in.value("AMPLITUDE");
     if (!amplitude.empty() && model.amplitudes.count(upper_case(amplitude)) == 0)
-      leave_out("its AMPLITUDE=" + amplitude + ", which is not there above; values are ramped");
+      skip_item("its AMPLITUDE=" + amplitude + ", which is not there above; values are ramped");
   }
 
 
@@ -79,7 +79,7 @@ namespace Signorini
   bool
   DeckReader::removes_old(const std::string &kind)
   {
-    return told.insert(kind).second && in_step && upper_case(in.value("OP")) == "NEW";
+    return reported_kinds.insert(kind).second && in_step && upper_case(in.value("OP")) == "NEW";
   }
 
 
@@ -111,7 +111,7 @@ namespace Signorini
     std::vector<unsigned int> nodes;
     model.deck.nodes.append(in, target, nodes);
     if (in.keyword() == "CLOAD")
-      leave_out_repetitions(target, nodes);
+      skip_repetitions(target, nodes);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     return nodes;
@@ -129,7 +129,7 @@ namespace Signorini
         elements.push_back(e);
     else
       model.deck.elements.append(in, target, elements);
-    leave_out_repetitions(target, elements);
+    skip_repetitions(target, elements);
     return elements;
   }
 
@@ -137,11 +137,11 @@ namespace Signorini
 
   /// Sets may have members twice. CalculiX loads them twice then, Abaqus once.
   void
-  DeckReader::leave_out_repetitions(const std::string &target, Members members)
+  DeckReader::skip_repetitions(const std::string &target, Members members)
   {
     std::sort(members.begin(), members.end());
     if (std::adjacent_find(members.begin(), members.end()) != members.end())
-      leave_out("on " + target +
+      skip_item("on " + target +
                 ", which names members twice: each is loaded once, as in Abaqus, "
                 "but not in CalculiX");
   }
@@ -165,8 +165,8 @@ namespace Signorini
     for (const unsigned int node : one.nodes)
       if (transformed.count(node) > 0)
         {
-          leave_out("on nodes whose axes *TRANSFORM turns");
-          model.lacks_restraint |= in.keyword() == "BOUNDARY";
+          skip_item("on nodes whose axes *TRANSFORM turns");
+          model.lacks_supports |= in.keyword() == "BOUNDARY";
           return nullptr;
         }
     places[{&list, upper}] = list.size();
@@ -194,13 +194,13 @@ namespace Signorini
 
   /// False for what is neither a displacement nor a velocity that stays the same.
   bool
-  DeckReader::takes_type()
+  DeckReader::accepts_type()
   {
     const std::string type = upper_case(in.value("TYPE"));
     if (type.empty() || type == "DISPLACEMENT" || (type == "VELOCITY" && !in.has("AMPLITUDE")))
       return true;
-    leave_out("its TYPE=" + type + (in.has("AMPLITUDE") ? " with an amplitude" : ""));
-    model.lacks_restraint = true;
+    skip_item("its TYPE=" + type + (in.has("AMPLITUDE") ? " with an amplitude" : ""));
+    model.lacks_supports = true;
     return false;
   }
 
@@ -217,11 +217,11 @@ namespace Signorini
     for (const std::string type : {"FIXED", "USER", "SUBMODEL"})
       if (in.has(type))
         {
-          leave_out(type);
+          skip_item(type);
           return;
         }
-    know_parameters({"OP", "AMPLITUDE", "TYPE"});
-    if (!takes_type())
+    check_parameters({"OP", "AMPLITUDE", "TYPE"});
+    if (!accepts_type())
       return;
     for (Words words; in.next_line(words);)
       {
@@ -234,11 +234,11 @@ namespace Signorini
                            last =
                              words.size() > 2 && !words[2].empty() ? component(words, 2) : first;
         if (last > 6)
-          leave_out("of temperatures, fluxes and the like");
+          skip_item("of temperatures, fluxes and the like");
         else if (last > 3)
-          model.leave_out("*BOUNDARY of rotations", in.place());
+          model.skip_item("*BOUNDARY of rotations", in.current_position());
         if (last < first)
-          leave_out("whose last component is below the first");
+          skip_item("whose last component is below the first");
         if (first < 1 || first > 3)
           continue;
         std::vector<unsigned int> components;
@@ -263,7 +263,7 @@ namespace Signorini
                                                                            {"ZASYMM", {0, 1}}};
     const auto                                                    found = held.find(kind);
     if (found == held.end())
-      leave_out("type " + kind);
+      skip_item("type " + kind);
     else
       hold(target, found->second, 0.);
   }
@@ -275,7 +275,7 @@ namespace Signorini
   {
     if (!counts())
       return;
-    know_parameters({"OP", "AMPLITUDE"});
+    check_parameters({"OP", "AMPLITUDE"});
     if (removes_old("CLOAD"))
       for (auto &[where, curve] : model.forces)
         remove_old(curve);
@@ -283,7 +283,7 @@ namespace Signorini
       {
         const unsigned int d = component(words, 1);
         if (d < 1 || d > 3)
-          model.leave_out("*CLOAD of moments and fluxes", in.place());
+          model.skip_item("*CLOAD of moments and fluxes", in.current_position());
         else if (DeckModel::AtNodes *nodes = at_nodes(model.loaded, words[0]))
           {
             nodes->components[d - 1] = true;
@@ -301,7 +301,7 @@ namespace Signorini
     ++n_element_loads;
     if (!counts())
       return;
-    know_parameters({"OP", "AMPLITUDE"});
+    check_parameters({"OP", "AMPLITUDE"});
     if (removes_old("DLOAD"))
       remove_distributed();
     std::vector<double> pressures; // in the order of the surfaces that the mesh reader makes
@@ -345,7 +345,7 @@ namespace Signorini
     for (const auto &[where, curve] : model.body_forces)
       if (curve.back().step < present_step())
         {
-          leave_out("that OP=NEW ends BX, BY, BZ; they go on, as in CalculiX");
+          skip_item("that OP=NEW ends BX, BY, BZ; they go on, as in CalculiX");
           break;
         }
   }
@@ -358,7 +358,7 @@ namespace Signorini
     model.pressed.push_back(surface);
     const std::set<DeckModel::Face> faces = model.faces_of(surface);
     if (faces.empty())
-      leave_out("on '" + surface + "', which has no faces of elements");
+      skip_item("on '" + surface + "', which has no faces of elements");
     for (const DeckModel::Face &face : faces)
       add(model.pressures[face], value);
   }
@@ -383,7 +383,7 @@ namespace Signorini
         model.forced.push_back(one);
       }
     else
-      leave_out("type " + label);
+      skip_item("type " + label);
   }
 
 
@@ -412,14 +412,14 @@ namespace Signorini
   {
     if (!counts())
       return;
-    know_parameters({"OP", "AMPLITUDE"});
+    check_parameters({"OP", "AMPLITUDE"});
     if (removes_old("DLOAD"))
       remove_distributed();
     for (Words words; in.next_line(words);)
       if (words.size() > 1 && upper_case(words[1]) == "P")
         add_pressure(words[0], number(words, 2));
       else
-        leave_out("type " + (words.size() > 1 ? upper_case(words[1]) : ""));
+        skip_item("type " + (words.size() > 1 ? upper_case(words[1]) : ""));
   }
 
 
@@ -443,7 +443,7 @@ namespace Signorini
   {
     if (upper_case(in.value("TYPE")) != "TEMPERATURE")
       {
-        leave_out("bodies are at rest and without stress at the start");
+        skip_item("bodies are at rest and without stress at the start");
         return;
       }
     read_temperatures_of_nodes(model.initial_temperatures);
@@ -459,10 +459,10 @@ namespace Signorini
     for (const std::string where : {"FILE", "USER", "SUBMODEL"})
       if (in.has(where))
         {
-          leave_out("from " + where);
+          skip_item("from " + where);
           return;
         }
-    know_parameters({"OP", "AMPLITUDE"});
+    check_parameters({"OP", "AMPLITUDE"});
     const bool               is_new = removes_old("TEMPERATURE");
     DeckModel::Temperatures &here   = model.temperatures[present_step()];
     here.is_new |= is_new;

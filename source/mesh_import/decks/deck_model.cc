@@ -88,13 +88,13 @@ namespace Signorini
 
 
   void
-  DeckModel::leave_out(const std::string &what, const std::string &place, const std::string &kind)
+  DeckModel::skip_item(const std::string &what, const std::string &place, const std::string &kind)
   {
-    const auto found = std::find_if(left_out.begin(), left_out.end(), [&](const Omission &one) {
-      return one.what == what;
-    });
-    if (found == left_out.end())
-      left_out.push_back({kind.empty() ? kind_of(what) : kind, what, {place}});
+    const auto found = std::find_if(skipped_items.begin(),
+                                    skipped_items.end(),
+                                    [&](const Omission &one) { return one.what == what; });
+    if (found == skipped_items.end())
+      skipped_items.push_back({kind.empty() ? kind_of(what) : kind, what, {place}});
     else if (found->places.back() != place)
       found->places.push_back(place);
   }

@@ -149,7 +149,7 @@ namespace Signorini
     /// Something that the scene will not have.
     struct Omission
     {
-      std::string              kind; ///< see LeftOut
+      std::string              kind; ///< see SkippedItem
       std::string              what;
       std::vector<std::string> places; ///< in the file
     };
@@ -175,14 +175,14 @@ namespace Signorini
     std::string                          nlgeom; ///< where it is first asked for; empty: nowhere
 
     /// Something was left out that may have held a body.
-    bool lacks_restraint = false;
+    bool lacks_supports = false;
 
-    std::vector<Omission> left_out;
+    std::vector<Omission> skipped_items;
 
     /// @param what may begin with *KEYWORD, which says the kind
     /// @param kind empty: that of the keyword
     void
-    leave_out(const std::string &what, const std::string &place, const std::string &kind = "");
+    skip_item(const std::string &what, const std::string &place, const std::string &kind = "");
 
     /// The value over the time of all steps, as CalculiX follows it: without amplitude, a step goes
     /// from the last value to the new one along a line; what an amplitude has come to stays in

@@ -146,7 +146,7 @@ namespace Signorini
   DeckModel
   DeckReader::read()
   {
-    leave_out_stray_lines("before the first keyword");
+    skip_stray_lines("before the first keyword");
     while (in.next_keyword())
       {
         const auto found = registry.find(in.keyword());
@@ -155,13 +155,13 @@ namespace Signorini
         else
           {
             const auto why = not_modelled.find(in.keyword());
-            leave_out(why == not_modelled.end() ? "not known here" : why->second);
+            skip_item(why == not_modelled.end() ? "not known here" : why->second);
           }
         if (of_known_length.count(in.keyword()) > 0)
-          leave_out_stray_lines("that do not belong to *" + in.keyword());
+          skip_stray_lines("that do not belong to *" + in.keyword());
       }
     for (const std::string &what : model.deck.missing)
-      model.leave_out(what, "", "keyword");
+      model.skip_item(what, "", "keyword");
     return std::move(model);
   }
 
@@ -174,28 +174,28 @@ namespace Signorini
 
 
   void
-  DeckReader::leave_out(const std::string &why)
+  DeckReader::skip_item(const std::string &why)
   {
-    model.leave_out("*" + in.keyword() + " (" + why + ")", in.place());
-    model.lacks_restraint |= restraints.count(in.keyword()) > 0;
+    model.skip_item("*" + in.keyword() + " (" + why + ")", in.current_position());
+    model.lacks_supports |= restraints.count(in.keyword()) > 0;
   }
 
 
 
   void
-  DeckReader::leave_out_stray_lines(const std::string &which)
+  DeckReader::skip_stray_lines(const std::string &which)
   {
     for (Words words; in.next_line(words);)
-      model.leave_out("data lines " + which, in.place(), "keyword");
+      model.skip_item("data lines " + which, in.current_position(), "keyword");
   }
 
 
 
   void
-  DeckReader::leave_out_tie()
+  DeckReader::skip_tie()
   {
-    leave_out("tied tangentially: the surfaces stay together, but slide freely");
-    model.lacks_restraint = true;
+    skip_item("tied tangentially: the surfaces stay together, but slide freely");
+    model.lacks_supports = true;
   }
 
 
@@ -251,7 +251,7 @@ namespace Signorini
         one.youngs_modulus = a;
         one.poissons_ratio = b;
         if (in.next_line(more))
-          leave_out("its dependence on temperature; the first line counts");
+          skip_item("its dependence on temperature; the first line counts");
         return;
       }
     if (type == "ORTHO" || type == "ORTHOTROPIC" || type == "ANISO" || type == "ANISOTROPIC")
@@ -264,7 +264,7 @@ namespace Signorini
         one.youngs_modulus = a;
         one.poissons_ratio = d;
       }
-    leave_out("its TYPE=" + type + "; the first constants are taken as isotropic");
+    skip_item("its TYPE=" + type + "; the first constants are taken as isotropic");
   }
 
 
@@ -306,7 +306,7 @@ namespace Signorini
     if (found == energies.end() || n == 0 || (is_polynomial && n > 3) ||
         (found->name == "POLYNOMIAL" && n > 1))
       {
-        leave_out("of which NEO HOOKE, MOONEY-RIVLIN, YEOH, REDUCED POLYNOMIAL with N up to 3, "
+        skip_item("of which NEO HOOKE, MOONEY-RIVLIN, YEOH, REDUCED POLYNOMIAL with N up to 3, "
                   "POLYNOMIAL with N=1 and OGDEN are there");
         return;
       }
@@ -318,12 +318,12 @@ namespace Signorini
     values.resize(n_all, 0.);
     Words more;
     if (in.next_line(more))
-      leave_out("its dependence on temperature; the first line counts");
+      skip_item("its dependence on temperature; the first line counts");
     const double D1 = values[found->n_coefficients];
     if (std::any_of(values.begin() + found->n_coefficients + 1, values.end(), [](const double D) {
           return D != 0;
         }))
-      leave_out("its D2, D3, ...; changes of volume are as by D1");
+      skip_item("its D2, D3, ...; changes of volume are as by D1");
     values.resize(found->n_coefficients);
 
     DeckModel::Material &one = model.materials[material];
@@ -351,7 +351,7 @@ namespace Signorini
     one.poissons_ratio = (3 * K - 2 * mu) / (2 * (3 * K + mu));
     one.youngs_modulus = 2 * mu * (1 + *one.poissons_ratio);
     if (one.law == "Ogden")
-      leave_out("OGDEN has (ln J)^2 here for (J - 1)^2, and stretches with the change of volume");
+      skip_item("OGDEN has (ln J)^2 here for (J - 1)^2, and stretches with the change of volume");
   }
 
 
@@ -372,14 +372,14 @@ namespace Signorini
     const std::string type = upper_case(in.value("TYPE"));
     if (!type.empty() && type != "ISO")
       {
-        leave_out("its TYPE=" + type);
+        skip_item("its TYPE=" + type);
         return;
       }
     Words words, more;
     if (in.next_line(words))
       model.materials[material].expansion = number(words, 0);
     if (in.next_line(more))
-      leave_out("its dependence on temperature; the first line counts");
+      skip_item("its dependence on temperature; the first line counts");
   }
 
 
@@ -402,7 +402,7 @@ namespace Signorini
           section.sets.push_back(set->name);
       }
     if (in.has("ORIENTATION"))
-      leave_out("its ORIENTATION");
+      skip_item("its ORIENTATION");
     Words words;
     if (in.next_line(words))
       section.thickness = number(words, 0);
@@ -417,12 +417,12 @@ namespace Signorini
     const std::string definition = upper_case(in.value("DEFINITION"));
     if (!definition.empty() && definition != "TABULAR")
       {
-        leave_out("its DEFINITION=" + definition + "; what refers to it is ramped");
+        skip_item("its DEFINITION=" + definition + "; what refers to it is ramped");
         return;
       }
-    know_parameters({"NAME", "TIME", "DEFINITION", "VALUE", "INPUT"});
+    check_parameters({"NAME", "TIME", "DEFINITION", "VALUE", "INPUT"});
     if (upper_case(in.value("VALUE")) == "ABSOLUTE")
-      leave_out("its VALUE=ABSOLUTE; values are factors");
+      skip_item("its VALUE=ABSOLUTE; values are factors");
     DeckModel::Amplitude &amplitude = model.amplitudes[upper_case(in.value("NAME"))];
     amplitude.is_total              = upper_case(in.value("TIME")) == "TOTAL TIME";
     DeckModel::Points  &points      = amplitude.points;
@@ -445,17 +445,17 @@ namespace Signorini
     const bool is_finite = in.has("NLGEOM") && upper_case(in.value("NLGEOM")) != "NO";
     if (is_finite && model.nlgeom.empty())
       {
-        model.nlgeom = in.place();
+        model.nlgeom = in.current_position();
         if (!model.steps.empty())
-          leave_out("that strains are small in the steps before NLGEOM; they are large in all");
+          skip_item("that strains are small in the steps before NLGEOM; they are large in all");
       }
     if (in.has("PERTURBATION"))
-      model.leave_out("*STEP, PERTURBATION (the whole step)", in.place());
+      model.skip_item("*STEP, PERTURBATION (the whole step)", in.current_position());
     if (step_counts)
       {
         const double begin = model.steps.empty() ? 0. : model.steps.back().end;
         model.steps.push_back({begin, begin + 1, upper_case(in.value("AMPLITUDE")) == "STEP"});
-        told.clear();
+        reported_kinds.clear();
       }
   }
 
@@ -466,7 +466,7 @@ namespace Signorini
   {
     for (const std::string other : {"RIKS", "TIME RESET", "TOTAL TIME AT START"})
       if (step_counts && in.has(other))
-        model.leave_out("*STATIC (its " + other + ")", in.place(), "load");
+        model.skip_item("*STATIC (its " + other + ")", in.current_position(), "load");
     Words words;
     if (step_counts && in.next_line(words) && number(words, 1) > 0)
       model.steps.back().end = model.steps.back().begin + number(words, 1);
@@ -477,7 +477,7 @@ namespace Signorini
   void
   DeckReader::read_quasi_static()
   {
-    leave_out("what depends on velocities and temperatures; its loads are static");
+    skip_item("what depends on velocities and temperatures; its loads are static");
     read_static();
   }
 
@@ -486,7 +486,7 @@ namespace Signorini
   void
   DeckReader::skip_step()
   {
-    leave_out("the whole step");
+    skip_item("the whole step");
     if (step_counts)
       model.steps.pop_back();
     step_counts = false;
@@ -516,7 +516,7 @@ namespace Signorini
   {
     if (in_step)
       {
-        leave_out("its change in a step");
+        skip_item("its change in a step");
         return;
       }
     using Kind                   = DeckModel::Interaction::Kind;
@@ -531,16 +531,16 @@ namespace Signorini
         if (kind == "LINEAR" && !(one.stiffness > 0))
           in.fail("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR needs a positive slope");
         if (kind == "TIED")
-          leave_out_tie();
+          skip_tie();
         return;
       }
     one.kind = Kind::hard;
     if (!kind.empty() && kind != "HARD")
-      leave_out(kind + "; contact is hard");
+      skip_item(kind + "; contact is hard");
     if (in.has("NO SEPARATION"))
       {
         one.kind = Kind::tied;
-        leave_out("NO SEPARATION; the surfaces stay together from the beginning");
+        skip_item("NO SEPARATION; the surfaces stay together from the beginning");
       }
   }
 
@@ -552,10 +552,10 @@ namespace Signorini
     if (const std::string by = in.value("ADJUST"); !model.deck.nodes.find(by))
       number({by}, 0); // or it fails
     if (in.has("TIED"))
-      leave_out_tie();
+      skip_tie();
     for (Words words; in.next_line(words);)
       if (words.size() < 2 || words[1].empty())
-        leave_out("of one surface with itself: " + words[0]);
+        skip_item("of one surface with itself: " + words[0]);
       else
         model.pairs.push_back(
           {words[0], words[1], in.has("TIED") ? "\"TIED" : upper_case(in.value("INTERACTION"))});

@@ -25,11 +25,11 @@ namespace Signorini
     void
     ignore();
     void
-    leave_out(const std::string &why);
+    skip_item(const std::string &why);
     void
-    leave_out_tie();
+    skip_tie();
     void
-    leave_out_stray_lines(const std::string &which);
+    skip_stray_lines(const std::string &which);
     void
     begin_part();
     void
@@ -110,7 +110,7 @@ namespace Signorini
     Members
     elements_of(const std::string &target);
     void
-    leave_out_repetitions(const std::string &target, Members members);
+    skip_repetitions(const std::string &target, Members members);
     DeckModel::AtNodes *
     at_nodes(std::vector<DeckModel::AtNodes> &list, const std::string &target);
     void
@@ -119,9 +119,9 @@ namespace Signorini
     counts();
     /// Other parameters of the present keyword are left out.
     void
-    know_parameters(const std::set<std::string> &known);
+    check_parameters(const std::set<std::string> &known);
     bool
-    takes_type();
+    accepts_type();
     unsigned int
     present_step() const
     {
@@ -151,6 +151,7 @@ namespace Signorini
     std::set<unsigned int> transformed; ///< nodes with axes of their own
     /// Where the entry of a node or set is in a list of the model.
     std::map<std::pair<const void *, std::string>, std::size_t> places;
-    std::set<std::string> told; ///< kinds of loads and supports of which this step has cards
+    std::set<std::string>
+      reported_kinds; ///< kinds of loads and supports of which this step has cards
   };
 } // namespace Signorini

@@ -89,7 +89,7 @@ namespace Signorini
 
 
   std::string
-  SetNames::unlike(const std::string &name)
+  SetNames::make_unique_name(const std::string &name)
   {
     if (taken.insert(name).second)
       return name;

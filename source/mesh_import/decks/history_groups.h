@@ -63,7 +63,7 @@ namespace Signorini
   {
   public:
     std::string
-    unlike(const std::string &name);
+    make_unique_name(const std::string &name);
 
   private:
     std::set<std::string>               taken;

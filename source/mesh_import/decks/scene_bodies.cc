@@ -24,7 +24,7 @@ namespace Signorini
       }
     else
       {
-        if (is_finite)
+        if (is_finite_strain)
           keys.emplace_back("Law",
                             model.deck.instances_of.empty() ? "Saint Venant-Kirchhoff" : "Hencky");
         keys.emplace_back("Young's modulus", long_text(*material.youngs_modulus));
@@ -73,7 +73,7 @@ namespace Signorini
         for (const MaterialOfCells &one : body.others)
           {
             const auto &other = model.materials.at(one.material);
-            others.push_back({names.unlike(as_name(other.name)), {{"Cells", one.cells}}});
+            others.push_back({names.make_unique_name(as_name(other.name)), {{"Cells", one.cells}}});
             for (const auto &key : material_keys(other))
               others.back().keys.push_back(key);
             if (!body.temperature.empty())
@@ -99,7 +99,7 @@ namespace Signorini
                           masters = surfaces(pair.master, "the master of a contact pair");
         const auto found          = model.interactions.find(pair.interaction);
         if (!pair.interaction.empty() && found == model.interactions.end())
-          model.leave_out("*SURFACE INTERACTION " + pair.interaction +
+          model.skip_item("*SURFACE INTERACTION " + pair.interaction +
                             ", which is not there; contact of " + pair.slave + " on " +
                             pair.master + " is hard",
                           "",
@@ -109,8 +109,9 @@ namespace Signorini
         for (const std::string &slave : split(slaves, ','))
           for (const std::string &master : split(masters, ','))
             {
-              items.push_back({names.unlike(as_name(pair.slave) + " on " + as_name(pair.master)),
-                               {{"Slave", slave}, {"Master", master}}});
+              items.push_back(
+                {names.make_unique_name(as_name(pair.slave) + " on " + as_name(pair.master)),
+                 {{"Slave", slave}, {"Master", master}}});
               if (stays)
                 items.back().keys.emplace_back("Separation", "none");
               const auto clearance =
@@ -143,7 +144,7 @@ namespace Signorini
           const auto &one = found->second;
           has_hard |= one.kind == Kind::hard;
           if (one.kind == Kind::linear && stiffness > 0 && one.stiffness != stiffness)
-            model.leave_out("different slopes of *SURFACE BEHAVIOR (the largest counts for all)",
+            model.skip_item("different slopes of *SURFACE BEHAVIOR (the largest counts for all)",
                             "",
                             "material");
           if (one.kind == Kind::linear)
@@ -153,7 +154,7 @@ namespace Signorini
       return "";
     if (has_hard)
       {
-        model.leave_out("the slope of linear contact beside a hard one (all contact is hard)",
+        model.skip_item("the slope of linear contact beside a hard one (all contact is hard)",
                         "",
                         "material");
         return "";

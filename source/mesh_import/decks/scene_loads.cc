@@ -44,7 +44,7 @@ namespace Signorini
             }
           item.name = "nodes";
         }
-      item.name = names.unlike(item.name);
+      item.name = names.make_unique_name(item.name);
       items.push_back(item);
     }
   } // namespace
@@ -105,7 +105,7 @@ namespace Signorini
     for (const auto &list : {forces(), pressures(), body_forces(), gravity()})
       for (SceneItem item : list)
         {
-          item.name = names.unlike(item.name);
+          item.name = names.make_unique_name(item.name);
           items.push_back(item);
         }
     return section("Loads", items);
@@ -122,7 +122,7 @@ namespace Signorini
          groups_by_history(model.forces, targets_of(model.loaded), false, histories))
       {
         const DeckModel::AtNodes &at = model.loaded[group.target];
-        if (!says_something(group))
+        if (!has_content(group))
           continue;
         if (const std::string where = nodes_of(group, at.name, "*CLOAD"); !where.empty())
           add_at_nodes(items,
@@ -139,7 +139,7 @@ namespace Signorini
 
   /// Faces that two elements share are no boundary.
   void
-  SceneWriter::leave_out_pressures_inside()
+  SceneWriter::skip_internal_pressures()
   {
     std::map<DeckModel::Face, unsigned int> n_cells;
     if (!model.pressures.empty())
@@ -160,7 +160,7 @@ namespace Signorini
       }
     const std::size_t n = before - model.pressures.size();
     if (n > 0)
-      model.leave_out("pressures on " + std::to_string(n) + " faces inside of bodies", "", "load");
+      model.skip_item("pressures on " + std::to_string(n) + " faces inside of bodies", "", "load");
   }
 
 
@@ -168,7 +168,7 @@ namespace Signorini
   std::vector<SceneItem>
   SceneWriter::pressures()
   {
-    leave_out_pressures_inside();
+    skip_internal_pressures();
     std::vector<SceneItem>    items;
     std::set<DeckModel::Face> done;
     for (const std::string &surface : model.pressed)
@@ -186,7 +186,7 @@ namespace Signorini
             const bool        is_whole = members.size() == n_faces;
             const std::string where =
               is_whole ? surfaces(surface, "a pressure") :
-                         faces_of(members, set_names.unlike(as_name(surface) + " part"));
+                         faces_of(members, set_names.make_unique_name(as_name(surface) + " part"));
             if (!where.empty())
               items.push_back(
                 {as_name(surface),
@@ -211,7 +211,7 @@ namespace Signorini
     for (const MemberGroup &group : groups_by_history(model.body_forces, targets, false, histories))
       {
         const std::string name = model.forced[group.target].name;
-        if (!says_something(group))
+        if (!has_content(group))
           continue;
         if (const std::string where = cells_of(group.members, name); !where.empty())
           items.push_back({"body force of " + as_name(name),
@@ -251,7 +251,7 @@ namespace Signorini
           {
             if (density == 0)
               {
-                model.leave_out("gravity on " + load.name + ", whose material has no *DENSITY",
+                model.skip_item("gravity on " + load.name + ", whose material has no *DENSITY",
                                 "",
                                 "load");
                 continue;

@@ -47,7 +47,7 @@ namespace Signorini
   const DeckModel::History &
   SceneWriter::history(const unsigned int id)
   {
-    end_steps_where_it_bends(histories[id]);
+    end_steps_at_kinks(histories[id]);
     return histories[id];
   }
 
@@ -55,7 +55,7 @@ namespace Signorini
 
   /// In one of the components that there are.
   bool
-  SceneWriter::says_something(const MemberGroup &group)
+  SceneWriter::has_content(const MemberGroup &group)
   {
     bool result = false;
     for (unsigned int d = 0; d < dim; ++d)
@@ -71,16 +71,16 @@ namespace Signorini
 
   /// What happens within a step is seen if load steps end there.
   void
-  SceneWriter::end_steps_where_it_bends(const DeckModel::History &history)
+  SceneWriter::end_steps_at_kinks(const DeckModel::History &history)
   {
     for (const auto &[t, y] : history.points)
       for (const auto &step : model.steps)
         if (const double little = 1e-6 * (step.end - step.begin);
             t > step.begin + little && t < step.end - little)
           {
-            const auto next = bends.lower_bound(t - little);
-            if (next == bends.end() || *next > t + little)
-              bends.insert(t);
+            const auto next = kinks.lower_bound(t - little);
+            if (next == kinks.end() || *next > t + little)
+              kinks.insert(t);
           }
   }
 
@@ -107,8 +107,9 @@ namespace Signorini
                         const std::string &what)
   {
     std::vector<std::string> result;
-    std::set<unsigned int>   homeless(group.members.begin(), group.members.end());
-    const std::string name = group.is_target ? target : set_names.unlike(as_name(target) + " part");
+    std::set<unsigned int>   unassigned(group.members.begin(), group.members.end());
+    const std::string        name =
+      group.is_target ? target : set_names.make_unique_name(as_name(target) + " part");
     for (Body &body : all)
       {
         std::set<unsigned int> here;
@@ -116,7 +117,7 @@ namespace Signorini
           if (body.has_node[node])
             {
               here.insert(node);
-              homeless.erase(node);
+              unassigned.erase(node);
             }
         if (here.empty())
           continue;
@@ -135,8 +136,8 @@ namespace Signorini
           }
         body.node_sets.push_back(name + ": " + join(ranges));
       }
-    if (!homeless.empty())
-      model.leave_out(what + " at " + std::to_string(homeless.size()) + " nodes of " + target +
+    if (!unassigned.empty())
+      model.skip_item(what + " at " + std::to_string(unassigned.size()) + " nodes of " + target +
                         " that are on no solid",
                       "",
                       kind_at_no_solid(group, what));
@@ -163,7 +164,7 @@ namespace Signorini
         if (upper_case(boundary) == upper_case(surface) && of_faces.count(boundary) > 0)
           result.push_back(body.name + "." + boundary);
     if (result.empty())
-      model.leave_out(what + " on '" + surface + "', which has no whole face of a solid",
+      model.skip_item(what + " on '" + surface + "', which has no whole face of a solid",
                       "",
                       what == "a pressure" ? "load" : "pair");
     return join(result);
@@ -247,7 +248,7 @@ namespace Signorini
             continue;
           }
         if (set.empty())
-          set = set_names.unlike(as_name(name) + " part");
+          set = set_names.make_unique_name(as_name(name) + " part");
         body.cell_sets.push_back(set + ": " + as_ranges(numbers));
         result.push_back(body.name + "." + set);
       }

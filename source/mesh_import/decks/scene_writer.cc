@@ -47,7 +47,7 @@ namespace Signorini
     , histories(model)
   {
     for (const auto &group : model.deck.mesh.groups)
-      set_names.unlike(group.name);
+      set_names.make_unique_name(group.name);
     bool has_solids = false, has_planes = false;
     for (const auto &element : model.deck.mesh.elements)
       {
@@ -63,9 +63,9 @@ namespace Signorini
     if (dim == 2)
       kind = model_of_types(model, file);
     check_plane();
-    leave_out_other_elements();
+    skip_other_elements();
     make_bodies();
-    is_finite = becomes_finite();
+    is_finite_strain = switches_to_finite_strain();
   }
 
 
@@ -89,7 +89,7 @@ namespace Signorini
 
   /// Those of sections that are no solids here.
   void
-  SceneWriter::leave_out_other_elements()
+  SceneWriter::skip_other_elements()
   {
     std::set<unsigned int> others;
     for (const auto &section : model.sections)
@@ -100,7 +100,7 @@ namespace Signorini
     for (const unsigned int e : others)
       ++n[model.deck.mesh.elements[e].type];
     for (const auto &[type, count] : n)
-      model.leave_out(std::to_string(count) + " elements of type " + type +
+      model.skip_item(std::to_string(count) + " elements of type " + type +
                         " (beside solids they have no stiffness)",
                       "*SOLID SECTION",
                       "body");
@@ -110,7 +110,7 @@ namespace Signorini
 
   /// If the deck asks for it, and the program has it.
   bool
-  SceneWriter::becomes_finite()
+  SceneWriter::switches_to_finite_strain()
   {
     bool is_wanted = !model.nlgeom.empty(), is_warm = false;
     for (const Body &body : all)
@@ -125,7 +125,7 @@ namespace Signorini
                                      has_pressure ? "pressures on edges of plane stress" :
                                                     "";
     if (is_wanted && !why.empty())
-      model.leave_out("*STEP, NLGEOM (strains and rotations are small, as " + why + " needs it)",
+      model.skip_item("*STEP, NLGEOM (strains and rotations are small, as " + why + " needs it)",
                       model.nlgeom);
     return is_wanted && why.empty();
   }
@@ -137,7 +137,7 @@ namespace Signorini
   {
     if (model.steps.empty())
       return "";
-    std::set<double> times = bends;
+    std::set<double> times = kinks;
     for (const auto &step : model.steps)
       times.insert(step.end);
     std::vector<std::string> ends;
@@ -149,10 +149,10 @@ namespace Signorini
 
 
   std::string
-  SceneWriter::free_motions() const
+  SceneWriter::unconstrained_modes() const
   {
     return std::string("\nsubsection Newton\n  # ") +
-           (model.lacks_restraint ?
+           (model.lacks_supports ?
               "Features that were not imported may have constrained bodies: check the stabilisation forces." :
               "Unconstrained rigid-body modes are stabilised, similar to CalculiX; results.json lists them.") +
            "\n  set Unconstrained modes = stabilise\nend\n";
@@ -162,10 +162,10 @@ namespace Signorini
 
   // Without what the scene file has a meaning for.
   std::vector<std::string>
-  SceneWriter::left_out() const
+  SceneWriter::skipped_items() const
   {
     std::vector<std::string> lines;
-    for (const auto &[kind, what, places] : model.left_out)
+    for (const auto &[kind, what, places] : model.skipped_items)
       {
         std::string line = kind + ": " + what;
         if (!places[0].empty())
@@ -185,13 +185,13 @@ namespace Signorini
   /// A support that begins in a later step takes its nodes from where they are to its value in that
   /// step; a formula knows only its value.
   void
-  SceneWriter::leave_out_ways_of_late_supports()
+  SceneWriter::skip_paths_of_late_supports()
   {
     for (const auto &[name, begin] : late_supports)
       for (const auto &step : model.steps)
-        if (const auto bend = bends.upper_bound(step.begin);
-            step.begin == begin && bend != bends.end() && *bend < step.end)
-          model.leave_out("the way of " + name +
+        if (const auto bend = kinks.upper_bound(step.begin);
+            step.begin == begin && bend != kinks.end() && *bend < step.end)
+          model.skip_item("the way of " + name +
                             " to the value of a support that begins in a later step, from where "
                             "it is; it goes there from zero",
                           "*BOUNDARY",
@@ -202,21 +202,21 @@ namespace Signorini
 
   /// A load step for each of very many would take long.
   void
-  SceneWriter::limit_bends()
+  SceneWriter::limit_steps_at_kinks()
   {
     constexpr std::size_t most = 100;
     for (const auto &step : model.steps)
       {
-        const auto begin = bends.upper_bound(step.begin), end = bends.lower_bound(step.end);
+        const auto begin = kinks.upper_bound(step.begin), end = kinks.lower_bound(step.end);
         const auto n = std::distance(begin, end);
         if (static_cast<std::size_t>(n) <= most)
           continue;
-        model.leave_out("the " + std::to_string(n) +
+        model.skip_item("the " + std::to_string(n) +
                           " bends of amplitudes in the step that ends at " +
                           text_of_time(step.end) + "; its end alone is solved",
                         "*AMPLITUDE",
                         "load");
-        bends.erase(begin, end);
+        kinks.erase(begin, end);
       }
   }
 
@@ -227,16 +227,17 @@ namespace Signorini
   {
     // First all sections, which leave things out.
     const std::string what_acts = supports() + loads(); // and makes sets of the bodies
-    limit_bends();
-    leave_out_ways_of_late_supports();
-    const std::string body = bodies() + what_acts + pairs() + method() + steps() + free_motions();
+    limit_steps_at_kinks();
+    skip_paths_of_late_supports();
+    const std::string body =
+      bodies() + what_acts + pairs() + method() + steps() + unconstrained_modes();
     scene << "# Made of " << file << "\nset Dimension = " << dim << "\n";
     if (dim == 2)
       scene << "set Model     = " << kind << "\n";
-    if (is_finite)
+    if (is_finite_strain)
       scene << "set Deformation = finite\n";
     scene << "set Title     = " << std::filesystem::path(file).stem().string() << "\n";
-    if (const auto lines = left_out(); !lines.empty())
+    if (const auto lines = skipped_items(); !lines.empty())
       scene << "set Not imported = \\\n  " << join(lines, "; \\\n  ") << "\n";
     scene << body;
   }
@@ -248,7 +249,7 @@ namespace Signorini
   {
     SceneWriter writer(read_deck_model(file), file);
     writer.write(out);
-    for (const std::string &line : writer.left_out())
+    for (const std::string &line : writer.skipped_items())
       messages << "warning: " << file << ": not imported: " << line << "\n";
   }
 } // namespace Signorini

@@ -22,7 +22,7 @@ namespace Signorini
 
     /// What was left out, one line each.
     std::vector<std::string>
-    left_out() const;
+    skipped_items() const;
 
   private:
     struct MaterialOfCells
@@ -52,19 +52,19 @@ namespace Signorini
     void
     make_bodies();
     bool
-    give_material(Body &body, const Piece &piece);
+    write_material(Body &body, const Piece &piece);
     void
-    give_other_materials(Body &body);
+    write_other_materials(Body &body);
     void
     check_plane() const;
     void
-    leave_out_other_elements();
+    skip_other_elements();
     bool
-    becomes_finite();
+    switches_to_finite_strain();
     void
-    give_temperature(Body &body);
+    write_temperature(Body &body);
     void
-    leave_out_going_amplitudes(const DeckModel::Curve &curve);
+    skip_continuing_amplitudes(const DeckModel::Curve &curve);
     std::set<std::string>
     boundaries_of(const Piece &piece) const;
 
@@ -91,7 +91,7 @@ namespace Signorini
     std::string
     method();
     std::string
-    free_motions() const;
+    unconstrained_modes() const;
 
     std::string
     kind_at_no_solid(const MemberGroup &group, const std::string &what);
@@ -102,7 +102,7 @@ namespace Signorini
     std::string
     cells_of(const std::vector<unsigned int> &elements, const std::string &name);
     void
-    leave_out_pressures_inside();
+    skip_internal_pressures();
     std::vector<double>
     densities() const;
     bool
@@ -118,25 +118,25 @@ namespace Signorini
     const DeckModel::History &
     history(unsigned int id);
     bool
-    says_something(const MemberGroup &group);
+    has_content(const MemberGroup &group);
     void
-    limit_bends();
+    limit_steps_at_kinks();
     void
-    leave_out_ways_of_late_supports();
+    skip_paths_of_late_supports();
     void
-    end_steps_where_it_bends(const DeckModel::History &history);
+    end_steps_at_kinks(const DeckModel::History &history);
 
     DeckModel         model;
     const std::string file;
     unsigned int      dim = 3;
     std::string       kind; ///< of 2D: plane strain, ...
-    unsigned int      n_pieces  = 0;
-    bool              is_finite = false;
+    unsigned int      n_pieces         = 0;
+    bool              is_finite_strain = false;
     std::vector<Body> all;
 
     Histories                                   histories;     ///< of the model
     SetNames                                    set_names;     ///< of the deck and of the scene
-    std::set<double>                            bends;         ///< within steps, of what acts
+    std::set<double>                            kinks;         ///< within steps, of what acts
     std::vector<std::pair<std::string, double>> late_supports; ///< and when they begin
   };
 } // namespace Signorini

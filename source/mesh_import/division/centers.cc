@@ -25,12 +25,12 @@ namespace Signorini
 
 
   void
-  Centers::remember(const unsigned int node, const MeshFile::Nodes &corners)
+  Centers::store(const unsigned int node, const MeshFile::Nodes &corners)
   {
-    Between one{node, {}};
+    InsertedNode one{node, {}};
     one.corners.fill(corners[0]);
     std::copy(corners.begin(), corners.end(), one.corners.begin());
-    between.push_back(one);
+    inserted_nodes.push_back(one);
   }
 
 
@@ -44,12 +44,12 @@ namespace Signorini
         const MeshFile::Nodes corners = shape.corners_around(i, cell);
         if (shape.nodes[i] == shape.all())
           {
-            remember(cell.nodes[i], corners);
+            store(cell.nodes[i], corners);
             continue;
           }
         const auto [entry, is_new] = nodes.insert({key(corners), cell.nodes[i]});
         if (is_new)
-          remember(cell.nodes[i], corners);
+          store(cell.nodes[i], corners);
         else if (entry->second != cell.nodes[i])
           throw SceneError("has element " + std::to_string(cell.number) + " (" + cell.type + ")" +
                            " with the mid-side node " + text_of(file.nodes[cell.nodes[i]]) +
@@ -65,7 +65,7 @@ namespace Signorini
   Centers::add(const MeshFile::Nodes &corners, const Point<3> &place)
   {
     file.nodes.push_back(place);
-    remember(file.nodes.size() - 1, corners);
+    store(file.nodes.size() - 1, corners);
     return file.nodes.size() - 1;
   }
 
@@ -153,7 +153,7 @@ namespace Signorini
         contains.assign(file.nodes.size(), false);
         for (const unsigned int node : group.nodes)
           contains[node] = true;
-        for (const auto &[node, corners] : between)
+        for (const auto &[node, corners] : inserted_nodes)
           if (!contains[node] && std::all_of(corners.begin(), corners.end(), [&](const unsigned c) {
                 return contains[c];
               }))
@@ -173,7 +173,7 @@ namespace Signorini
       {
         values.resize(file.nodes.size(), std::numeric_limits<double>::quiet_NaN());
         // In the order in which they were made: corners come before what lies between them.
-        for (const auto &[node, corners] : between)
+        for (const auto &[node, corners] : inserted_nodes)
           if (!std::isfinite(values[node]))
             {
               const std::set<unsigned int> distinct(corners.begin(), corners.end());

@@ -76,17 +76,17 @@ namespace Signorini
     dealii::Point<3>
     center(const MeshFile::Nodes &around);
     void
-    remember(unsigned int node, const MeshFile::Nodes &corners);
+    store(unsigned int node, const MeshFile::Nodes &corners);
 
     MeshFile                                   &file;
     const unsigned int                          n_in_file;
     std::unordered_map<Key, unsigned int, Hash> nodes;
 
-    struct Between
+    struct InsertedNode
     {
       unsigned int                node;
       std::array<unsigned int, 8> corners;
     };
-    std::vector<Between> between;
+    std::vector<InsertedNode> inserted_nodes;
   };
 } // namespace Signorini

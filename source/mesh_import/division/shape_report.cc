@@ -60,13 +60,13 @@ namespace Signorini
         const double quality = scaled_jacobian(file, child, corner, dim);
         if (quality < least)
           {
-            least          = quality;
-            place_of_least = file.nodes[child.nodes[corner]];
+            least             = quality;
+            position_of_least = file.nodes[child.nodes[corner]];
           }
         if (quality > largest)
           {
-            largest          = quality;
-            place_of_largest = file.nodes[child.nodes[corner]];
+            largest             = quality;
+            position_of_largest = file.nodes[child.nodes[corner]];
           }
       }
   }
@@ -83,29 +83,29 @@ namespace Signorini
     if (least <= flat && !mirrored)
       {
         if (++n_folded == 1)
-          first_folded = "element " + std::to_string(present->number) + " of type " +
-                         present->type + " at " +
-                         Signorini::text_of(least < -flat && -least > largest ? place_of_largest :
-                                                                                place_of_least) +
-                         (largest <= flat || least > -flat ?
-                            ", which is flat: its corners lie in one plane or on one line" :
-                            "") +
-                         (present->nodes.size() > n_corners(present->shape) ?
-                            "; Mid-side nodes = no helps if only its mid-side nodes fold it" :
-                            "");
+          first_folded =
+            "element " + std::to_string(present->number) + " of type " + present->type + " at " +
+            Signorini::text_of(least < -flat && -least > largest ? position_of_largest :
+                                                                   position_of_least) +
+            (largest <= flat || least > -flat ?
+               ", which is flat: its corners lie in one plane or on one line" :
+               "") +
+            (present->nodes.size() > n_corners(present->shape) ?
+               "; Mid-side nodes = no helps if only its mid-side nodes fold it" :
+               "");
         return;
       }
-    const Worst one{present->number,
-                    present->type,
-                    mirrored ? -largest : least,
-                    mirrored ? place_of_largest : place_of_least};
+    const WorstCell one{present->number,
+                        present->type,
+                        mirrored ? -largest : least,
+                        mirrored ? position_of_largest : position_of_least};
     n_poor += one.quality < poor;
     if (worst.size() == n_named && one.quality >= worst.back().quality)
       return;
     worst.insert(std::upper_bound(worst.begin(),
                                   worst.end(),
                                   one,
-                                  [](const Worst &a, const Worst &b) {
+                                  [](const WorstCell &a, const WorstCell &b) {
                                     return a.quality < b.quality;
                                   }),
                  one);
@@ -115,7 +115,7 @@ namespace Signorini
 
 
   std::string
-  ShapeReport::text_of(const Worst &one) const
+  ShapeReport::text_of(const WorstCell &one) const
   {
     std::ostringstream out;
     out << "element " << one.number << " (" << one.type << ") " << std::setprecision(2)
@@ -144,7 +144,7 @@ namespace Signorini
         ", the smallest scaled Jacobian of its parts: 1 in a cube, 0.71 in those of a regular "
         "tetrahedron, 0 if flat"};
     std::vector<std::string> names;
-    for (const Worst &one : worst)
+    for (const WorstCell &one : worst)
       if (one.quality < poor)
         names.push_back(text_of(one));
     return {"warning: " + std::to_string(n_poor) + (n_poor == 1 ? " cell is" : " cells are") +

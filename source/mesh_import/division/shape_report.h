@@ -24,7 +24,7 @@ namespace Signorini
     notes();
 
   private:
-    struct Worst
+    struct WorstCell
     {
       std::size_t      number; ///< of the element
       std::string      type;
@@ -35,18 +35,18 @@ namespace Signorini
     void
     finish();
     std::string
-    text_of(const Worst &one) const;
+    text_of(const WorstCell &one) const;
 
     const MeshFile    &file;
     const unsigned int dim;
 
     const MeshFile::Element *present = nullptr;
     double                   least = 0, largest = 0; ///< of the present element
-    dealii::Point<3>         place_of_least, place_of_largest;
+    dealii::Point<3>         position_of_least, position_of_largest;
     bool                     bends = false;
 
-    std::vector<Worst> worst; ///< the worst first
-    unsigned int       n_poor = 0, n_folded = 0;
-    std::string        first_folded;
+    std::vector<WorstCell> worst; ///< the worst first
+    unsigned int           n_poor = 0, n_folded = 0;
+    std::string            first_folded;
   };
 } // namespace Signorini

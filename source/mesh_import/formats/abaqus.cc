@@ -155,7 +155,8 @@ namespace Signorini
             // Elements of the assembly refer to nodes of instances; no solid does.
             numbers.push_back(
               numbers.empty() || word.find('.') == std::string::npos ? number_from(in, word) : 0);
-        const bool complete = type.n_nodes > 0 ? numbers.size() > type.n_nodes : !in.goes_on();
+        const bool complete =
+          type.n_nodes > 0 ? numbers.size() > type.n_nodes : !in.has_continuation();
         if (complete)
           {
             add_element(type, type_name, numbers, set);
@@ -265,7 +266,7 @@ namespace Signorini
       in.fail("*SURFACE, COMBINE=" + in.value("COMBINE") + " is not read here; UNION is");
     LateSurface late{in.value("NAME"), type, in.has("COMBINE"), in.value("INSTANCE"), {}};
     for (Words words; in.next_line(words);)
-      late.lines.emplace_back(words, in.place_in_messages());
+      late.lines.emplace_back(words, in.position_in_messages());
     scope->late_surfaces.push_back(late);
   }
 
@@ -439,7 +440,7 @@ namespace Signorini
             pressures.push_back(pressure);
             loaded.push_back({name_of_loaded_faces(n_element_loads, k + 1), {}, {}, {}});
           }
-        add_faces(words[0], "S" + label.substr(1), in.place_in_messages(), loaded[k]);
+        add_faces(words[0], "S" + label.substr(1), in.position_in_messages(), loaded[k]);
       }
     whole.surfaces.insert(whole.surfaces.end(), loaded.begin(), loaded.end());
   }

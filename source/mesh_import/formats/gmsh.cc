@@ -1,6 +1,6 @@
 #include "mesh_import/formats/gmsh.h"
 
-#include "mesh_import/formats/place.h"
+#include "mesh_import/formats/file_position.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
 
@@ -87,7 +87,7 @@ namespace Signorini
         if (binary)
           fail("is binary; save it as text: Mesh.Binary = 0");
         is_new = version == "4.1";
-        leave_section("MeshFormat");
+        skip_section("MeshFormat");
       }
 
       MeshFile
@@ -107,7 +107,7 @@ namespace Signorini
               is_new ? read_new_elements() : read_old_elements();
             else if (section == "NodeData")
               read_field();
-            leave_section(section);
+            skip_section(section);
           }
         if (file.elements.empty())
           fail("has no elements");
@@ -146,11 +146,11 @@ namespace Signorini
       }
 
       void
-      leave_section(const std::string &section)
+      skip_section(const std::string &section)
       {
         if (in.fail())
           fail("has something in $" + section + " that does not belong there" +
-               place_of_failure(in, file_name));
+               position_of_failure(in, file_name));
         if (next_section() != "End" + section)
           fail("ends within $" + section);
       }

@@ -312,8 +312,8 @@ namespace Signorini
             pending = line;
             return false;
           }
-        my_goes_on = line.back() == ',';
-        words      = split_at_commas(my_goes_on ? line.substr(0, line.size() - 1) : line);
+        my_has_continuation = line.back() == ',';
+        words = split_at_commas(my_has_continuation ? line.substr(0, line.size() - 1) : line);
         std::transform(words.begin(), words.end(), words.begin(), without_quotes);
       }
     return true;
@@ -324,13 +324,13 @@ namespace Signorini
   void
   KeywordFile::fail(const std::string &what) const
   {
-    throw SceneError(place_in_messages() + what);
+    throw SceneError(position_in_messages() + what);
   }
 
 
 
   std::string
-  KeywordFile::place_in_messages() const
+  KeywordFile::position_in_messages() const
   {
     return "mesh file '" + name + "', line " + std::to_string(line_number) + ": ";
   }

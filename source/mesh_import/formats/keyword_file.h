@@ -64,21 +64,21 @@ namespace Signorini
 
     /// "FILE, line LINE" of the present keyword or data line.
     std::string
-    place() const
+    current_position() const
     {
       return name + ", line " + std::to_string(line_number);
     }
 
     /// Did the last data line end with a comma?
     bool
-    goes_on() const
+    has_continuation() const
     {
-      return my_goes_on;
+      return my_has_continuation;
     }
 
     /// "mesh file 'FILE', line LINE: ", for messages about it later on.
     std::string
-    place_in_messages() const;
+    position_in_messages() const;
 
     /// Throws SceneError("mesh file 'FILE', line LINE: what").
     [[noreturn]] void
@@ -115,7 +115,7 @@ namespace Signorini
     unsigned int                                       line_number = 0;
     std::map<std::string, std::string, IgnoringBlanks> parameters;
     std::shared_ptr<Definitions>                       numbers; ///< of *PARAMETER; null: none
-    bool                                               my_goes_on = false;
+    bool                                               my_has_continuation = false;
   };
 
   std::string

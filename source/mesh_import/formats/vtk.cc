@@ -1,6 +1,6 @@
 #include "mesh_import/formats/vtk.h"
 
-#include "mesh_import/formats/place.h"
+#include "mesh_import/formats/file_position.h"
 #include "mesh_import/formats/vtk_cells.h"
 #include <signorini/base/text.h>
 #include <signorini/parameters/raw.h>
@@ -56,7 +56,7 @@ namespace Signorini
             read_section(word);
             if (in.fail())
               fail("has something behind " + word + " that does not belong there" +
-                   (binary ? "" : place_of_failure(in, file_name)));
+                   (binary ? "" : position_of_failure(in, file_name)));
           }
         if (file.elements.empty())
           fail("has no cells");

@@ -49,7 +49,7 @@ namespace Signorini
         std::ifstream in(file_name, std::ios::binary);
         std::string   text(std::istreambuf_iterator<char>(in), {});
         cut_raw_data(text);
-        refuse_depth(text);
+        reject_depth(text);
         std::istringstream xml(text);
         try
           {
@@ -96,7 +96,7 @@ namespace Signorini
       /// The XML reader calls itself for each element within another one, and would run out of
       /// stack.
       void
-      refuse_depth(const std::string &text) const
+      reject_depth(const std::string &text) const
       {
         constexpr int deepest = 1000;
         int           depth   = 0;

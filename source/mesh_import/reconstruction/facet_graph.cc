@@ -32,10 +32,10 @@ namespace Signorini
   template <int dim>
   FacetGraph<dim>::FacetGraph(const std::vector<CellData<dim - 1>> &faces,
                               const std::vector<Point<dim>>        &vertices,
-                              const std::vector<bool>              &made)
+                              const std::vector<bool>              &inserted)
     : faces(faces)
     , vertices(vertices)
-    , made(made)
+    , inserted(inserted)
     , of_faces(faces.size())
   {
     std::map<std::vector<unsigned int>, std::vector<unsigned int>> at_rim;
@@ -69,7 +69,7 @@ namespace Signorini
     // Halves of lines; of triangles the centers of which are half as far from each other as those
     // of squares.
     for (const unsigned int v : faces[a].vertices)
-      if (made[v])
+      if (inserted[v])
         {
           sagitta *= dim == 2 ? 2 : 4;
           break;

@@ -20,10 +20,10 @@ namespace Signorini
     };
 
     /// @param faces with vertices in deal.II's order
-    /// @param made vertices between others, where facets were divided. Refers to all three.
+    /// @param inserted vertices between others, where facets were divided. Refers to all three.
     FacetGraph(const std::vector<dealii::CellData<dim - 1>> &faces,
                const std::vector<dealii::Point<dim>>        &vertices,
-               const std::vector<bool>                      &made);
+               const std::vector<bool>                      &inserted);
 
     const std::vector<Neighbour> &
     neighbours(const unsigned int face) const
@@ -44,7 +44,7 @@ namespace Signorini
 
     const std::vector<dealii::CellData<dim - 1>> &faces;
     const std::vector<dealii::Point<dim>>        &vertices;
-    const std::vector<bool>                      &made;
+    const std::vector<bool>                      &inserted;
 
   private:
     void

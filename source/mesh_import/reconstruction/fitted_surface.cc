@@ -74,13 +74,13 @@ namespace Signorini
   {
     /// In units in which the points are about one large.
     template <int dim>
-    struct Cloud
+    struct PointCloud
     {
       std::vector<Point<dim>> points;
       Point<dim>              middle;
       double                  unit = 0;
 
-      explicit Cloud(const std::vector<Point<dim>> &given)
+      explicit PointCloud(const std::vector<Point<dim>> &given)
         : points(given)
       {
         for (const Point<dim> &p : given)
@@ -222,7 +222,7 @@ namespace Signorini
     }
 
     std::optional<FittedSurface<3>>
-    fit_round(const Cloud<3>                  &cloud,
+    fit_round(const PointCloud<3>             &cloud,
               const std::vector<Tensor<1, 3>> &normals,
               const double                     tolerance)
     {
@@ -257,7 +257,7 @@ namespace Signorini
               const double                       tolerance)
   {
     constexpr double         most = 1e4; // radii, in sizes: beyond, it is flat
-    const Cloud<dim>         cloud(points);
+    const PointCloud<dim>    cloud(points);
     const FittedSurface<dim> sphere = sphere_through(cloud.points);
     if (sphere.radius < most && largest_distance(sphere, cloud.points) <= tolerance / cloud.unit)
       return cloud.in_given_units(sphere);

@@ -13,14 +13,14 @@ namespace Signorini
     constexpr unsigned int max_seeds     = 200;  // in vain, before a mesh is taken for what it is
 
     template <int dim>
-    class Finder
+    class RoundFaceFinder
     {
     public:
-      explicit Finder(const FacetGraph<dim> &graph)
+      explicit RoundFaceFinder(const FacetGraph<dim> &graph)
         : graph(graph)
         , faces(graph.faces)
         , vertices(graph.vertices)
-        , made(graph.made)
+        , inserted(graph.inserted)
         , used(faces.size(), false)
       {}
 
@@ -32,7 +32,7 @@ namespace Signorini
         for (unsigned int seed = 0; seed < faces.size() && in_vain < max_seeds; ++seed)
           if (!used[seed] && !graph.neighbours(seed).empty())
             {
-              if (auto found = grown_from(seed))
+              if (auto found = grow_region(seed))
                 result.round.push_back(std::move(*found));
               else if (graph.sagitta({seed}) > 0)
                 ++in_vain;
@@ -49,7 +49,7 @@ namespace Signorini
         std::set<unsigned int> corners;
         for (const unsigned int f : some)
           for (const unsigned int v : faces[f].vertices)
-            if (!made[v])
+            if (!inserted[v])
               corners.insert(v);
         return {corners.begin(), corners.end()};
       }
@@ -89,13 +89,13 @@ namespace Signorini
       lies_on(const unsigned int f, const FittedSurface<dim> &surface, const double tolerance) const
       {
         for (const unsigned int v : faces[f].vertices)
-          if (!made[v] && !(surface.distance(vertices[v]) <= tolerance))
+          if (!inserted[v] && !(surface.distance(vertices[v]) <= tolerance))
             return false;
         return true;
       }
 
       std::optional<RoundFaces<dim>>
-      grown_from(const unsigned int seed)
+      grow_region(const unsigned int seed)
       {
         constexpr unsigned int    least     = dim == 2 ? 5 : 9;
         std::vector<unsigned int> some      = seed_around(seed);
@@ -137,7 +137,7 @@ namespace Signorini
       const FacetGraph<dim>                &graph;
       const std::vector<CellData<dim - 1>> &faces;
       const std::vector<Point<dim>>        &vertices;
-      const std::vector<bool>              &made;
+      const std::vector<bool>              &inserted;
       std::vector<bool>                     used;
     };
   } // namespace
@@ -148,7 +148,7 @@ namespace Signorini
   Facets<dim>
   find_round_faces(const FacetGraph<dim> &graph)
   {
-    return Finder<dim>(graph).find();
+    return RoundFaceFinder<dim>(graph).find();
   }
 
 

@@ -21,12 +21,12 @@ namespace Signorini
     constexpr double straight      = 1e-4; // [radians] of normals, that make no difference
 
     template <int dim>
-    class Finder
+    class SmoothFaceFinder
     {
     public:
-      Finder(const FacetGraph<dim> &graph, const std::vector<bool> &known)
+      SmoothFaceFinder(const FacetGraph<dim> &graph, const std::vector<bool> &known)
         : graph(graph)
-        , made(graph.made)
+        , inserted(graph.inserted)
         , known(known)
         , around(graph.vertices.size())
       {
@@ -50,7 +50,7 @@ namespace Signorini
         SmoothFaces<dim> result;
         result.vertices = graph.vertices;
         for (unsigned int v = 0; v < around.size(); ++v)
-          if (made[v])
+          if (inserted[v])
             result.vertices[v] += shift(v);
         std::map<std::vector<unsigned int>, std::vector<unsigned int>> at_rim;
         if (dim == 3)
@@ -61,7 +61,7 @@ namespace Signorini
           if (is_smooth(f))
             {
               const auto edges = edges_of(f, result.vertices, at_rim);
-              result.faces.push_back({f, edges, doubt_of(f, CurvedFace<dim>(edges))});
+              result.faces.push_back({f, edges, uncertainty_of(f, CurvedFace<dim>(edges))});
             }
         return result;
       }
@@ -98,7 +98,7 @@ namespace Signorini
                 const Tensor<1, dim> &normal = graph.normal(faces[done]);
                 mean += normal * first < 0 ? -normal : normal;
                 for (const unsigned int corner : graph.faces[faces[done]].vertices)
-                  if (corner != v && !made[corner])
+                  if (corner != v && !inserted[corner])
                     corners.insert(corner);
               }
             if (corners.size() >= LocalSurface<dim>::enough)
@@ -114,7 +114,7 @@ namespace Signorini
         std::vector<Tensor<1, dim>> arms;
         for (const unsigned int corner : corners)
           arms.push_back(graph.vertices[corner] - graph.vertices[v]);
-        LocalSurface<dim> result(arms, mean / mean.norm(), !made[v]);
+        LocalSurface<dim> result(arms, mean / mean.norm(), !inserted[v]);
         result.fits = result.fits && result.deviation <= largest_share * graph.sagitta(faces);
         return result;
       }
@@ -144,7 +144,7 @@ namespace Signorini
       /// Twice as far as the middle of a face is from what its corners say: at ends of curves the
       /// error was up to one and a half times that, elsewhere less.
       double
-      doubt_of(const unsigned int f, const CurvedFace<dim> &face) const
+      uncertainty_of(const unsigned int f, const CurvedFace<dim> &face) const
       {
         Point<dim - 1> middle;
         for (unsigned int d = 0; d < dim - 1; ++d)
@@ -251,7 +251,7 @@ namespace Signorini
       }
 
       const FacetGraph<dim>                 &graph;
-      const std::vector<bool>               &made, &known;
+      const std::vector<bool>               &inserted, &known;
       std::vector<std::vector<unsigned int>> around; ///< faces at vertices
       std::vector<unsigned int>              patch_of;
       std::map<Corner, LocalSurface<dim>>    fits;
@@ -264,7 +264,7 @@ namespace Signorini
   SmoothFaces<dim>
   find_smooth_faces(const FacetGraph<dim> &graph, const std::vector<bool> &known)
   {
-    return Finder<dim>(graph, known).find();
+    return SmoothFaceFinder<dim>(graph, known).find();
   }
 
 

@@ -11,7 +11,7 @@ namespace Signorini
   {
     unsigned int                    face; ///< index into the list of faces
     typename CurvedFace<dim>::Edges edges;
-    double                          doubt; ///< how far the surface may be from the true one, about
+    double uncertainty; ///< how far the surface may be from the true one, about
   };
 
   /// What is smooth among facets.

@@ -19,12 +19,12 @@ namespace Signorini
     /// eigenvalue of the scaled matrix belongs; from a start that is the same everywhere, one among
     /// millions is not found in time.
     std::vector<float>
-    stiff_oscillation(std::vector<float>        row_sizes,
+    stiff_oscillation(std::vector<float>        row_l1_norms,
                       const std::vector<float> &inverse_diagonal,
                       const MPI_Comm            comm)
     {
       constexpr double    power = 16, everywhere = 0.01;
-      std::vector<float> &r       = row_sizes;
+      std::vector<float> &r       = row_l1_norms;
       double              largest = 0;
       for (std::size_t i = 0; i < r.size(); ++i)
         {
@@ -37,7 +37,7 @@ namespace Signorini
                  0 :
                  std::sin(1. + 1.7 * i * i) * (everywhere + std::pow(r[i] / largest, power)) /
                    std::sqrt(inverse_diagonal[i]);
-      return row_sizes;
+      return row_l1_norms;
     }
   } // namespace
 
@@ -50,7 +50,7 @@ namespace Signorini
     , coarsest_right(coarsest_x)
   {
     if (contact && !contact->empty())
-      springs.emplace(hierarchy, *contact);
+      contact_stiffness.emplace(hierarchy, *contact);
     for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
       {
         levels.push_back(std::make_unique<Level>());
@@ -68,16 +68,16 @@ namespace Signorini
           level.first.resize(level.diagonal_K.size());
       }
     // With springs everywhere eigenvalues are largest: these bounds hold for any active set.
-    if (springs)
-      springs->stiffen();
+    if (contact_stiffness)
+      contact_stiffness->stiffen();
     for (auto &level : levels)
       {
         update_diagonal(*level);
         if (level->P)
           estimate_eigenvalue(*level);
       }
-    if (springs)
-      springs->remove();
+    if (contact_stiffness)
+      contact_stiffness->remove();
     else
       update();
   }
@@ -85,11 +85,11 @@ namespace Signorini
 
 
   void
-  AMG::set_springs(const PointVectors &values)
+  AMG::set_contact_stiffness(const PointVectors &values)
   {
-    if (!springs)
+    if (!contact_stiffness)
       return;
-    springs->set(values);
+    contact_stiffness->set(values);
     update();
   }
 
@@ -109,8 +109,8 @@ namespace Signorini
   AMG::update_diagonal(Level &level)
   {
     level.inverse_diagonal = level.diagonal_K;
-    if (springs)
-      springs->add_diagonal(level.number, level.inverse_diagonal.data());
+    if (contact_stiffness)
+      contact_stiffness->add_diagonal(level.number, level.inverse_diagonal.data());
     for (float &d : level.inverse_diagonal)
       d = d == 0 ? 0 : 1 / d; // aggregates may leave empty rows
   }
@@ -120,14 +120,14 @@ namespace Signorini
   void
   AMG::estimate_eigenvalue(Level &level)
   {
-    std::vector<float> row_sizes = level.K->row_sizes();
-    if (springs)
-      springs->add_row_sums(level.number, row_sizes.data());
+    std::vector<float> row_l1_norms = level.K->row_l1_norms();
+    if (contact_stiffness)
+      contact_stiffness->add_row_sums(level.number, row_l1_norms.data());
     const MPI_Comm comm = level.K->communicator();
     level.largest_eigenvalue =
       largest_eigenvalue([&](const float *x) { return multiply(level, x); },
                          level.inverse_diagonal,
-                         stiff_oscillation(row_sizes, level.inverse_diagonal, comm),
+                         stiff_oscillation(row_l1_norms, level.inverse_diagonal, comm),
                          comm);
   }
 
@@ -139,8 +139,9 @@ namespace Signorini
     const Level &last = *levels.back();
     direct.clear();
     coarsest.reset();
-    if (springs && springs->any())
-      coarsest = std::make_unique<LA::SparseMatrix>(springs->added_to(coarsest_K, last.number));
+    if (contact_stiffness && contact_stiffness->any())
+      coarsest = std::make_unique<LA::SparseMatrix>(
+        contact_stiffness->sum_with_contact_stiffness(coarsest_K, last.number));
     const int error = direct.factorise(coarsest ? *coarsest : coarsest_K);
     AssertThrow(error == 0, ExcTrilinosError(error));
   }
@@ -151,8 +152,8 @@ namespace Signorini
   AMG::multiply(const Level &level, const float *x) const
   {
     float *const product = level.K->product(x);
-    if (springs)
-      springs->add_product(level.number, product, x);
+    if (contact_stiffness)
+      contact_stiffness->add_product(level.number, product, x);
     return product;
   }
 

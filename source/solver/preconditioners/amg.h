@@ -1,7 +1,7 @@
 #pragma once
 
 #include "linear_algebra/direct_solver.h"
-#include "solver/preconditioners/amg_springs.h"
+#include "solver/preconditioners/level_contact_stiffness.h"
 
 #include <memory>
 #include <optional>
@@ -15,12 +15,12 @@ namespace Signorini
   class AMG
   {
   public:
-    /// @param contact null: no springs; else set_springs() comes before the first vmult()
+    /// @param contact null: no springs; else set_contact_stiffness() comes before the first vmult()
     AMG(const Hierarchy &hierarchy, const GapOperator *contact);
 
-    /// The springs D have changed, see AMGSprings::set. No level is made anew.
+    /// The springs D have changed, see LevelContactStiffness::set. No level is made anew.
     void
-    set_springs(const PointVectors &values);
+    set_contact_stiffness(const PointVectors &values);
 
     /// One multigrid cycle.
     void
@@ -67,12 +67,12 @@ namespace Signorini
     void
     cycle(unsigned int l) const;
 
-    std::vector<std::unique_ptr<Level>> levels;
-    std::optional<AMGSprings>           springs;
-    const LA::SparseMatrix             &coarsest_K;
-    std::unique_ptr<LA::SparseMatrix>   coarsest; ///< with springs; null: there are none
-    LA::DirectSolver                    direct;   ///< of the coarsest level
-    mutable LA::Vector                  coarsest_x, coarsest_right;
-    mutable unsigned int                n_cycles = 0;
+    std::vector<std::unique_ptr<Level>>  levels;
+    std::optional<LevelContactStiffness> contact_stiffness;
+    const LA::SparseMatrix              &coarsest_K;
+    std::unique_ptr<LA::SparseMatrix>    coarsest; ///< with springs; null: there are none
+    LA::DirectSolver                     direct;   ///< of the coarsest level
+    mutable LA::Vector                   coarsest_x, coarsest_right;
+    mutable unsigned int                 n_cycles = 0;
   };
 } // namespace Signorini

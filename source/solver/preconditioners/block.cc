@@ -23,10 +23,10 @@ namespace Signorini
         springs = std::make_unique<NormalContact>(
           NormalContact::springs(system.gap_operator(), augmentation));
         augmented = std::make_unique<ContactSystem>(system.stiffness(), *springs);
-        filter    = std::make_unique<ContactFilter>(*augmented,
-                                                 hierarchy,
-                                                 settings.direct_solver.value(),
-                                                 false);
+        filter    = std::make_unique<InterfaceMultigrid>(*augmented,
+                                                      hierarchy,
+                                                      settings.direct_solver.value(),
+                                                      false);
       }
     if (form == simple)
       {

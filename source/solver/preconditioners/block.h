@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/laws/normal_contact.h"
-#include "solver/preconditioners/contact_filter.h"
+#include "solver/preconditioners/interface_multigrid.h"
 #include "solver/preconditioners/schur_complement.h"
 
 namespace Signorini
@@ -15,8 +15,8 @@ namespace Signorini
   ///               (Patankar, Spalding, Int. J. Heat Mass Transfer 15 (1972) 1787-1806).
   ///
   /// K^-1 is a multigrid cycle. With an augmentation gamma, K is replaced by K + B^T gamma k W B,
-  /// which is solved by a contact filter, and S^-1 gains gamma/(k W) for the pressure: the larger
-  /// gamma, the better is this diagonal alone (Golub, Greif, SIAM J. Sci. Comput. 24 (2003)
+  /// which is solved by an interface multigrid, and S^-1 gains gamma/(k W) for the pressure: the
+  /// larger gamma, the better is this diagonal alone (Golub, Greif, SIAM J. Sci. Comput. 24 (2003)
   /// 2076-2092).
   ///
   /// On condensed systems all are AMG(K) alone.
@@ -68,10 +68,10 @@ namespace Signorini
     const AMG            amg;
     LA::Vector           inverse_diagonal; ///< of K
 
-    std::unique_ptr<SchurComplement> schur;
-    std::unique_ptr<NormalContact>   springs;
-    std::unique_ptr<ContactSystem>   augmented;
-    std::unique_ptr<ContactFilter>   filter;
-    LA::Vector                       extra; ///< gamma/(k W) on closed points, of the pressure
+    std::unique_ptr<SchurComplement>    schur;
+    std::unique_ptr<NormalContact>      springs;
+    std::unique_ptr<ContactSystem>      augmented;
+    std::unique_ptr<InterfaceMultigrid> filter;
+    LA::Vector                          extra; ///< gamma/(k W) on closed points, of the pressure
   };
 } // namespace Signorini

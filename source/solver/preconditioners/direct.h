@@ -1,7 +1,7 @@
 #pragma once
 
+#include "solver/interface_solver.h"
 #include "solver/preconditioner.h"
-#include "solver/zone_solver.h"
 
 namespace Signorini
 {
@@ -23,16 +23,16 @@ namespace Signorini
       return false;
     }
 
-    /// Springs against free motions are in the factors, but not in the system; how forces change as
-    /// surfaces move is in the system, but not in the factors.
+    /// Springs against unconstrained rigid-body modes are in the factors, but not in the system;
+    /// how forces change as surfaces move is in the system, but not in the factors.
     bool
     is_exact() const override
     {
-      return system.free_motions().empty() && system.gap_operator().at_rest();
+      return system.unconstrained_modes().empty() && system.gap_operator().at_rest();
     }
 
     bool
-    keeps_constraints() const override
+    preserves_constraints() const override
     {
       return true;
     }
@@ -42,6 +42,6 @@ namespace Signorini
 
   private:
     const ContactSystem &system;
-    ZoneSolver           all;
+    InterfaceSolver      all;
   };
 } // namespace Signorini

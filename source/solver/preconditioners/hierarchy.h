@@ -39,7 +39,7 @@ namespace Signorini
     const StiffnessOperator<float> &
     stiffness(const unsigned int level) const
     {
-      return level == 0 ? fine.rounded() : *coarse[level - 1].stiffness;
+      return level == 0 ? fine.single_precision() : *coarse[level - 1].stiffness;
     }
 
     /// Unknowns of a node.

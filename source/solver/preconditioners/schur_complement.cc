@@ -2,8 +2,8 @@
 
 #include "linear_algebra/columns.h"
 #include "linear_algebra/row_view.h"
+#include "solver/interface_solver.h"
 #include "solver/linear_solver.h"
-#include "solver/zone_solver.h"
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
@@ -123,10 +123,10 @@ namespace Signorini
 
 
     /// C B K_zz^-1 B^T A + I with the stiffness K_zz of the contact zone.
-    class Zone : public SchurComplement
+    class InterfaceSchur : public SchurComplement
     {
     public:
-      Zone(const ContactSystem &system, const LA::DirectLibrary direct_solver)
+      InterfaceSchur(const ContactSystem &system, const LA::DirectLibrary direct_solver)
         : system(system)
         , direct_solver(direct_solver)
       {}
@@ -134,8 +134,9 @@ namespace Signorini
       void
       update() override
       {
-        zone = std::make_unique<ZoneSolver>(system, contact_zone(system), direct_solver);
-        zone->update();
+        interface =
+          std::make_unique<InterfaceSolver>(system, active_interface_dofs(system), direct_solver);
+        interface->update();
         right    = system.zero();
         solution = right;
       }
@@ -147,16 +148,16 @@ namespace Signorini
         for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
           right.block(b) = src.block(b);
         solution = 0;
-        zone->add_correction(solution, right);
+        interface->add_correction(solution, right);
         for (unsigned int b = 1; b <= system.n_multiplier_blocks(); ++b)
           dst.block(b).equ(-1, solution.block(b));
       }
 
     private:
-      const ContactSystem        &system;
-      const LA::DirectLibrary     direct_solver;
-      std::unique_ptr<ZoneSolver> zone;
-      mutable LA::BlockVector     right, solution;
+      const ContactSystem             &system;
+      const LA::DirectLibrary          direct_solver;
+      std::unique_ptr<InterfaceSolver> interface;
+      mutable LA::BlockVector          right, solution;
     };
 
 
@@ -186,8 +187,8 @@ namespace Signorini
       {
         LA::BlockVector right = src;
         right.block(0)        = 0;
-        if (system.bulk())
-          right.block(system.bulk_block()) = 0;
+        if (system.volumetric())
+          right.block(system.volumetric_block()) = 0;
         LA::BlockVector solution = right;
         solution                 = 0;
         if (const double norm = right.l2_norm(); norm > 0)
@@ -270,7 +271,7 @@ namespace Signorini
          }},
         {"interface",
          [](const auto &settings, const auto &system, const AMG &) -> Pointer {
-           return std::make_unique<Zone>(system, settings.direct_solver.value());
+           return std::make_unique<InterfaceSchur>(system, settings.direct_solver.value());
          }},
         {"multigrid", [](const auto &, const auto &system, const AMG &amg) -> Pointer {
            return std::make_unique<Multigrid>(system, amg);

@@ -20,7 +20,7 @@ namespace Signorini
   };
 
   /// What the pressure p^ of the contact law is.
-  enum class Predictor
+  enum class PressureShift
   {
     none,          ///< p^ = 0
     multiplier,    ///< the pressure itself, an unknown
@@ -52,8 +52,8 @@ namespace Signorini
     virtual Sampling
     sampling() const = 0;
 
-    virtual Predictor
-    predictor() const = 0;
+    virtual PressureShift
+    pressure_shift() const = 0;
 
     /// True: the pressure is an unknown of its own, and the law an equation for it: g = 0 where
     /// active if it is its own predictor, else g + p/eps = 0. False: it follows from the law.
@@ -72,7 +72,7 @@ namespace Signorini
     /// True: the law asks for the slip too, so that contact points have as many components as the
     /// dimension.
     virtual bool
-    needs_slip() const
+    uses_slip() const
     {
       return false;
     }
@@ -82,7 +82,7 @@ namespace Signorini
     virtual bool
     is_path_dependent() const
     {
-      return needs_slip();
+      return uses_slip();
     }
 
     /// Nitsche's method: weight of the normal stress of virtual displacements.

@@ -12,7 +12,7 @@ namespace Signorini
 
   /// The place on a rigid surface that belongs to a slave point.
   template <int dim>
-  struct ObstaclePlace
+  struct ObstaclePoint
   {
     double                 gap;    ///< positive outside of the obstacle
     dealii::Tensor<1, dim> normal; ///< unit, out of the obstacle
@@ -52,7 +52,7 @@ namespace Signorini
 
     /// The place that belongs to a point of a slave surface that has not moved: the closest point,
     /// or what a theory takes for it.
-    virtual ObstaclePlace<dim>
+    virtual ObstaclePoint<dim>
     closest(const dealii::Point<dim> &x) const = 0;
 
     /// False: what is known of the shape is only how far it is from a surface that has not moved.
@@ -65,7 +65,7 @@ namespace Signorini
     /// The closest point, wherever the slave surface has got to: the gap is the distance, negative
     /// inside.
     /// @param length that differences of formulas are small beside
-    virtual ObstaclePlace<dim>
+    virtual ObstaclePoint<dim>
     closest_point(const dealii::Point<dim> &x, double /*length*/) const
     {
       return closest(x);

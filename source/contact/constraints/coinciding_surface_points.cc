@@ -1,0 +1,68 @@
+#include "contact/constraints/coinciding_surface_points.h"
+
+#include <cmath>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A contact point by its parameters on the face, with the half width of what it stands for.
+    template <int dim>
+    struct Place
+    {
+      Point<dim - 1> xi;
+      double         half_width;
+      unsigned int   surface; ///< number
+    };
+
+    template <int dim>
+    bool
+    overlap(const Place<dim> &a, const Place<dim> &b)
+    {
+      constexpr double touching = 0.9; // neighbours of two surfaces that meet on the face
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (std::abs(a.xi[d] - b.xi[d]) >= touching * std::max(a.half_width, b.half_width))
+          return false;
+      return true;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  have_coinciding_points(const std::vector<ContactSurface<dim>> &surfaces)
+  {
+    std::map<std::pair<CellId, unsigned int>, std::vector<Place<dim>>> faces;
+    for (unsigned int i = 0; surfaces.size() > 1 && i < surfaces.size(); ++i)
+      {
+        const ContactSurface<dim> &surface = surfaces[i];
+        std::vector<double>        areas(surface.slave_faces.size(), 0.);
+        for (const ContactPoint<dim> &point : surface.points)
+          areas[point.face] += point.weight;
+        for (const ContactPoint<dim> &point : surface.points)
+          {
+            const SlaveFace<dim> &face  = surface.slave_faces[point.face];
+            const double          share = face.covered * point.weight / areas[point.face];
+            faces[{face.cell, face.face}].push_back(
+              {point.xi, std::pow(share, 1. / (dim - 1)) / 2, i});
+          }
+      }
+    for (const auto &[face, places] : faces)
+      for (const Place<dim> &a : places)
+        for (const Place<dim> &b : places)
+          if (a.surface < b.surface && overlap(a, b))
+            return true;
+    return false;
+  }
+
+
+
+  template bool
+  have_coinciding_points(const std::vector<ContactSurface<2>> &);
+  template bool
+  have_coinciding_points(const std::vector<ContactSurface<3>> &);
+} // namespace Signorini

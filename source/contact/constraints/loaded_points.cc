@@ -1,0 +1,345 @@
+#include "contact/constraints/loaded_points.h"
+
+#include "contact/constraints/tangents.h"
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <optional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    void
+    add_force(const FaceShapeFunctions<dim> &functions, const Tensor<1, dim> &force, double *dst)
+    {
+      for (const NodeShapeFunction<dim> &function : functions)
+        for (unsigned int d = 0; d < dim; ++d)
+          dst[function.node + d] += function.value * force[d];
+    }
+
+    template <int dim>
+    double
+    along(const Tensor<1, dim> &direction, const NodeShapeFunction<dim> &function, const double *u)
+    {
+      double result = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        result += direction[d] * u[function.node + d];
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  LoadedPoint<dim>::evaluate_rows(const double *u, std::vector<double> &R) const
+  {
+    const auto           element = [u](const std::size_t slot) { return u[slot]; };
+    const Tensor<1, dim> jump    = value_at(slave, element) - value_at(master, element);
+    R.assign(n_rows(), 0.);
+    unsigned int next = 0;
+    for (const Tensor<1, dim> &direction : directions)
+      R[next++] = direction * jump;
+    for (unsigned int i = 0; i < rigid.size(); ++i)
+      for (const auto &[slot, value] : rigid[i])
+        R[i] += value * u[slot];
+    if (!rigid.empty())
+      return;
+    for (const Tensor<1, dim> &direction : of_master)
+      {
+        for (const NodeShapeFunction<dim> &function : master)
+          {
+            const double value = along(direction, function, u);
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              R[next + a] += function.slopes[a] * value;
+          }
+        next += dim - 1;
+      }
+    for (const auto &vectors : of_slave)
+      {
+        for (const NodeShapeFunction<dim> &function : slave)
+          for (unsigned int a = 0; a < dim - 1; ++a)
+            R[next] += function.slopes[a] * along(vectors[a], function, u);
+        ++next;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  LoadedPoint<dim>::add_rows(const std::vector<double> &s, double *dst) const
+  {
+    unsigned int   next = 0;
+    Tensor<1, dim> force;
+    for (const Tensor<1, dim> &direction : directions)
+      force += s[next++] * direction;
+    add_force(slave, force, dst);
+    add_force(master, -force, dst);
+    for (unsigned int i = 0; i < rigid.size(); ++i)
+      for (const auto &[slot, value] : rigid[i])
+        dst[slot] += value * s[i];
+    if (!rigid.empty())
+      return;
+    const auto add = [dst](const NodeShapeFunction<dim> &function,
+                           const Tensor<1, dim>         &direction,
+                           const double                  factor) {
+      for (unsigned int d = 0; d < dim; ++d)
+        dst[function.node + d] += factor * direction[d];
+    };
+    for (const Tensor<1, dim> &direction : of_master)
+      {
+        for (const NodeShapeFunction<dim> &function : master)
+          {
+            double factor = 0;
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              factor += s[next + a] * function.slopes[a];
+            add(function, direction, factor);
+          }
+        next += dim - 1;
+      }
+    for (const auto &vectors : of_slave)
+      {
+        for (const NodeShapeFunction<dim> &function : slave)
+          for (unsigned int a = 0; a < dim - 1; ++a)
+            add(function, vectors[a], s[next] * function.slopes[a]);
+        ++next;
+      }
+  }
+
+
+
+  namespace
+  {
+    /// Of a pressure.
+    template <int dim>
+    LoadedPoint<dim>
+    pressed(const FaceShapeFunctions<dim> &slave,
+            const FaceShapeFunctions<dim> &master,
+            const Tensor<1, dim>          &normal,
+            const GapSecondVariation<dim> &second_variation,
+            const double                   force)
+    {
+      LoadedPoint<dim> point{slave,
+                             master,
+                             second_variation.directions,
+                             second_variation.rigid,
+                             {normal},
+                             {},
+                             second_variation.factors};
+      for (double &factor : point.factors)
+        factor *= force;
+      return point;
+    }
+
+    /// Adds what a tangential traction T, times the area, does where a pressure is already. The
+    /// rows become
+    ///
+    ///   y_a.(uS - uM), n.(uS - uM), n.uM,a, T.uM,a, and in space tau_2.uS,1 - tau_1.uS,2.
+    template <int dim>
+    void
+    add_tangential(const Tensor<1, dim>          &T,
+                   const Tensor<1, dim>          &n,
+                   const GapSecondVariation<dim> &second_variation,
+                   const SurfaceFrame<dim>       &frame,
+                   LoadedPoint<dim>              &point)
+    {
+      constexpr unsigned int m = dim - 1, w = 0, jump = m, n_M = m + 1, T_M = 2 * m + 1,
+                             spin = 3 * m + 1, size = 3 * m + 1 + (dim == 3 ? 1 : 0);
+      const auto &y = second_variation.directions;
+      // What second_variation_of_bodies() made its factors of.
+      Tensor<2, m> A, G, AKG; // metric, H^-1, A^-1 K H^-1
+      for (unsigned int a = 0; a < m; ++a)
+        for (unsigned int b = 0; b < m; ++b)
+          {
+            A[a][b]   = y[a] * y[b];
+            G[a][b]   = -second_variation.factors[a * 2 * m + m + b];
+            AKG[a][b] = -second_variation.factors[a * 2 * m + b];
+          }
+      const double       gap       = -second_variation.factors[m * 2 * m + m] / G[0][0];
+      const Tensor<2, m> inverse   = invert(A);
+      const auto         covariant = [&](const Tensor<1, dim> &v) {
+        Tensor<1, m> result;
+        for (unsigned int a = 0; a < m; ++a)
+          result[a] = v * y[a];
+        return result;
+      };
+
+      FullMatrix<double> C(size, size);
+      const auto         slot = [&](const unsigned int i) { return i < m ? i : i + 1; };
+      for (unsigned int a = 0; a < 2 * m; ++a)
+        for (unsigned int b = 0; b < 2 * m; ++b)
+          C(slot(a), slot(b)) = point.factors[a * 2 * m + b];
+      // Row i times v.dn, of a vector v along the master.
+      const auto add_dn = [&](const unsigned int i, const Tensor<1, dim> &v, const double factor) {
+        const Tensor<1, m> v_a = covariant(v), v_b = inverse * v_a, by_dxi = transpose(AKG) * v_a;
+        for (unsigned int b = 0; b < m; ++b)
+          {
+            C(i, n_M + b) -= factor * (v_b[b] + gap * by_dxi[b]);
+            C(i, w + b) -= factor * by_dxi[b];
+          }
+      };
+
+      add_dn(jump, T, -1);
+      for (unsigned int b = 0; b < m; ++b)
+        for (unsigned int c = 0; c < m; ++c)
+          {
+            C(T_M + b, w + c) -= G[b][c];
+            C(T_M + b, n_M + c) -= gap * G[b][c];
+          }
+      point.directions.push_back(n);
+      point.of_master.push_back(T);
+      if constexpr (dim == 3)
+        {
+          const ConvectedFrame<3> frame_now(frame.normal, frame.deformation, n);
+          const auto             &tau     = frame_now.vectors;
+          const auto              E       = vectors_across(frame.normal);
+          const Tensor<1, 3>      rotated = (T * tau[0]) * tau[1] - (T * tau[1]) * tau[0];
+          const Tensor<1, m>      by_w    = inverse * covariant(rotated) / frame_now.stretch;
+          for (unsigned int a = 0; a < m; ++a)
+            {
+              C(w + a, spin) += by_w[a];
+              add_dn(w + a, tau[1], -by_w[a] * (n * (frame.deformation * E[0])));
+              add_dn(w + a, tau[0], by_w[a] * (n * (frame.deformation * E[1])));
+            }
+          point.of_slave.emplace_back();
+          for (unsigned int a = 0; a < m; ++a)
+            point.of_slave.back()[a] =
+              frame.parameters[0][a] * tau[1] - frame.parameters[1][a] * tau[0];
+        }
+      point.factors.assign(size * size, 0.);
+      for (unsigned int i = 0; i < size; ++i)
+        for (unsigned int j = 0; j < size; ++j)
+          point.factors[i * size + j] = C(i, j);
+    }
+
+    /// The tractions at points of integration, from those of rows.
+    template <int dim>
+    class TractionsAtPoints
+    {
+    public:
+      /// Collective.
+      TractionsAtPoints(const ContactRows                      &rows,
+                        const std::vector<ContactSurface<dim>> &surfaces,
+                        const PointVectors                     &traction,
+                        const MPI_Comm                          comm)
+      {
+        for (const LA::Vector &component : traction)
+          {
+            components.emplace_back(rows.owned, rows.writable, comm);
+            components.back() = component;
+          }
+        if (traction.size() > 1)
+          tangents.emplace(rows, surfaces, comm);
+      }
+
+      /// Times the area.
+      double
+      pressure(const std::vector<Share> &shares) const
+      {
+        double sum = 0;
+        for (const auto &[row, weight] : shares)
+          sum += weight * components[0](row);
+        return sum;
+      }
+
+      /// Likewise. @param n contact normal
+      Tensor<1, dim>
+      tangential(const std::vector<Share> &shares,
+                 const SurfaceFrame<dim>  &frame,
+                 const Tensor<1, dim>     &n) const
+      {
+        Tensor<1, dim> sum;
+        for (const auto &[row, weight] : shares)
+          {
+            const auto tau = tangents->at(row, frame, n);
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              sum += weight * components[a + 1](row) * tau[a];
+          }
+        return sum;
+      }
+
+      bool
+      has_tangential() const
+      {
+        return tangents.has_value();
+      }
+
+    private:
+      PointVectors                 components;
+      std::optional<Tangents<dim>> tangents;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<LoadedPoint<dim>>
+  loaded_points(const std::vector<ContactSurface<dim>> &surfaces,
+                const ContactRows                      &rows,
+                const PointVectors                     &traction,
+                const MPI_Comm                          comm)
+  {
+    const TractionsAtPoints<dim>  tractions(rows, surfaces, traction, comm);
+    std::vector<LoadedPoint<dim>> result;
+    for (unsigned int s = 0; s < surfaces.size(); ++s)
+      {
+        const ContactSurface<dim> &surface = surfaces[s];
+        for (unsigned int q = 0; q < surface.points.size(); ++q)
+          {
+            const ContactPoint<dim>  &point  = surface.points[q];
+            const Tensor<1, dim>     &n      = point.direction;
+            const std::vector<Share> &shares = rows.shares[s][q];
+            const double              force  = tractions.pressure(shares);
+            Tensor<1, dim>            T;
+            if (tractions.has_tangential())
+              T = tractions.tangential(shares, surface.frames[q], n);
+            if ((force == 0 && T.norm_square() == 0) || point.second_variation.factors.empty())
+              continue;
+            result.push_back(pressed(point.slave, point.master, n, point.second_variation, force));
+            if (T.norm_square() > 0)
+              add_tangential(T, n, point.second_variation, surface.frames[q], result.back());
+          }
+        for (unsigned int q = 0; q < surface.edge_points.size(); ++q)
+          {
+            const EdgeContactPoint<dim> &edge_point = surface.edge_points[q];
+            const std::vector<Share>    &shares     = rows.edge_point_shares[s][q];
+            const double                 force      = tractions.pressure(shares);
+            if (edge_point.second_variation.factors.empty())
+              continue;
+            // The end of the segment moves by v.(uM - uS), see second_variation_of_edge().
+            const Tensor<1, dim> &n = edge_point.second_variation.directions[0],
+                                 &v = edge_point.second_variation.directions[1];
+            if (force != 0)
+              {
+                const double half = force * edge_point.second_variation.factors[1];
+                result.push_back(
+                  {edge_point.slave, edge_point.master, {n, v}, {}, {}, {}, {0., half, half, 0.}});
+              }
+            if (!tractions.has_tangential())
+              continue;
+            const Tensor<1, dim> T = tractions.tangential(shares, surface.edge_point_frames[q], n);
+            if (T.norm_square() > 0)
+              result.push_back(
+                {edge_point.slave, edge_point.master, {T, v}, {}, {}, {}, {0., -1., 0., 0.}});
+          }
+      }
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template struct LoadedPoint<dim>;                                                                \
+  template std::vector<LoadedPoint<dim>> loaded_points(const std::vector<ContactSurface<dim>> &,   \
+                                                       const ContactRows &,                        \
+                                                       const PointVectors &,                       \
+                                                       MPI_Comm);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,99 @@
+#include "contact/interface/reference_gaps.h"
+
+#include "contact/interface/contact_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::vector<double>
+    gaps_of_bodies(const Elasticity<dim>               &elasticity,
+                   const std::string                   &master_name,
+                   const BoundaryFaces<dim>            &slave,
+                   const double                         limit,
+                   const std::vector<PairedPoint<dim>> &paired)
+    {
+      const MPI_Comm              comm = elasticity.mesh().communicator();
+      const BoundaryFaces<dim>    master(elasticity, master_name);
+      std::vector<Point<dim>>     positions;
+      std::vector<Tensor<1, dim>> normals;
+      double                      farthest = limit;
+      for (const PairedPoint<dim> &point : paired)
+        {
+          positions.push_back(slave.rest[point.face].position(point.xi));
+          normals.push_back(slave.rest[point.face].normal(point.xi));
+          farthest = std::max(farthest, search_radius(slave.rest[point.face], limit));
+        }
+      const MasterFaces<dim> faces{master.rest,
+                                   [](unsigned int, const Point<dim - 1> &, auto &) {}};
+      const auto             master_points = find_master_projections(
+        positions, normals, faces, Utilities::MPI::max(farthest, comm), comm);
+      std::vector<double> gaps;
+      for (std::size_t i = 0; i < master_points.size(); ++i)
+        gaps.push_back(master_points[i] ? gap_of(positions[i], *master_points[i]) :
+                                          std::numeric_limits<double>::quiet_NaN());
+      return gaps;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  needs_reference_gaps(const ContactPair<dim> &pair)
+  {
+    return pair.gap_is_given() || pair.closes_below >= 0 || !pair.can_separate ||
+           pair.interference.formula() != "1";
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  reference_gaps(const Elasticity<dim>         &elasticity,
+                 const ContactPair<dim>        &pair,
+                 const Obstacle<dim>           *obstacle,
+                 const BoundaryFaces<dim>      &slave,
+                 const double                   limit,
+                 std::vector<PairedPoint<dim>> &paired)
+  {
+    std::vector<double> gaps;
+    if (!obstacle)
+      gaps = gaps_of_bodies(elasticity, pair.master, slave, limit, paired);
+    else
+      for (const PairedPoint<dim> &point : paired)
+        gaps.push_back(obstacle->shape->closest(slave.rest[point.face].position(point.xi)).gap);
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < paired.size(); ++i)
+      if (std::isfinite(gaps[i]))
+        {
+          if (n < i)
+            paired[n] = std::move(paired[i]);
+          gaps[n++] = gaps[i];
+        }
+    paired.resize(n);
+    gaps.resize(n);
+    return gaps;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template bool                needs_reference_gaps(const ContactPair<dim> &);                     \
+  template std::vector<double> reference_gaps(const Elasticity<dim> &,                             \
+                                              const ContactPair<dim> &,                            \
+                                              const Obstacle<dim> *,                               \
+                                              const BoundaryFaces<dim> &,                          \
+                                              double,                                              \
+                                              std::vector<PairedPoint<dim>> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

@@ -1,0 +1,418 @@
+#include "contact/interface/single_pass_surface.h"
+
+#include "base/solver_failure.h"
+#include "contact/constraints/gap_increments.h"
+#include "contact/constraints/pressure_functions.h"
+#include "contact/constraints/tangents.h"
+#include "contact/interface/candidates.h"
+#include "contact/interface/contact_points.h"
+#include "contact/interface/edge_points.h"
+#include "contact/interface/master_faces.h"
+#include "contact/interface/obstacle_points.h"
+#include "contact/interface/reference_gaps.h"
+#include "contact/interface/slave_faces.h"
+#include "contact/interface/surface_comparison.h"
+#include "contact/search/deep_penetration.h"
+#include "contact/search/search_radius.h"
+#include "contact/search/self_contact.h"
+#include <signorini/base/text.h>
+#include <signorini/contact/methods/method.h>
+#include <signorini/parameters/section.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    bool
+    has_shapes(const std::vector<ContactPoint<dim>> &points)
+    {
+      return std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return !point.multiplier_shape.empty();
+      });
+    }
+
+    template <int dim>
+    void
+    check_gaps(const ContactPair<dim>               &pair,
+               const std::vector<ContactPoint<dim>> &points,
+               const MPI_Comm                        comm)
+    {
+      const bool bad = std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return !std::isfinite(point.gap);
+      });
+      if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
+        throw SceneError(pair.slave_location + ": Initial gap = " + pair.initial_gap.text +
+                         " is not a finite number at some points of '" + pair.slave +
+                         "'; correct the formula");
+    }
+
+    /// Folded cells have no stress. Throws SolverFailure. Collective.
+    template <int dim>
+    void
+    check_stresses(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm)
+    {
+      const bool bad = std::any_of(points.begin(), points.end(), [](const auto &point) {
+        return std::isnan(point.stress_offset);
+      });
+      if (Utilities::MPI::max(bad ? 1 : 0, comm) > 0)
+        throw SolverFailure("cells at a contact surface are inverted; use smaller load steps");
+    }
+
+    template <int dim>
+    double
+    deepest_overlap(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm)
+    {
+      double deepest = 0;
+      for (const ContactPoint<dim> &point : points)
+        deepest = std::max(deepest, -point.current_gap());
+      return Utilities::MPI::max(deepest, comm);
+    }
+
+    /// Throws SceneError if surfaces that stand still overlap by more than that.
+    template <int dim>
+    void
+    check_search_distance(const double overlap, const ContactPair<dim> &pair)
+    {
+      if (pair.search_distance > 0 && overlap > pair.search_distance)
+        throw SceneError(pair.slave_location + ": '" + pair.slave + "' lies up to " +
+                         short_text(overlap, 4) + " deep in '" + pair.master +
+                         "' at the start, deeper than its Search distance of " +
+                         short_text(pair.search_distance, 4) +
+                         "; set a larger Search distance, or move the bodies apart");
+    }
+
+    template <int dim>
+    void
+    check_obstacle(const Configuration<dim> &configuration,
+                   const ContactPair<dim>   &pair,
+                   const Obstacle<dim>      &obstacle,
+                   const BoundaryFaces<dim> &slave)
+    {
+      if (configuration.is_reference())
+        return;
+      const double length = configuration.elasticity().rotation_length_scale();
+      const bool   bad =
+        std::any_of(slave.rest.begin(), slave.rest.end(), [&](const FacePatch<dim> &face) {
+          return !obstacle.shape->has_closest_point(face.center(), length);
+        });
+      if (Utilities::MPI::max(bad ? 1 : 0, configuration.elasticity().mesh().communicator()) > 0)
+        throw SceneError(
+          pair.master_location + ": the Gap of '" + obstacle.name +
+          "' does not increase by 1 per unit length along its Normal, so that it defines the gap on "
+          "the undeformed surface only; use a formula that is valid at all points, such as y - "
+          "x^2/20 for Normal = 0, 1, or set Contact method/Contact geometry = reference");
+    }
+
+    /// So that the gap is true where the surfaces are: less row() . u.
+    template <int dim>
+    void
+    set_gap_offset(const LA::Vector &u, std::vector<ContactPoint<dim>> &points)
+    {
+      std::vector<const ContactPoint<dim> *> pointers;
+      for (const ContactPoint<dim> &point : points)
+        pointers.push_back(&point);
+      const std::vector<double> opened = gap_increments(pointers, u);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].gap_offset = -points[i].gap_decrease - opened[i];
+    }
+
+    template <int dim>
+    class SinglePassSurface
+    {
+    public:
+      SinglePassSurface(const Configuration<dim>                      &configuration,
+                        const ContactPair<dim>                        &pair,
+                        const Obstacle<dim>                           *obstacle,
+                        const ContactMethod                           &method,
+                        const Integration                             &integration,
+                        const SearchTolerance                         &range,
+                        const std::vector<FixedIntegrationPoint<dim>> &fixed_points)
+        : configuration(configuration)
+        , elasticity(configuration.elasticity())
+        , comm(elasticity.mesh().communicator())
+        , at_rest(configuration.is_reference())
+        , pair(pair)
+        , obstacle(obstacle)
+        , method(method)
+        , integration(integration)
+        , slave(configuration, pair.slave)
+        , fixed_points(fixed_points)
+        , has_fixed_points(Utilities::MPI::max(fixed_points.size(), comm) > 0)
+        , limit(find_limit(range))
+      {
+        surface.faces = surface.own_faces = slave.faces.size();
+        surface.can_separate              = pair.can_separate;
+        surface.candidate_gap             = at_rest && pair.search_distance > 0 ?
+                                              std::min(limit, pair.search_distance) :
+                                              range.candidate_gap;
+      }
+
+      ContactSurface<dim>
+      make()
+      {
+        is_far = at_rest && is_apart(elasticity, pair, obstacle, slave, limit);
+        // Boxes of overlapping surfaces may be as far apart as the overlap is deep.
+        if (is_far && (obstacle || !may_overlap(elasticity.mesh(), pair)))
+          {
+            surface.is_apart = true;
+            return std::move(surface);
+          }
+        if (obstacle)
+          check_obstacle(configuration, pair, *obstacle, slave);
+        if (pair.is_self())
+          self = split();
+        find_master_projections();
+        make_points();
+        choose_points();
+        if (!at_rest)
+          set_gap_offset(configuration.displacement(), surface.points);
+        if (method.uses_slip())
+          surface.frames = surface_frames(slave, paired);
+        compare(elasticity, slave, paired, obstacle, surface);
+        surface.is_apart = Utilities::MPI::sum(surface.points.size(), comm) == 0;
+        const std::vector<PressureNodes> functions = set_shapes();
+        surface.full_face_shapes                   = full_face_shape_functions(elasticity, slave);
+        surface.slave_faces = slave_faces(elasticity, slave, surface.points, functions);
+        surface.has_dirichlet_nodes =
+          Utilities::MPI::max(any_dirichlet_node(surface.slave_faces) ? 1 : 0, comm) > 0;
+        return std::move(surface);
+      }
+
+    private:
+      /// Up to which distance projections are looked for.
+      double
+      find_limit(const SearchTolerance &range) const
+      {
+        if (!at_rest || range.is_final)
+          return std::max(range.candidate_gap, range.limit);
+        // Points of pairs that never separate have to stay together from afar, and those whose gap
+        // a formula tells may be anywhere.
+        const double farthest = search_radius_of_pair(elasticity, pair, range.candidate_gap),
+                     first    = pair.can_separate && !pair.gap_is_given() ?
+                                  std::min(range.candidate_gap, farthest) :
+                                  farthest;
+        const double overlap  = penetration_beyond(first, elasticity, pair, obstacle, slave);
+        check_search_distance(overlap, pair);
+        return overlap > 0 ? 1.1 * overlap : first;
+      }
+
+      MasterFaces<dim>
+      master() const
+      {
+        const BoundaryFaces<dim> boundary =
+          self ? self->masters(slave) : BoundaryFaces<dim>(configuration, pair.master);
+        MasterFaces<dim> faces =
+          master_faces(configuration,
+                       boundary,
+                       method.pressure_shift() == PressureShift::normal_stress);
+        if (!at_rest && !has_fixed_points && integration.rule == Rule::segments)
+          faces.inner_sides = inner_sides(elasticity.mesh(), pair.master, boundary);
+        if (self)
+          faces.rest = boundary.rest;
+        return faces;
+      }
+
+      /// Points that are laid already say which faces are slaves.
+      SelfContact<dim>
+      split() const
+      {
+        if (!has_fixed_points)
+          // Not the limit, which depends on what was before.
+          return {slave, elasticity.rotation_length_scale() / 5, pair.self_side, comm};
+        std::vector<bool> has_points(slave.faces.size(), false);
+        for (const FixedIntegrationPoint<dim> &point : fixed_points)
+          has_points[point.face] = true;
+        return SelfContact<dim>(has_points);
+      }
+
+      void
+      find_master_projections()
+      {
+        pair_within_limit();
+        // Is there nothing within the search distance, if what moves does not come so far?
+        if (at_rest && !is_far && pair.search_distance > limit &&
+            Utilities::MPI::sum(paired.size(), comm) == 0)
+          {
+            limit = pair.search_distance;
+            pair_within_limit();
+          }
+      }
+
+      void
+      pair_within_limit()
+      {
+        const SlaveSide<dim> side(slave.patches, self ? &slave.rest : nullptr);
+        if (obstacle)
+          paired = obstacle_points(configuration, slave.patches, *obstacle, integration, limit);
+        else if (has_fixed_points)
+          paired = reproject_points(side, fixed_points, master(), limit, comm, surface.statistics);
+        else
+          {
+            auto pairing =
+              self ? make_self_pair() :
+                     pair_points(side, master(), integration, limit, comm, surface.statistics);
+            paired      = std::move(pairing.points);
+            edge_points = std::move(pairing.edge_points);
+            weigh_by_reference_area(slave, edge_points);
+          }
+        drop_empty_points(slave.patches, paired);
+      }
+
+      /// Slaves alone look for projections; they are numbered as the faces of the whole surface.
+      Pairing<dim>
+      make_self_pair()
+      {
+        std::vector<bool>         is_slave;
+        std::vector<unsigned int> numbers;
+        for (unsigned int i = 0; i < slave.faces.size(); ++i)
+          {
+            is_slave.push_back(self->is_slave(i));
+            if (is_slave[i])
+              numbers.push_back(i);
+          }
+        const BoundaryFaces<dim> slaves = slave.among(is_slave);
+        Pairing<dim>             result = pair_points(SlaveSide<dim>(slaves.patches, &slaves.rest),
+                                          master(),
+                                          integration,
+                                          limit,
+                                          comm,
+                                          surface.statistics);
+        for (auto *points : {&result.points, &result.edge_points})
+          for (PairedPoint<dim> &point : *points)
+            point.face = numbers[point.face];
+        return result;
+      }
+
+      void
+      make_points()
+      {
+        std::vector<double> gaps;
+        if (!at_rest)
+          {
+            make_integration_points();
+            if (needs_reference_gaps(pair))
+              gaps = reference_gaps(elasticity, pair, obstacle, slave, limit, paired);
+          }
+        surface.points =
+          contact_points(configuration, pair, method, slave, integration, paired, gaps);
+        check_gaps(pair, surface.points, comm);
+        check_stresses(surface.points, comm);
+        surface.has_no_projection = !is_far && Utilities::MPI::sum(paired.size(), comm) == 0;
+      }
+
+      /// To be taken again where surfaces move on.
+      void
+      make_integration_points()
+      {
+        if (!has_fixed_points || obstacle)
+          weigh_by_reference_area(slave, paired);
+        surface.fixed_points = fixed_points;
+        if (!has_fixed_points)
+          for (const PairedPoint<dim> &point : paired)
+            surface.fixed_points.push_back(
+              {point.face,
+               point.xi,
+               point.weight,
+               {point.master_point.face_center, point.master_point.size}});
+      }
+
+      void
+      choose_points()
+      {
+        surface.overlap = deepest_overlap(surface.points, comm);
+        if (at_rest && !pair.gap_is_given())
+          check_search_distance(surface.overlap, pair);
+        surface.candidate_gap = std::max(surface.candidate_gap, 2 * surface.overlap);
+        if (!pair.can_separate)
+          keep_zero_gap_points(pair, slave, paired, surface.points);
+        else if (surface.candidate_gap < limit)
+          keep_candidates(surface.candidate_gap, slave, paired, surface.points);
+      }
+
+      std::vector<PressureNodes>
+      set_shapes()
+      {
+        surface.edge_points = make_edge_points(elasticity, slave, edge_points);
+        if (method.uses_slip())
+          surface.edge_point_frames = surface_frames(slave, edge_points);
+        const std::vector<PressureNodes> functions = set_pressure_functions(elasticity,
+                                                                            method,
+                                                                            integration.basis,
+                                                                            slave,
+                                                                            paired,
+                                                                            edge_points,
+                                                                            surface.points,
+                                                                            surface.edge_points);
+        const unsigned int               n_prescribed =
+          std::count_if(functions.begin(), functions.end(), [](const PressureNodes &face) {
+            return face.covered > 0 && face.own.empty();
+          });
+        const bool some_prescribed = Utilities::MPI::max(n_prescribed, comm) > 0,
+                   some_free = Utilities::MPI::max(has_shapes(surface.points) ? 1 : 0, comm) > 0;
+        if (some_prescribed && (!obstacle || !some_free))
+          throw SceneError(
+            pair.slave_location + ": the displacement of faces of '" + pair.slave +
+            "' is prescribed in normal direction at all nodes (over-constrained), so that they "
+            "cannot carry a multiplier; exchange Slave and Master, or set Contact method/Method = "
+            "penalty");
+        return functions;
+      }
+
+      const Configuration<dim>                      &configuration;
+      const Elasticity<dim>                         &elasticity;
+      const MPI_Comm                                 comm;
+      const bool                                     at_rest;
+      const ContactPair<dim>                        &pair;
+      const Obstacle<dim>                           *obstacle;
+      const ContactMethod                           &method;
+      const Integration                             &integration;
+      const BoundaryFaces<dim>                       slave;
+      const std::vector<FixedIntegrationPoint<dim>> &fixed_points;
+      const bool                                     has_fixed_points;
+      double                                         limit;
+      bool                            is_far = false; ///< by boxes, farther than the limit
+      std::optional<SelfContact<dim>> self;           ///< where slave and master are one surface
+      std::vector<PairedPoint<dim>>   paired;         ///< as long as surface.points
+      std::vector<PairedPoint<dim>>   edge_points;    ///< as long as surface.edge_points
+      ContactSurface<dim>             surface;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  ContactSurface<dim>
+  single_pass_surface(const Configuration<dim>                      &configuration,
+                      const ContactPair<dim>                        &pair,
+                      const Obstacle<dim>                           *obstacle,
+                      const ContactMethod                           &method,
+                      const Integration                             &integration,
+                      const SearchTolerance                         &range,
+                      const std::vector<FixedIntegrationPoint<dim>> &fixed_points)
+  {
+    return SinglePassSurface<dim>(
+             configuration, pair, obstacle, method, integration, range, fixed_points)
+      .make();
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template ContactSurface<dim> single_pass_surface(                                                \
+    const Configuration<dim> &,                                                                    \
+    const ContactPair<dim> &,                                                                      \
+    const Obstacle<dim> *,                                                                         \
+    const ContactMethod &,                                                                         \
+    const Integration &,                                                                           \
+    const SearchTolerance &,                                                                       \
+    const std::vector<FixedIntegrationPoint<dim>> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

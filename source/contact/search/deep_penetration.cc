@@ -1,0 +1,171 @@
+#include "contact/search/deep_penetration.h"
+
+#include "contact/search/search.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Of the body that a boundary ("body.boundary") belongs to.
+    template <int dim>
+    const BoundingBox<dim> &
+    extent_of_body(const Mesh<dim> &mesh, const std::string &boundary)
+    {
+      for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+        if (boundary.compare(0, mesh.body_name(body).size() + 1, mesh.body_name(body) + ".") == 0)
+          return mesh.extent(body);
+      return mesh.extent();
+    }
+
+    /// Nothing if there is none.
+    template <int dim>
+    std::optional<BoundingBox<dim>>
+    common(const BoundingBox<dim> &a, const BoundingBox<dim> &b)
+    {
+      Point<dim> low, high;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          low[d]  = std::max(a.lower_bound(d), b.lower_bound(d));
+          high[d] = std::min(a.upper_bound(d), b.upper_bound(d));
+          if (low[d] >= high[d])
+            return {};
+        }
+      return BoundingBox<dim>({low, high});
+    }
+
+    /// The place on a face, which the mean of its nodes is not where it is curved.
+    template <int dim>
+    Point<dim - 1>
+    middle()
+    {
+      Point<dim - 1> xi;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        xi[d] = 0.5;
+      return xi;
+    }
+
+    template <int dim>
+    double
+    depth_in_obstacle(const std::vector<FacePatch<dim>> &slave, const ObstacleShape<dim> &shape)
+    {
+      double deepest = 0;
+      for (const FacePatch<dim> &patch : slave)
+        {
+          const ObstaclePoint<dim> point_on_obstacle = shape.closest(patch.position(middle<dim>()));
+          if (faces_each_other(patch.normal(middle<dim>()), point_on_obstacle.normal))
+            deepest = std::max(deepest, -point_on_obstacle.gap);
+        }
+      return deepest;
+    }
+
+    /// Of what lies in that box.
+    template <int dim>
+    double
+    depth_in_body(const std::vector<FacePatch<dim>> &slave,
+                  const std::vector<FacePatch<dim>> &master,
+                  const BoundingBox<dim>            &box,
+                  const MPI_Comm                     comm)
+    {
+      std::vector<Point<dim>>     centers;
+      std::vector<Tensor<1, dim>> normals;
+      for (const FacePatch<dim> &patch : slave)
+        if (const Point<dim> x = patch.position(middle<dim>()); box.point_inside(x))
+          {
+            centers.push_back(x);
+            normals.push_back(patch.normal(middle<dim>()));
+          }
+      const MasterFaces<dim> faces{master, [](auto, const auto &, auto &) {}};
+      const double           diagonal =
+        box.get_boundary_points().first.distance(box.get_boundary_points().second);
+      const auto master_points = find_master_projections(centers, normals, faces, diagonal, comm);
+      const auto depth         = depths(centers, faces, diagonal, comm);
+      double     deepest       = 0;
+      for (std::size_t i = 0; i < master_points.size(); ++i)
+        if (master_points[i] && depth[i] >= 0)
+          deepest =
+            std::max(deepest, (master_points[i]->position - centers[i]) * master_points[i]->normal);
+      return deepest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  common_depth(const BoundingBox<dim> &a, const BoundingBox<dim> &b)
+  {
+    const auto box   = common(a, b);
+    double     depth = box ? box->side_length(0) : 0.;
+    for (unsigned int d = 1; box && d < dim; ++d)
+      depth = std::min(depth, box->side_length(d));
+    return depth;
+  }
+
+
+
+  template <int dim>
+  bool
+  may_overlap(const Mesh<dim> &mesh, const ContactPair<dim> &pair)
+  {
+    return !pair.gap_is_given() && !pair.is_self() &&
+           common_depth(extent_of_body(mesh, pair.slave), extent_of_body(mesh, pair.master)) > 0;
+  }
+
+
+
+  template <int dim>
+  double
+  penetration_beyond(const double              distance,
+                     const Elasticity<dim>    &elasticity,
+                     const ContactPair<dim>   &pair,
+                     const Obstacle<dim>      *obstacle,
+                     const BoundaryFaces<dim> &slave)
+  {
+    if (pair.gap_is_given() || pair.is_self())
+      return 0;
+    const Mesh<dim> &mesh    = elasticity.mesh();
+    const MPI_Comm   comm    = mesh.communicator();
+    double           deepest = 0;
+    if (obstacle)
+      deepest = depth_in_obstacle(slave.patches, *obstacle->shape);
+    else
+      {
+        const auto &a = extent_of_body(mesh, pair.slave), &b = extent_of_body(mesh, pair.master);
+        if (common_depth(a, b) > distance)
+          deepest = depth_in_body(slave.patches,
+                                  BoundaryFaces<dim>(elasticity, pair.master).patches,
+                                  *common(a, b),
+                                  comm);
+      }
+    deepest = Utilities::MPI::max(deepest, comm);
+    return deepest > distance ? deepest : 0.;
+  }
+
+
+
+  template double
+  common_depth(const BoundingBox<2> &, const BoundingBox<2> &);
+  template double
+  common_depth(const BoundingBox<3> &, const BoundingBox<3> &);
+  template bool
+  may_overlap(const Mesh<2> &, const ContactPair<2> &);
+  template bool
+  may_overlap(const Mesh<3> &, const ContactPair<3> &);
+  template double
+  penetration_beyond(double,
+                     const Elasticity<2> &,
+                     const ContactPair<2> &,
+                     const Obstacle<2> *,
+                     const BoundaryFaces<2> &);
+  template double
+  penetration_beyond(double,
+                     const Elasticity<3> &,
+                     const ContactPair<3> &,
+                     const Obstacle<3> *,
+                     const BoundaryFaces<3> &);
+} // namespace Signorini

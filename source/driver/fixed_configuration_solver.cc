@@ -1,0 +1,268 @@
+#include "driver/fixed_configuration_solver.h"
+
+#include "base/interruption.h"
+#include "contact/laws/contact_law.h"
+#include "matrix_free/make_stiffness.h"
+#include "solid/rigid_body_modes.h"
+#include "solver/nonlinear_solid.h"
+#include <signorini/base/text.h>
+#include <signorini/contact/methods/method.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  FixedConfigurationSolver<dim>::FixedConfigurationSolver(const Scene<dim>            &scene,
+                                                          Elasticity<dim>             &elasticity,
+                                                          ContactInterfaces<dim>      &contact,
+                                                          State                       &state,
+                                                          TimerOutput                 &timer,
+                                                          std::function<StepVisitor()> watch)
+    : scene(scene)
+    , elasticity(elasticity)
+    , contact(contact)
+    , state(state)
+    , timer(timer)
+    , watch(std::move(watch))
+  {
+    clock.reset();
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::find_contact(const bool is_near,
+                                              const bool keeps_integration_points)
+  {
+    reset_solver();
+    clock.start();
+    Configuration<dim> configuration =
+      configuration_displacement.size() > 0 ?
+        Configuration<dim>(elasticity, configuration_displacement) :
+        Configuration<dim>(elasticity);
+    if (configuration_displacement.size() > 0 && scene.contact.chosen().uses_slip())
+      configuration.set_start(state.start.displacement.size() > 0 ? state.start.displacement :
+                                                                    configuration_displacement);
+    contact.build(configuration, is_near, keeps_integration_points);
+    restore_active_set();
+    my_contact.status = contact.gap_operator().zero(); // the law finds it better: there may be more
+    clock.stop();
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::restore_active_set()
+  {
+    my_contact = from_surface_field(state.contact, contact.gap_operator(), {});
+    start_step();
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::start_step()
+  {
+    GapOperator &points = contact.gap_operator();
+    my_contact.internal = InternalFields();
+    if (scene.contact.chosen().is_path_dependent())
+      my_contact.internal =
+        from_surface_field(state.start.contact,
+                           points,
+                           scene.contact.chosen().make_law(points)->initial_fields())
+          .internal;
+    elasticity.material_history().start(state.start.material, state.start.duration);
+    if (state.start.displacement.size() > 0)
+      points.set_start(state.start.displacement);
+  }
+
+
+
+  template <int dim>
+  bool
+  FixedConfigurationSolver<dim>::solve(const double            t,
+                                       const StoppingCriteria &stopping,
+                                       const bool              is_near)
+  {
+    for (;;)
+      {
+        check_for_interruption(); // behind each search
+        solve_with_candidates(t, stopping);
+        if (my_report.converged ?
+              !contact.search_radius_exceeded(state.displacement) :
+              !my_report.has_unconstrained_modes || !contact.enlarge_search_radius())
+          return my_report.converged;
+        find_contact(is_near);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::solve_with_candidates(const double            t,
+                                                       const StoppingCriteria &stopping)
+  {
+    if (!solver)
+      make_solver();
+    solver->newton.set_stopping_criteria(stopping);
+    clock.start();
+    {
+      TimerOutput::Scope scope(timer, "assembly");
+      LA::Vector         f = elasticity.load();
+      if (configuration_displacement.size() > 0)
+        elasticity.rotate_moments(elasticity.rigid_motion(configuration_displacement), f);
+      bodies->set_load(std::move(f));
+      if (initial_guess.size() > 0)
+        bodies->extrapolate_from(std::exchange(initial_guess, LA::Vector()));
+    }
+    elasticity.distribute(state.displacement);
+    contact.set_time(t);
+    my_report = solver->newton.solve(state.displacement, my_contact, watch());
+    elasticity.distribute(state.displacement);
+    ContactState now        = my_contact;
+    now.internal            = solver->newton.internal(state.displacement, my_contact);
+    state.contact           = to_surface_field(contact.gap_operator(), now, dim);
+    state.volumetric_stress = elasticity.volumetric_stress().coefficients();
+    clock.stop();
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::make_solver()
+  {
+    if (!bodies)
+      assemble();
+    UnconstrainedModes unconstrained_modes = make_unconstrained_modes(); // may search farther
+    clock.start();
+    if (!hierarchies)
+      hierarchies.emplace(scene.solver, bodies->stiffness(), elasticity);
+    contact.build_geometric_stiffness(my_contact.traction);
+    solver = std::make_unique<ContactSolver>(scene.newton,
+                                             scene.solver,
+                                             scene.contact.chosen(),
+                                             *bodies,
+                                             contact.gap_operator(),
+                                             std::move(unconstrained_modes),
+                                             *hierarchies,
+                                             timer);
+    clock.stop();
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::assemble()
+  {
+    clock.start();
+    TimerOutput::Scope  scope(timer, "assembly");
+    const StiffnessForm form =
+      choose_form(scene.solver.stiffness_form, scene.solver.needs_matrix(), elasticity);
+    if (elasticity.is_nonlinear())
+      bodies =
+        std::make_unique<NonlinearSolid<dim>>(form, elasticity, bodies_of_dofs(elasticity), timer);
+    else
+      bodies = std::make_unique<LinearElasticSolid>(make_stiffness(form, elasticity),
+                                                    elasticity.stabilising_stiffness(),
+                                                    elasticity.constraints(),
+                                                    bodies_of_dofs(elasticity),
+                                                    VolumeConstraint<dim>::create(elasticity));
+    clock.stop();
+  }
+
+
+
+  template <int dim>
+  UnconstrainedModes
+  FixedConfigurationSolver<dim>::make_unconstrained_modes()
+  {
+    if (!elasticity.has_unsupported_modes())
+      return {};
+    const auto make = [&] {
+      return UnconstrainedModes(elasticity.unconstrained_modes(),
+                                elasticity.stabilising_stiffness(),
+                                contact.gap_operator());
+    };
+    UnconstrainedModes motions = make();
+    while (!motions.unconstrainable().empty() && contact.enlarge_search_radius())
+      {
+        find_contact(false);
+        motions = make();
+      }
+    if (motions.unconstrainable().empty() ||
+        scene.newton.undetermined_modes != UnconstrainedModeTreatment::refuse)
+      return motions;
+    if (configuration_displacement.size() > 0 &&
+        configuration_displacement.linfty_norm() > 0) // on the way to somewhere else
+      throw SolverFailure("in the current configuration contact cannot constrain " +
+                          join(motions.unconstrainable()) + "; use smaller load steps");
+    throw SceneError("Supports/Names: no support constrains " + join(motions.unconstrainable()) +
+                     ", and no contact can; " + NewtonSettings::stabilisation_advice() +
+                     ". Boundaries of the bodies: " + join(elasticity.mesh().boundaries()) + ".");
+  }
+
+
+
+  template <int dim>
+  DualSolution
+  FixedConfigurationSolver<dim>::dual(const Functional &functional)
+  {
+    constexpr double   reduction = 1e-3; // what recovery makes of it is not better
+    TimerOutput::Scope scope(timer, "dual");
+    clock.start();
+    const DualSolution result = solver->newton.dual(state.displacement,
+                                                    my_contact,
+                                                    functional.of_displacement,
+                                                    functional.of_pressure,
+                                                    reduction);
+    clock.stop();
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::invalidate()
+  {
+    solver.reset();
+    hierarchies.reset();
+    bodies.reset();
+    clock.reset();
+    former_cycles = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::release()
+  {
+    reset_solver();
+    hierarchies.reset();
+  }
+
+
+
+  template <int dim>
+  void
+  FixedConfigurationSolver<dim>::reset_solver()
+  {
+    had_negative_curvature = met_negative_curvature();
+    if (solver)
+      former_cycles += solver->linear_solver.multigrid_cycles();
+    solver.reset(); // it refers to what is replaced
+  }
+
+
+
+  template class FixedConfigurationSolver<2>;
+  template class FixedConfigurationSolver<3>;
+} // namespace Signorini

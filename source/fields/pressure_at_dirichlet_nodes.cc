@@ -1,0 +1,190 @@
+#include "fields/pressure_at_dirichlet_nodes.h"
+
+#include "fields/nodal_fields.h"
+#include "fields/surface_parts.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Extrapolation
+    {
+    public:
+      Extrapolation(const Snapshot<dim> &s, const unsigned int pair, const LA::Vector &raw)
+        : s(s)
+        , number_of_pair(pair)
+        , surface(s.surfaces[pair])
+        , raw(s.elasticity.with_ghosts(raw))
+        , centers(centers_of_functions())
+        , slopes(mean_slopes())
+      {}
+
+      void
+      apply(LA::Vector &pressure) const
+      {
+        const LA::Vector now = s.elasticity.with_ghosts(pressure);
+        fill_dirichlet_nodes<dim>(
+          s,
+          number_of_pair,
+          [&](const SlaveFace<dim> &face,
+              const unsigned int    dirichlet_node,
+              const unsigned int    near) {
+            if (face.under_covered[dirichlet_node])
+              return now(face.nodes[near]); // what the master leaves off has no pressure to go on
+            return is_on_axis(face.positions[dirichlet_node]) ?
+                     now(face.nodes[dirichlet_node]) :
+                     extrapolated(face.nodes[near], face.positions[dirichlet_node]);
+          },
+          pressure);
+        set_neighbours(pressure);
+      }
+
+    private:
+      static constexpr unsigned int n = std::tuple_size<Part<dim>>::value;
+
+      std::vector<LA::Vector>
+      zeros(const unsigned int number) const
+      {
+        return std::vector<LA::Vector>(number, s.elasticity.zero_vector());
+      }
+
+      std::vector<LA::Vector>
+      summed(std::vector<LA::Vector> sums) const
+      {
+        std::vector<LA::Vector> result;
+        for (LA::Vector &v : sums)
+          {
+            v.compress(VectorOperation::add);
+            result.push_back(s.elasticity.with_ghosts(v));
+          }
+        return result;
+      }
+
+      /// int psi x dA, and last int psi dA.
+      std::vector<LA::Vector>
+      centers_of_functions() const
+      {
+        std::vector<LA::Vector> sums = zeros(dim + 1);
+        for (const ContactPoint<dim> &point : surface.points)
+          for (const auto &[node, psi] : point.multiplier_shape)
+            {
+              for (unsigned int d = 0; d < dim; ++d)
+                sums[d](node) += psi * point.weight * point.slave_force_point[d];
+              sums[dim](node) += psi * point.weight;
+            }
+        return summed(std::move(sums));
+      }
+
+      Tensor<1, dim>
+      center(const types::global_dof_index node) const
+      {
+        Tensor<1, dim> result;
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] = centers[d](node) / centers[dim](node);
+        return result;
+      }
+
+      /// Of parts that press as a whole, at their nodes; last their numbers.
+      std::vector<LA::Vector>
+      mean_slopes() const
+      {
+        std::vector<LA::Vector> sums = zeros(dim + 1);
+        for_each_part(surface.slave_faces, [&](const Part<dim> &part, const SlaveFace<dim> &face) {
+          std::array<double, n>         values;
+          std::array<Tensor<1, dim>, n> positions;
+          for (unsigned int c = 0; c < n; ++c)
+            {
+              const auto node = face.nodes[part[c]];
+              if (face.without_pressure[part[c]] || raw(node) <= 0 || centers[dim](node) <= 0)
+                return;
+              values[c]    = raw(node);
+              positions[c] = center(node);
+            }
+          const Tensor<1, dim> slope = slope_of_part<dim>(positions, values);
+          for (const unsigned int i : part)
+            {
+              for (unsigned int d = 0; d < dim; ++d)
+                sums[d](face.nodes[i]) += slope[d];
+              sums[dim](face.nodes[i]) += 1;
+            }
+        });
+        return summed(std::move(sums));
+      }
+
+      double
+      extrapolated(const types::global_dof_index node, const Point<dim> &x) const
+      {
+        double value = raw(node);
+        if (slopes[dim](node) > 0)
+          for (unsigned int d = 0; d < dim; ++d)
+            value += slopes[d](node) / slopes[dim](node) * (x[d] - center(node)[d]);
+        return s.pairs[number_of_pair].can_separate ? std::max(0., value) : value;
+      }
+
+      bool
+      is_on_axis(const Point<dim> &x) const
+      {
+        return s.elasticity.model() == Model::axisymmetric &&
+               x[0] < 1e-10 * s.elasticity.rotation_length_scale();
+      }
+
+      void
+      set_neighbours(LA::Vector &pressure) const
+      {
+        std::vector<LA::Vector> sums = zeros(2);
+        for (const SlaveFace<dim> &face : surface.slave_faces)
+          for (unsigned int i = 0; i < face.nodes.size(); ++i)
+            if (face.without_pressure[i] && !face.under_covered[i] &&
+                !is_on_axis(face.positions[i]))
+              for (const unsigned int near : nearest_free(face, i))
+                {
+                  sums[0](face.nodes[near]) += extrapolated(face.nodes[near], face.positions[near]);
+                  sums[1](face.nodes[near]) += 1;
+                }
+        for (LA::Vector &v : sums)
+          v.compress(VectorOperation::add);
+        for (const auto i : s.elasticity.owned())
+          if (sums[1](i) > 0)
+            pressure(i) = sums[0](i) / sums[1](i);
+        pressure.compress(VectorOperation::insert);
+      }
+
+      const Snapshot<dim>          &s;
+      const unsigned int            number_of_pair;
+      const ContactSurface<dim>    &surface;
+      const LA::Vector              raw; ///< all of these with ghosts
+      const std::vector<LA::Vector> centers, slopes;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  extrapolate_to_dirichlet_nodes(const Snapshot<dim> &s,
+                                 const unsigned int   pair,
+                                 const LA::Vector    &raw,
+                                 LA::Vector          &pressure)
+  {
+    if (s.surfaces[pair].has_dirichlet_nodes)
+      Extrapolation<dim>(s, pair, raw).apply(pressure);
+  }
+
+
+
+  template void
+  extrapolate_to_dirichlet_nodes(const Snapshot<2> &,
+                                 unsigned int,
+                                 const LA::Vector &,
+                                 LA::Vector &);
+  template void
+  extrapolate_to_dirichlet_nodes(const Snapshot<3> &,
+                                 unsigned int,
+                                 const LA::Vector &,
+                                 LA::Vector &);
+} // namespace Signorini

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "matrix_free/local_vectors.h"
+#include "multigrid/prolongation.h"
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /// Linear interpolation in three dimensions where a node of a cell is a vertex, or the middle of
+  /// an edge, of a face or of the whole, of a cell below: the mean of one, two, four or eight of
+  /// its vertices. So are the vertices of children, and the nodes of degree two. Without a matrix,
+  /// in single precision; constraints are resolved on the vectors of the level below, and
+  /// constrained degrees of freedom of the level above get nothing.
+  class InterpolationTransfer : public Prolongation
+  {
+  public:
+    using Index = dealii::types::global_dof_index;
+
+    /// Nodes, and the vertices of which they are the means, all by their first degrees of freedom.
+    class Nodes
+    {
+    public:
+      /// @param n_vertices 1, 2, 4 or 8
+      void
+      add(Index node, const Index *vertices, unsigned int n_vertices);
+
+    private:
+      struct List
+      {
+        std::vector<std::uint32_t> nodes, vertices; ///< vertices of node k from n k on
+      };
+
+      std::array<List, 4> of; ///< those with 2^i vertices
+
+      friend class InterpolationTransfer;
+    };
+
+    /// The degrees of freedom of a level, those of rigid bodies last, which are the same on both.
+    struct Side
+    {
+      const dealii::IndexSet                  &owned;
+      const dealii::AffineConstraints<double> &constraints;
+    };
+
+    /// Collective.
+    /// @param nodes each that this rank owns once
+    InterpolationTransfer(
+      Nodes nodes, const Side &fine, const Side &coarse, unsigned int n_rigid, MPI_Comm);
+
+    void
+    vmult_add(float *fine, const float *coarse) const override;
+
+    void
+    Tvmult(float *coarse, const float *fine) const override;
+
+    LA::SparseMatrix
+    times(const LA::SparseMatrix &B) const override;
+
+  private:
+    /// Calls act(first local degree of freedom of a node, which of its components are free, places
+    /// of its vertices, their number).
+    template <typename Action>
+    void
+    for_each_node(const Action &act) const;
+
+    using Row = std::vector<std::pair<Index, double>>;
+
+    std::unordered_map<Index, Row>
+    rows(const std::vector<Index> &dofs) const;
+
+    Nodes                                    nodes; ///< by local numbers, of both sides
+    std::array<std::vector<std::uint8_t>, 4> free;  ///< a bit for each component of a node
+    const dealii::IndexSet                   fine, coarse;
+    LocalVectors<float>                      vertices;
+
+    /// Of rigid bodies: local numbers above, places below.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> rigid;
+  };
+} // namespace Signorini

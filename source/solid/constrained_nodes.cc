@@ -1,0 +1,431 @@
+#include "solid/constrained_nodes.h"
+
+#include "geometry/extent.h"
+#include "geometry/face_parameter.h"
+#include "mesh/face_nodes.h"
+#include "solid/cell_nodes.h"
+#include "solid/node_location.h"
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/utilities.h>
+#include <deal.II/hp/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Tensor<1, dim>
+    axis(const unsigned int d)
+    {
+      Tensor<1, dim> e;
+      e[d] = 1;
+      return e;
+    }
+
+    /// Faces along the axes hold one component alone, to the last digit.
+    template <int dim>
+    Tensor<1, dim>
+    without_rounding(Tensor<1, dim> n)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(n[d]) > 1 - 1e-14)
+          n = n[d] > 0 ? axis<dim>(d) : -axis<dim>(d);
+      return n;
+    }
+
+    /// Normals of the faces around a node, those of one smooth surface summed up.
+    template <int dim>
+    void
+    add_normal(const Tensor<1, dim> &n, std::vector<Tensor<1, dim>> &sums)
+    {
+      constexpr double cosine_of_corner = 0.64; // 50 degrees
+      for (Tensor<1, dim> &sum : sums)
+        if (n * sum > cosine_of_corner * sum.norm())
+          {
+            sum += n;
+            return;
+          }
+      sums.push_back(n);
+    }
+
+    /// The nodes of the faces of a cell, one for each vector that stands there.
+    template <int dim>
+    struct FaceNodes
+    {
+      std::vector<unsigned int>          nodes;   ///< numbers in the scalar element
+      std::unique_ptr<FEFaceValues<dim>> normals; ///< at these
+
+      FaceNodes(const Mapping<dim> &mapping, const FiniteElement<dim> &scalar, const unsigned int f)
+        : nodes(nodes_of_face(scalar, f))
+      {
+        std::vector<Point<dim - 1>> points;
+        for (const unsigned int i : nodes)
+          points.push_back(face_parameter<dim>(f, scalar.unit_support_point(i)));
+        normals = std::make_unique<FEFaceValues<dim>>(mapping,
+                                                      scalar,
+                                                      Quadrature<dim - 1>(points),
+                                                      update_normal_vectors);
+      }
+    };
+
+    template <int dim>
+    class NodeConstrainer
+    {
+    public:
+      NodeConstrainer(const Mesh<dim>                 &mesh,
+                      const DoFHandler<dim>           &dofs,
+                      const AffineConstraints<double> &hanging)
+        : mesh(mesh)
+        , dofs(dofs)
+        , hanging(hanging)
+        , nodes_of(mesh, dofs.get_fe_collection())
+      {
+        for (const auto &fe : dofs.get_fe_collection())
+          {
+            faces.emplace_back();
+            for (unsigned int f = 0; f < GeometryInfo<dim>::faces_per_cell; ++f)
+              faces.back().emplace_back(mesh.surface_mapping(), fe.base_element(0), f);
+          }
+      }
+
+      /// Calls visit(node, normal of the face there) for the nodes of the faces of a boundary, face
+      /// by face.
+      template <typename Visit>
+      void
+      on_boundary(const BoundaryIds &ids, const bool with_normals, const Visit &visit)
+      {
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (!cell->is_artificial() && cell->at_boundary())
+            for (const unsigned int f : cell->face_indices())
+              if (cell->face(f)->at_boundary() && ids.count(cell->face(f)->boundary_id()) > 0)
+                {
+                  const FaceNodes<dim> &face = faces[cell->active_fe_index()][f];
+                  read(cell);
+                  if (with_normals)
+                    face.normals->reinit(
+                      static_cast<const typename Triangulation<dim>::cell_iterator &>(cell), f);
+                  for (unsigned int k = 0; k < face.nodes.size(); ++k)
+                    if (ConstrainedNode<dim> *node = constrained_node(face.nodes[k]))
+                      visit(*node,
+                            with_normals ? without_rounding<dim>(face.normals->normal_vector(k)) :
+                                           Tensor<1, dim>());
+                }
+      }
+
+      /// Calls visit(node) for the nodes of a set of the coarse mesh.
+      template <typename Visit>
+      void
+      on_set(const std::string &name, const std::string &place, const Visit &visit)
+      {
+        ListedNodes<dim> listed(mesh.node_set(name));
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (!cell->is_artificial() && listed.has_some(cell->id().get_coarse_cell_id()))
+            {
+              read(cell);
+              for (unsigned int i = 0; i < fe->base_element(0).n_dofs_per_cell(); ++i)
+                if (listed.contains(cell->id(), fe->base_element(0).unit_support_point(i)))
+                  if (ConstrainedNode<dim> *node = constrained_node(i))
+                    visit(*node);
+            }
+        if (const unsigned int n = listed.n_missing(mesh.communicator()); n > 0)
+          throw SceneError(
+            place + ": " + std::to_string(n) + " nodes of '" + name +
+            "' at mid-sides are not nodes of the finite-element mesh; refine it, set "
+            "Degree = 2 for this body, or use a set that contains the corners");
+      }
+
+      /// Calls visit(node) for the node at a point; throws if there is none, or if it is not clear
+      /// of which body.
+      template <typename Visit>
+      void
+      on_point(const NodeChoice &choice, const Visit &visit)
+      {
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = choice.point[d];
+        std::vector<unsigned int> found(mesh.n_bodies(), 0);
+        double                    nearest = std::numeric_limits<double>::max();
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (!cell->is_artificial() &&
+              (choice.body.empty() || mesh.body_name(mesh.body(cell)) == choice.body))
+            {
+              const double reach = 1e-6 * cell->diameter(), far = cell->center().distance(x);
+              nearest = std::min(nearest, far);
+              if (far > cell->diameter())
+                continue;
+              read(cell);
+              for (unsigned int i = 0; i < fe->base_element(0).n_dofs_per_cell(); ++i)
+                {
+                  nearest = std::min(nearest, position(i).distance(x));
+                  if (position(i).distance(x) <= reach)
+                    {
+                      found[mesh.body(cell)] = 1;
+                      if (ConstrainedNode<dim> *node = constrained_node(i))
+                        visit(*node);
+                    }
+                }
+            }
+        Utilities::MPI::max(found, mesh.communicator(), found);
+        nearest      = Utilities::MPI::min(nearest, mesh.communicator());
+        const auto n = std::count(found.begin(), found.end(), 1u);
+        if (n == 0)
+          throw SceneError(choice.point_location +
+                           ": there is no node of the mesh; the nearest is " +
+                           std::to_string(nearest) + " away");
+        if (n > 1)
+          throw SceneError(choice.point_location +
+                           ": several bodies have a node there; say which one by 'Point body'");
+      }
+
+      /// All nodes of a support that are named by sets and points.
+      template <typename Visit>
+      void
+      on_nodes(const NodeChoice &choice, const Visit &visit)
+      {
+        for (const std::string &set : choice.sets)
+          on_set(set, choice.sets_location, visit);
+        if (!choice.point.empty())
+          on_point(choice, visit);
+      }
+
+      /// The axis of an axisymmetric body: there is no radial displacement.
+      void
+      constrain_axis()
+      {
+        const double on_axis = 1e-10 * mesh.size();
+        double       lowest  = 0;
+        for (const auto &cell : dofs.active_cell_iterators())
+          if (!cell->is_artificial() && cell->at_boundary())
+            {
+              bool near = false;
+              for (const unsigned int v : cell->vertex_indices())
+                {
+                  near |= cell->vertex(v)[0] < on_axis;
+                  lowest = std::min(lowest, cell->vertex(v)[0]);
+                }
+              if (!near)
+                continue;
+              read(cell);
+              for (unsigned int i = 0; i < fe->base_element(0).n_dofs_per_cell(); ++i)
+                if (position(i)[0] < on_axis)
+                  if (ConstrainedNode<dim> *node = constrained_node(i);
+                      node && node->prescribed_directions.empty())
+                    node->prescribed_directions.push_back({axis<dim>(0), nullptr});
+            }
+        lowest = Utilities::MPI::min(lowest, mesh.communicator());
+        if (lowest < -on_axis)
+          throw SceneError("Model = axisymmetric: a body reaches x = " + std::to_string(lowest) +
+                           ", but x is the radius; keep the bodies at x >= 0");
+      }
+
+      ConstrainedNodes<dim> result;
+
+    private:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+      void
+      read(const Cell &cell)
+      {
+        fe    = &cell->get_fe();
+        piece = mesh.piece(cell);
+        read_indices<dim>(cell, indices);
+        positions = &nodes_of(cell);
+      }
+
+      /// Of the cell's node i.
+      const Point<dim> &
+      position(const unsigned int i) const
+      {
+        return (*positions)[fe->component_to_system_index(0, i)];
+      }
+
+      /// The entry of the cell's node i; null if it hangs.
+      ConstrainedNode<dim> *
+      constrained_node(const unsigned int i)
+      {
+        ConstrainedNode<dim> node;
+        for (unsigned int d = 0; d < dim; ++d)
+          node.dofs[d] = indices[fe->component_to_system_index(d, i)];
+        if (hanging.is_constrained(node.dofs[0]))
+          return nullptr;
+        node.position = position(i);
+        node.piece    = piece;
+        return &result.emplace(node.dofs[0], node).first->second;
+      }
+
+      const Mesh<dim>                         &mesh;
+      const DoFHandler<dim>                   &dofs;
+      const AffineConstraints<double>         &hanging;
+      CellNodes<dim>                           nodes_of;
+      std::vector<std::vector<FaceNodes<dim>>> faces; ///< of each element
+
+      // Of the present cell.
+      const FiniteElement<dim>            *fe        = nullptr;
+      unsigned int                         piece     = 0;
+      const std::vector<Point<dim>>       *positions = nullptr;
+      std::vector<types::global_dof_index> indices;
+    };
+
+    template <int dim>
+    void
+    constrain_components(NodeConstrainer<dim> &finder,
+                         const Mesh<dim>      &mesh,
+                         const Support<dim>   &support)
+    {
+      const auto hold = [&](ConstrainedNode<dim> &node) {
+        if (!node.prescribed_directions.empty() &&
+            node.prescribed_directions.back().support == &support)
+          return; // from the face or cell beside
+        for (unsigned int d = 0; d < dim; ++d)
+          if (support.displacement.prescribed(d))
+            node.prescribed_directions.push_back({axis<dim>(d), &support});
+      };
+      for (const std::string &boundary : support.boundaries)
+        finder.on_boundary(mesh.boundary_ids(boundary),
+                           false,
+                           [&](ConstrainedNode<dim> &node, auto) { hold(node); });
+      finder.on_nodes(support.nodes, hold);
+    }
+
+    template <int dim>
+    void
+    check_plane(const Mesh<dim>                   &mesh,
+                const Support<dim>                &support,
+                const std::string                 &boundary,
+                const std::vector<Tensor<1, dim>> &normals)
+    {
+      Extent<dim> directions;
+      for (const Tensor<1, dim> &n : normals)
+        directions.add(n);
+      const BoundingBox<dim> box = directions.reduce_over_ranks(mesh.communicator());
+      for (unsigned int d = 0; d < dim; ++d)
+        if (box.side_length(d) > 1e-6)
+          throw SceneError(support.place + ": '" + boundary +
+                           "' is not plane, so that it cannot be a plane of symmetry; set Type = "
+                           "roller to constrain a curved surface in normal direction");
+    }
+
+    template <int dim>
+    void
+    constrain_normals(NodeConstrainer<dim> &finder,
+                      const Mesh<dim>      &mesh,
+                      const Support<dim>   &support)
+    {
+      std::map<ConstrainedNode<dim> *, std::vector<Tensor<1, dim>>> sums;
+      const bool along_normal = support.direction.norm() == 0;
+      for (const std::string &boundary : support.boundaries)
+        {
+          std::vector<Tensor<1, dim>> normals;
+          finder.on_boundary(mesh.boundary_ids(boundary),
+                             along_normal,
+                             [&](ConstrainedNode<dim> &node, const Tensor<1, dim> &n) {
+                               normals.push_back(n);
+                               if (along_normal)
+                                 add_normal(n, sums[&node]);
+                               else
+                                 sums[&node] = {without_rounding<dim>(support.direction /
+                                                                      support.direction.norm())};
+                             });
+          if (support.type == SupportType::symmetry)
+            check_plane(mesh, support, boundary, normals);
+        }
+      finder.on_nodes(support.nodes, [&](ConstrainedNode<dim> &node) {
+        sums[&node] = {without_rounding<dim>(support.direction / support.direction.norm())};
+      });
+      for (auto &[node, directions] : sums)
+        {
+          for (Tensor<1, dim> &n : directions)
+            n /= n.norm();
+          // Ranks see the faces around a node in different order.
+          std::sort(directions.begin(), directions.end(), [](const auto &a, const auto &b) {
+            for (unsigned int d = 0; d < dim; ++d)
+              if (std::abs(a[d] - b[d]) > 1e-6)
+                return a[d] < b[d];
+            return false;
+          });
+          for (const Tensor<1, dim> &n : directions)
+            node->prescribed_directions.push_back({without_rounding<dim>(n), &support});
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  ConstrainedNode<dim>::orthonormal() const
+  {
+    std::vector<Tensor<1, dim>> result;
+    for (const DirectionConstraint<dim> &hold : prescribed_directions)
+      {
+        Tensor<1, dim> n = hold.direction;
+        for (const Tensor<1, dim> &before : result)
+          n -= (n * before) * before;
+        result.push_back(n.norm() > 1e-6 ? n / n.norm() : Tensor<1, dim>());
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  ConstrainedNode<dim>::free_part(const Tensor<1, dim> &v) const
+  {
+    Tensor<1, dim> rest = v;
+    for (const Tensor<1, dim> &n : orthonormal())
+      rest -= (v * n) * n;
+    return rest;
+  }
+
+
+
+  template <int dim>
+  ConstrainedNodes<dim>
+  find_constrained_nodes(const Mesh<dim>                 &mesh,
+                         const DoFHandler<dim>           &dofs,
+                         const AffineConstraints<double> &hanging,
+                         const std::vector<Support<dim>> &supports,
+                         const double                     t,
+                         const Model                      model)
+  {
+    NodeConstrainer<dim> finder(mesh, dofs, hanging);
+    if (model == Model::axisymmetric)
+      finder.constrain_axis();
+    for (const Support<dim> &support : supports)
+      if (!support.acts(t))
+        continue;
+      else if (support.type == SupportType::displacement)
+        constrain_components(finder, mesh, support);
+      else
+        constrain_normals(finder, mesh, support);
+    return std::move(finder.result);
+  }
+
+
+
+  template struct ConstrainedNode<2>;
+  template struct ConstrainedNode<3>;
+  template ConstrainedNodes<2>
+  find_constrained_nodes(const Mesh<2> &,
+                         const DoFHandler<2> &,
+                         const AffineConstraints<double> &,
+                         const std::vector<Support<2>> &,
+                         double,
+                         Model);
+  template ConstrainedNodes<3>
+  find_constrained_nodes(const Mesh<3> &,
+                         const DoFHandler<3> &,
+                         const AffineConstraints<double> &,
+                         const std::vector<Support<3>> &,
+                         double,
+                         Model);
+} // namespace Signorini

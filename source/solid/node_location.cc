@@ -1,0 +1,226 @@
+#include "solid/node_location.h"
+
+#include <signorini/parameters/raw.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Places of coarse nodes are multiples of 1/2, those of others are exact in binary numbers.
+    template <int dim>
+    bool
+    are_same(const Point<dim> &a, const Point<dim> &b)
+    {
+      return a.distance_square(b) < 1e-20;
+    }
+
+    bool
+    is_at_end(const double coordinate)
+    {
+      return coordinate == 0 || coordinate == 1;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ListedNodes<dim>::ListedNodes(const NodeSet<dim> &nodes)
+    : is_there(nodes.size(), 0)
+  {
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      for (const NodeLocation<dim> &place : nodes[n])
+        by_cell[place.cell].push_back({place.unit, n});
+    for (const auto &[cell, listed] : by_cell)
+      for (const Listed &one : listed)
+        if (has_corners_around(listed, one.unit))
+          is_there[one.node] = 1;
+  }
+
+
+
+  template <int dim>
+  bool
+  ListedNodes<dim>::contains(const CellId &cell, const Point<dim> &unit)
+  {
+    const auto children = cell.get_child_indices();
+    Point<dim> x        = unit;
+    for (unsigned int i = children.size(); i-- > 0;)
+      x = GeometryInfo<dim>::child_to_cell_coordinates(x, children[i]);
+    const std::vector<Listed> &listed = by_cell.at(cell.get_coarse_cell_id());
+    for (const Listed &one : listed)
+      if (are_same(one.unit, x))
+        {
+          is_there[one.node] = 1;
+          return true;
+        }
+    return has_corners_around(listed, x);
+  }
+
+
+
+  /// Of the vertex, edge, face or cell whose inside has the point.
+  template <int dim>
+  bool
+  ListedNodes<dim>::has_corners_around(const std::vector<Listed> &listed,
+                                       const Point<dim>          &unit) const
+  {
+    for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+      {
+        const Point<dim> corner    = GeometryInfo<dim>::unit_cell_vertex(v);
+        bool             is_around = true, is_listed = false;
+        for (unsigned int d = 0; d < dim; ++d)
+          is_around &= !is_at_end(unit[d]) || unit[d] == corner[d];
+        for (const Listed &one : listed)
+          is_listed |= are_same(one.unit, corner);
+        if (is_around && !is_listed)
+          return false;
+      }
+    return true;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  ListedNodes<dim>::n_missing(const MPI_Comm comm) const
+  {
+    std::vector<unsigned int> anywhere(is_there.size());
+    Utilities::MPI::max(is_there, comm, anywhere);
+    return std::count(anywhere.begin(), anywhere.end(), 0u);
+  }
+
+
+
+  template <int dim>
+  bool
+  descend(const CellId &cell, Point<dim> &unit)
+  {
+    for (const unsigned int child : cell.get_child_indices())
+      {
+        unsigned int own = 0;
+        for (unsigned int d = 0; d < dim; ++d)
+          own += (unit[d] > 0.5) << d;
+        if (own != child)
+          return false;
+        unit = GeometryInfo<dim>::cell_to_child_coordinates(unit, child);
+      }
+    return true;
+  }
+
+
+
+  namespace
+  {
+    /// What decides between cells, wherever they are.
+    struct Claim
+    {
+      double       distance = std::numeric_limits<double>::infinity();
+      std::string  cell;
+      unsigned int body = 0;
+
+      bool
+      operator<(const Claim &other) const
+      {
+        return distance != other.distance ? distance < other.distance : cell < other.cell;
+      }
+
+      template <class Archive>
+      void
+      serialize(Archive &ar, const unsigned int)
+      {
+        ar &distance &cell &body;
+      }
+    };
+
+    constexpr double same = 1e-6, farthest = 0.02; // in units of the cell
+
+    /// From the unit cell, zero on its faces; infinite far away.
+    template <int dim>
+    double
+    distance_from(const Mesh<dim>                                         &mesh,
+                  const typename Triangulation<dim>::active_cell_iterator &cell,
+                  const Point<dim>                                        &x,
+                  Point<dim>                                              &unit)
+    {
+      BoundingBox<dim> box = cell->bounding_box();
+      box.extend(0.25 * cell->diameter()); // curved edges leave the box of the vertices
+      if (!box.point_inside(x))
+        return std::numeric_limits<double>::infinity();
+      try
+        {
+          unit                  = mesh.mapping().transform_real_to_unit_cell(cell, x);
+          const double distance = GeometryInfo<dim>::distance_to_unit_cell(unit);
+          unit                  = GeometryInfo<dim>::project_to_unit_cell(unit);
+          return distance <= same ? 0 : distance;
+        }
+      catch (const typename Mapping<dim>::ExcTransformationFailed &)
+        {
+          return std::numeric_limits<double>::infinity();
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  PointLocation<dim>
+  locate(const Mesh<dim>   &mesh,
+         const Point<dim>  &x,
+         const std::string &body,
+         const std::string &what)
+  {
+    PointLocation<dim>        place;
+    Claim                     best;
+    std::vector<unsigned int> has_it(mesh.n_bodies(), 0);
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned() && (body.empty() || mesh.body_name(mesh.body(cell)) == body))
+        {
+          Point<dim>  unit;
+          const Claim claim{distance_from(mesh, cell, x, unit),
+                            cell->id().to_string(),
+                            mesh.body(cell)};
+          if (claim.distance == 0)
+            has_it[claim.body] = 1;
+          if (claim.distance <= farthest && claim < best)
+            {
+              best              = claim;
+              place.active_cell = cell->active_cell_index();
+              place.unit        = unit;
+            }
+        }
+    const auto claims = Utilities::MPI::all_gather(mesh.communicator(), best);
+    const auto winner = std::min_element(claims.begin(), claims.end());
+    if (winner->distance > farthest)
+      throw SceneError(what + ": the point is outside of " +
+                       (body.empty() ? "all bodies" : "the body '" + body + "'"));
+    Utilities::MPI::max(has_it, mesh.communicator(), has_it);
+    if (std::count(has_it.begin(), has_it.end(), 1u) > 1)
+      throw SceneError(what + ": several bodies have the point; say which one by 'Point body'");
+    place.is_on_this_rank =
+      winner - claims.begin() == Utilities::MPI::this_mpi_process(mesh.communicator());
+    return place;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template class ListedNodes<dim>;                                                                 \
+  template bool               descend(const CellId &, Point<dim> &);                               \
+  template PointLocation<dim> locate(const Mesh<dim> &,                                            \
+                                     const Point<dim> &,                                           \
+                                     const std::string &,                                          \
+                                     const std::string &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace Signorini

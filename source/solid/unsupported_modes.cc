@@ -1,0 +1,262 @@
+#include "solid/unsupported_modes.h"
+
+#include "geometry/cell_size.h"
+#include "linear_algebra/dense.h"
+#include "solid/cell_nodes.h"
+#include "solid/rigid_body_modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Named by its largest component.
+    template <int dim>
+    std::string
+    mode_name(const Vector<double> &mode)
+    {
+      const auto largest =
+        std::max_element(mode.begin(),
+                         mode.end(),
+                         [](const double a, const double b) { return std::abs(a) < std::abs(b); }) -
+        mode.begin();
+      return RigidBody<dim>::name_of(largest);
+    }
+
+    template <int dim>
+    std::vector<RigidBodyModes<dim>>
+    modes_of_pieces(const Mesh<dim> &mesh)
+    {
+      std::vector<RigidBodyModes<dim>> result;
+      for (const BodyPiece<dim> &piece : mesh.pieces())
+        result.emplace_back(piece.extent);
+      return result;
+    }
+
+    /// Calls visit(body, i) for the free components of rigid bodies.
+    template <int dim, typename Visit>
+    void
+    for_free_components(const std::vector<RigidBody<dim>> &bodies, const Visit &visit)
+    {
+      for (unsigned int body = 0; body < bodies.size(); ++body)
+        for (unsigned int i = 0; i < RigidBody<dim>::n_dofs; ++i)
+          if (bodies[body].is_free(i))
+            visit(body, i);
+    }
+
+    /// Combinations of the modes in which nothing with this Gram matrix moves: its kernel.
+    template <int dim>
+    std::vector<Vector<double>>
+    kernel_of(const FullMatrix<double> &gram)
+    {
+      constexpr unsigned int n = RigidBodyModes<dim>::n;
+      Eigen::MatrixXd        matrix(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = gram(i, j);
+      const SymmetricEigenpairs   pairs = eigenpairs_of_symmetric(matrix);
+      const double                scale = 1 + gram.linfty_norm();
+      std::vector<Vector<double>> result;
+      for (unsigned int i = 0; i < n; ++i)
+        if (pairs.values[i] < 1e-8 * scale)
+          {
+            result.emplace_back(n);
+            for (unsigned int j = 0; j < n; ++j)
+              result.back()[j] = pairs.vectors(j, i);
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  UnsupportedModes<dim>::UnsupportedModes(const Displacements<dim> &displacements)
+    : displacements(displacements)
+  {}
+
+
+
+  // Piece by piece, of the modes over the directions that supports hold: modes in its kernel move
+  // nothing there.
+  template <int dim>
+  std::vector<FullMatrix<double>>
+  UnsupportedModes<dim>::gram_of_constrained_directions() const
+  {
+    constexpr unsigned int                 n     = RigidBodyModes<dim>::n;
+    const std::vector<RigidBodyModes<dim>> modes = modes_of_pieces(displacements.mesh());
+    std::vector<FullMatrix<double>>        gram(modes.size(), FullMatrix<double>(n));
+    for (const auto &[index, node] : displacements.constrained_nodes())
+      if (displacements.owned().is_element(index))
+        for (const Tensor<1, dim> &direction : node.orthonormal())
+          {
+            std::array<double, n> along{};
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const auto at = modes[node.piece].at(node.position, d);
+                for (unsigned int a = 0; a < n; ++a)
+                  along[a] += direction[d] * at[a];
+              }
+            for (unsigned int a = 0; a < n; ++a)
+              for (unsigned int b = 0; b < n; ++b)
+                gram[node.piece](a, b) += along[a] * along[b];
+          }
+    for (FullMatrix<double> &one : gram)
+      Utilities::MPI::sum(one, displacements.mesh().communicator(), one);
+    return gram;
+  }
+
+
+
+  template <int dim>
+  void
+  UnsupportedModes<dim>::find()
+  {
+    of_pieces.clear();
+    std::vector<FullMatrix<double>> gram = gram_of_constrained_directions();
+    for (unsigned int piece = 0; piece < gram.size(); ++piece)
+      {
+        if (displacements.model() == Model::axisymmetric)
+          // The hoop holds the radius, and so all but the translation along the axis.
+          for (const unsigned int a : {0, 2})
+            gram[piece](a, a) += 1 + gram[piece].linfty_norm();
+        for (const Vector<double> &modes : kernel_of<dim>(gram[piece]))
+          of_pieces.push_back({piece, modes});
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  UnsupportedModes<dim>::any() const
+  {
+    bool result = !of_pieces.empty();
+    for_free_components<dim>(displacements.rigid_bodies(), [&](auto, auto) { result = true; });
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  UnsupportedModes<dim>::names() const
+  {
+    std::vector<std::string> result;
+    for (const PieceMotion &motion : of_pieces)
+      result.push_back(displacements.mesh().pieces()[motion.piece].name + ": " +
+                       mode_name<dim>(motion.modes));
+    const std::vector<RigidBody<dim>> &bodies = displacements.rigid_bodies();
+    for_free_components<dim>(bodies, [&](const unsigned int body, const unsigned int i) {
+      result.push_back(bodies[body].name + ": " + RigidBody<dim>::name_of(i));
+    });
+    return result;
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  UnsupportedModes<dim>::stabilisation(const std::vector<Material> &materials,
+                                       const double                 of_rigid_bodies,
+                                       const double                 strength) const
+  {
+    if (!any())
+      return {};
+    const Mesh<dim>    &mesh = displacements.mesh();
+    std::vector<double> per_volume(mesh.pieces().size(), 0.);
+    for (const PieceMotion &motion : of_pieces)
+      {
+        const BodyPiece<dim> &piece = mesh.pieces()[motion.piece];
+        const double          size  = RigidBodyModes<dim>(piece.extent).size();
+        per_volume[motion.piece] =
+          strength * materials[mesh.own_material(piece.body)].youngs_modulus / (size * size);
+      }
+
+    LA::Vector                           result = displacements.zero_vector();
+    std::vector<types::global_dof_index> indices;
+    for (const auto &cell : displacements.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && per_volume[mesh.piece(cell)] > 0)
+        {
+          read_indices<dim>(cell, indices);
+          const double share = per_volume[mesh.piece(cell)] * volume_of(cell) *
+                               measure(displacements.model(), cell->center()) * dim /
+                               indices.size();
+          for (const auto i : indices)
+            if (!displacements.constraints().is_constrained(i))
+              result(i) += share;
+        }
+    for_free_components<dim>(displacements.rigid_bodies(),
+                             [&](const unsigned int body, const unsigned int i) {
+                               const auto dof = displacements.first_dof(body) + i;
+                               if (displacements.owned().is_element(dof))
+                                 result(dof) += strength * of_rigid_bodies;
+                             });
+    result.compress(VectorOperation::add);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  UnsupportedModes<dim>::set_motions_of_pieces(std::vector<UnconstrainedMode> &result) const
+  {
+    const Mesh<dim>                       &mesh  = displacements.mesh();
+    const std::vector<RigidBodyModes<dim>> modes = modes_of_pieces(mesh);
+    CellNodes<dim>                         nodes_of(mesh, displacements.finite_elements());
+    std::vector<types::global_dof_index>   indices;
+    for (const auto &cell : displacements.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (unsigned int k = 0; k < of_pieces.size(); ++k)
+          if (of_pieces[k].piece == mesh.piece(cell))
+            {
+              const std::vector<Point<dim>> &nodes = nodes_of(cell);
+              read_indices<dim>(cell, indices);
+              for (unsigned int i = 0; i < indices.size(); ++i)
+                if (displacements.owned().is_element(indices[i]) &&
+                    !displacements.constraints().is_constrained(indices[i]))
+                  {
+                    const unsigned int c   = cell->get_fe().system_to_component_index(i).first;
+                    const auto         at  = modes[of_pieces[k].piece].at(nodes[i], c);
+                    double             sum = 0;
+                    for (unsigned int m = 0; m < at.size(); ++m)
+                      sum += at[m] * of_pieces[k].modes[m];
+                    result[k].motion(indices[i]) = sum;
+                  }
+            }
+  }
+
+
+
+  template <int dim>
+  std::vector<UnconstrainedMode>
+  UnsupportedModes<dim>::motions() const
+  {
+    std::vector<UnconstrainedMode> result;
+    for (const std::string &name : names())
+      result.push_back({name, displacements.zero_vector()});
+    set_motions_of_pieces(result);
+    unsigned int k = of_pieces.size();
+    for_free_components<dim>(displacements.rigid_bodies(),
+                             [&](const unsigned int body, const unsigned int i) {
+                               const auto dof = displacements.first_dof(body) + i;
+                               if (displacements.owned().is_element(dof))
+                                 result[k].motion(dof) = 1;
+                               ++k;
+                             });
+    for (UnconstrainedMode &one : result)
+      one.motion.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  template class UnsupportedModes<2>;
+  template class UnsupportedModes<3>;
+} // namespace Signorini

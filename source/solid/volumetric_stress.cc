@@ -1,0 +1,208 @@
+#include "solid/volumetric_stress.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_dgp.h>
+#include <deal.II/fe/fe_nothing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  VolumetricStress<dim>::VolumetricStress(const Mesh<dim>             &mesh,
+                                          const std::vector<Material> &materials,
+                                          const Model                  model)
+    : mesh(mesh)
+    , model(model)
+    , elements(FE_Nothing<dim>(), FE_DGP<dim>(1))
+  {
+    if (std::none_of(materials.begin(), materials.end(), [](const Material &material) {
+          return material.is_up_formulation;
+        }))
+      return;
+    for (const Material &material : materials)
+      {
+        mixed.push_back(material.is_up_formulation);
+        mu.push_back(material.mu());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  VolumetricStress<dim>::reinit()
+  {
+    if (empty())
+      return;
+    distribute_dofs();
+    make_bases();
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    zero_with_ghosts.reinit(owned(), relevant, mesh.communicator());
+  }
+
+
+
+  template <int dim>
+  void
+  VolumetricStress<dim>::distribute_dofs()
+  {
+    dofs.reinit(mesh.triangulation());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        cell->set_active_fe_index(mixed[cell->material_id()] ? 1 : 0);
+    dofs.distribute_dofs(elements);
+  }
+
+
+
+  template <int dim>
+  void
+  VolumetricStress<dim>::make_bases()
+  {
+    // As the stiffness of these cells is integrated.
+    FEValues<dim> values(mesh.mapping(),
+                         elements[0],
+                         QGauss<dim>(3),
+                         update_quadrature_points | update_JxW_values);
+    of_cells.clear();
+    number.assign(mesh.triangulation().n_active_cells(), numbers::invalid_unsigned_int);
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (!cell->is_artificial() && is_on(*cell))
+        {
+          number[cell->active_cell_index()] = of_cells.size();
+          values.reinit(static_cast<const typename Triangulation<dim>::cell_iterator &>(cell));
+          Basis one;
+          one.indices.resize(functions_per_cell);
+          cell->get_dof_indices(one.indices);
+          const double h = cell->diameter() / std::sqrt(double(dim));
+          orthogonalise(values, mu[cell->material_id()] / h, one);
+          of_cells.push_back(one);
+        }
+  }
+
+
+
+  // By Gram and Schmidt's method.
+  template <int dim>
+  void
+  VolumetricStress<dim>::orthogonalise(const FEValues<dim> &values,
+                                       const double         unit,
+                                       Basis               &one) const
+  {
+    std::vector<double> weights;
+    double              volume = 0;
+    Tensor<1, dim>      moment;
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const Point<dim> &x = values.quadrature_point(q);
+        weights.push_back(values.JxW(q) * measure(model, x));
+        volume += weights.back();
+        moment += weights.back() * Tensor<1, dim>(x);
+      }
+    one.center = Point<dim>(moment / volume);
+    one.size   = unit * unit * volume;
+
+    const auto at = [&](const Functions &row, const unsigned int q) {
+      double sum = row[0];
+      for (unsigned int d = 0; d < dim; ++d)
+        sum += row[d + 1] * (values.quadrature_point(q)[d] - one.center[d]);
+      return sum;
+    };
+    const auto product = [&](const Functions &a, const Functions &b) {
+      double sum = 0;
+      for (const unsigned int q : values.quadrature_point_indices())
+        sum += weights[q] * at(a, q) * at(b, q);
+      return sum;
+    };
+    for (unsigned int i = 0; i < functions_per_cell; ++i)
+      {
+        Functions &row = one.rows[i];
+        row.fill(0.);
+        row[i] = 1;
+        for (unsigned int j = 0; j < i; ++j)
+          {
+            const double share = product(row, one.rows[j]) / one.size;
+            for (unsigned int k = 0; k <= j; ++k)
+              row[k] -= share * one.rows[j][k];
+          }
+        const double factor = std::sqrt(one.size / product(row, row));
+        for (double &entry : row)
+          entry *= factor;
+      }
+  }
+
+
+
+  template <int dim>
+  typename VolumetricStress<dim>::Functions
+  VolumetricStress<dim>::functions(const Cell &cell, const Point<dim> &x) const
+  {
+    const Basis         &own  = basis(cell);
+    const Tensor<1, dim> from = x - own.center;
+    Functions            result;
+    for (unsigned int i = 0; i < functions_per_cell; ++i)
+      {
+        result[i] = own.rows[i][0];
+        for (unsigned int d = 0; d < i; ++d)
+          result[i] += own.rows[i][d + 1] * from[d];
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  VolumetricStress<dim>::value(const Cell &cell, const Point<dim> &x) const
+  {
+    if (!is_on(cell))
+      return 0;
+    const Functions  phi = functions(cell, x);
+    const Functions &m   = coefficients(cell);
+    return std::inner_product(m.begin(), m.end(), phi.begin(), 0.);
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  VolumetricStress<dim>::coefficients() const
+  {
+    LA::Vector result = zero_vector(); // nothing where no body is mixed
+    if (empty())
+      return result;
+    for (const Basis &one : of_cells)
+      if (owned().is_element(one.indices[0]))
+        for (unsigned int i = 0; i < functions_per_cell; ++i)
+          result(one.indices[i]) = one.coefficients[i];
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  VolumetricStress<dim>::set_coefficients(const LA::Vector &values)
+  {
+    if (empty())
+      return;
+    LA::Vector all = zero_with_ghosts;
+    all            = values;
+    for (Basis &one : of_cells)
+      for (unsigned int i = 0; i < functions_per_cell; ++i)
+        one.coefficients[i] = all(one.indices[i]);
+  }
+
+
+
+  template class VolumetricStress<2>;
+  template class VolumetricStress<3>;
+} // namespace Signorini

@@ -1,0 +1,139 @@
+#include "solver/active_set_strategy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double fine_reduction = 1e-6; // by linear solves, once an active set comes up again
+    constexpr unsigned int steps_of_growth =
+      5; // of a cold start, see ActiveSet::restrict_to_deepest()
+    constexpr unsigned int patience =
+      10; // steps that change the set, before something else is tried
+  }       // namespace
+
+
+
+  ActiveSetStrategy::ActiveSetStrategy(ContactSystem &system,
+                                       ContactLaw    &law,
+                                       const double   reduction)
+    : system(system)
+    , law(law)
+    , contact(law.gap_operator())
+    , first_reduction(reduction)
+    , active_set(contact)
+  {}
+
+
+
+  bool
+  ActiveSetStrategy::start(const LA::Vector &p, const LA::Vector &status)
+  {
+    restart();
+    my_reduction              = first_reduction;
+    is_cold                   = has_no_pressure(p);
+    const bool is_another_set = active_set.set(status);
+    const bool is_stiffer     = law.scale_penalty(is_cold ? law.minimal_penalty_scale() : 1);
+    return is_another_set || is_stiffer;
+  }
+
+
+
+  void
+  ActiveSetStrategy::restart()
+  {
+    globalised = false;
+    n_changes  = 0;
+    active_set.restart();
+  }
+
+
+
+  bool
+  ActiveSetStrategy::has_no_pressure(const LA::Vector &p) const
+  {
+    double largest = 0;
+    for (const auto i : p.locally_owned_elements())
+      if (contact.coefficients.bilateral(i) == 0)
+        largest = std::max(largest, std::abs(p(i)));
+    return Utilities::MPI::max(largest, system.stiffness().communicator()) == 0;
+  }
+
+
+
+  bool
+  ActiveSetStrategy::update(const LawInputs   &in,
+                            const unsigned int n,
+                            const bool         was_idle,
+                            NewtonStep        &step)
+  {
+    const PointVectors trial  = n == 0 && !is_cold ? law.trial_from_traction(in) : law.trial(in);
+    const LA::Vector  &gap    = in.gap[0];
+    const unsigned int before = active_set.size();
+    active_set.update(law.status(trial));
+    const unsigned int all = active_set.size();
+    // From a zone that is too small bodies overlap far around it, until they rest on it.
+    const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before && !was_idle;
+    if (is_cold && (n <= 1 || grows))
+      {
+        const bool         falls  = n == 0 && !system.unconstrained_modes().empty();
+        const bool         stands = falls && zero_gaps_constrain_all_modes(gap);
+        const unsigned int kept   = stands ? active_set.activate_zero_gap(gap) :
+                                    falls  ? active_set.deactivate_zero_gap(gap) :
+                                             active_set.restrict_to_deepest(gap, grows);
+        step.restricted_set       = kept < all;
+      }
+    if (!globalised && n > 0)
+      active_set.deactivate_tensile_regions(trial[0]);
+    // The linear solves may have been too rough to tell where there is pressure. Those of thin
+    // bodies, which bend before they are compressed, are so rough that sets wander without end, and
+    // none comes up again.
+    const bool is_partial = my_reduction > fine_reduction;
+    if (!globalised &&
+        (active_set.is_cycling() || n_changes >= (is_partial ? patience : 2 * patience)))
+      {
+        if (is_partial)
+          my_reduction = fine_reduction;
+        else
+          globalised = true;
+        n_changes = 0;
+        active_set.restart();
+      }
+    if (globalised && law.has_multiplier())
+      active_set.change_only_most_violated(trial[0]);
+    // An obstacle that retreats has lost all contact before the bodies follow: let them first.
+    step.kept_previous_set =
+      n == 0 && (active_set.restore_previous_if_active() ||
+                 (!is_cold && active_set.replace_if_empty(law.status(in.traction))));
+    step.active  = active_set.size();
+    step.changes = active_set.count_changes();
+    n_changes += step.changes > 0;
+    // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.
+    // The sign of the gap, which decides, knows nothing of the penalty.
+    if (law.has_scaled_penalty() &&
+        (globalised || (step.active > 0 && step.changes <= 0.2 * active_set.n_active_unilateral())))
+      {
+        law.scale_penalty(1);
+        return true;
+      }
+    return step.changes > 0;
+  }
+
+
+
+  bool
+  ActiveSetStrategy::zero_gaps_constrain_all_modes(const LA::Vector &gap)
+  {
+    ActiveSet touching(contact);
+    // On a tip nothing stands.
+    if (touching.activate_zero_gap(gap) <= 1)
+      return false;
+    system.find_unconstrained_modes(touching.values());
+    return system.unconstrained_modes().unconstrained().size() <=
+           system.unconstrained_modes().unconstrainable().size();
+  }
+} // namespace Signorini

@@ -1,0 +1,192 @@
+#include "solver/convergence_criteria.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  ConvergenceCriteria::ConvergenceCriteria(const SolidResidual &bodies,
+                                           const ContactLaw    &law,
+                                           const double         tolerance)
+    : bodies(bodies)
+    , law(law)
+    , contact(law.gap_operator())
+    , tolerance(tolerance)
+  {
+    const auto &body = bodies.body_of_dof();
+    const auto  last = std::max_element(body.begin(), body.end());
+    n_bodies =
+      Utilities::MPI::max(last == body.end() ? 0u : *last + 1, bodies.stiffness().communicator());
+  }
+
+
+
+  void
+  ConvergenceCriteria::restart()
+  {
+    largest_force = 0;
+  }
+
+
+
+  LA::Vector
+  ConvergenceCriteria::residual(const LA::Vector &u, const LawInputs &in, const LA::Vector &status)
+  {
+    LA::Vector r       = bodies.residual(u);
+    double     largest = bodies.load_size();
+    my_reference_forces.assign(n_bodies, largest);
+    if (!contact.empty())
+      {
+        const LA::Vector force = contact.force(in.traction, in.stress[0]);
+        r += force;
+        contact.add_moved_force(r, u);
+        largest             = std::max(largest, force.l2_norm());
+        my_reference_forces = reference_forces(force, largest);
+      }
+    // Then only what was at work before can tell what is small.
+    if (largest <= 1e-13 * bodies.largest_load())
+      {
+        largest = bodies.largest_load();
+        my_reference_forces.assign(n_bodies, largest);
+      }
+    bodies.constraints().set_zero(r);
+    force_scale = largest;
+    // The forces of a cold start may be far larger, as penalties of bodies that overlap; their
+    // rounding is all that they leave behind.
+    largest_force = std::max(largest_force, largest);
+    // What that leaves is an answer only if it is little.
+    force_rounding =
+      std::max(1e-15 * largest_force, std::min(rounding(u, in, status), 1e-4 * largest));
+    return r;
+  }
+
+
+
+  std::vector<double>
+  ConvergenceCriteria::norms_of_bodies(const LA::Vector &force) const
+  {
+    std::vector<double> squares(n_bodies, 0.);
+    auto                body = bodies.body_of_dof().begin();
+    for (const double x : force)
+      squares[*body++] += x * x;
+    Utilities::MPI::sum(squares, force.get_mpi_communicator(), squares);
+    for (double &x : squares)
+      x = std::sqrt(x);
+    return squares;
+  }
+
+
+
+  std::vector<double>
+  ConvergenceCriteria::reference_forces(const LA::Vector &contact_force, const double scale) const
+  {
+    // Below the last, rounding of the largest forces would be all that is asked for.
+    constexpr double    most = 1e3, least = 1e-4;
+    std::vector<double> forces = norms_of_bodies(contact_force);
+    for (double &force : forces)
+      force = force > 0 ? std::clamp(most * force, least * scale, scale) : scale;
+    return forces;
+  }
+
+
+
+  std::vector<double>
+  ConvergenceCriteria::residuals_of_bodies(const LA::Vector &r) const
+  {
+    std::vector<double> result = norms_of_bodies(r);
+    for (unsigned int body = 0; body < n_bodies; ++body)
+      result[body] = my_reference_forces[body] > 0 ? result[body] / my_reference_forces[body] : 0.;
+    return result;
+  }
+
+
+
+  double
+  ConvergenceCriteria::residual_of_bodies(const LA::Vector &r) const
+  {
+    double largest = 0;
+    for (const double residual : residuals_of_bodies(r))
+      largest = std::max(largest, residual);
+    return largest;
+  }
+
+
+
+  unsigned int
+  ConvergenceCriteria::worst_body(const LA::Vector &r) const
+  {
+    const std::vector<double> residuals = residuals_of_bodies(r);
+    return std::max_element(residuals.begin(), residuals.end()) - residuals.begin();
+  }
+
+
+
+  double
+  ConvergenceCriteria::smallest_reference_force() const
+  {
+    return force_scale > 0 ?
+             *std::min_element(my_reference_forces.begin(), my_reference_forces.end()) :
+             scale();
+  }
+
+
+
+  double
+  ConvergenceCriteria::rounding(const LA::Vector &u,
+                                const LawInputs  &in,
+                                const LA::Vector &status) const
+  {
+    // The terms of K u cancel where bodies move far and are strained little, as in bending.
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    if (version != bodies.stiffness().version())
+      {
+        stiffness_diagonal = bodies.stiffness().diagonal();
+        version            = bodies.stiffness().version();
+      }
+    LA::Vector terms = stiffness_diagonal;
+    terms.scale(u);
+    bodies.constraints().set_zero(terms);
+    const double of_bodies = 2 * epsilon * terms.l2_norm();
+    if (contact.empty() || law.has_multiplier())
+      return of_bodies;
+    LA::Vector springs = contact.zero();
+    for (const auto i : springs.locally_owned_elements())
+      springs(i) =
+        contact.weight(i) * law.response(i, in.at(i), status_of(status(i))).by_gap.norm();
+    springs.compress(VectorOperation::insert);
+    const double length = 2 * u.linfty_norm() + contact.initial_gap.linfty_norm();
+    return of_bodies + epsilon * length * springs.l2_norm();
+  }
+
+
+
+  bool
+  ConvergenceCriteria::is_force_converged(const NewtonStep &step, const double before) const
+  {
+    // Points that hardly touch may change between any two steps, to no effect.
+    constexpr double largest_undecided = 1e-8;
+    const bool       at_bottom = step.changes == 0 && before > 0 && step.residual > before / 2 &&
+                           step.residual <= force_rounding / scale();
+    const double of_all = std::max(step.residual, step.residual_of_bodies);
+    // Nothing is left of forces that were there before but their rounding.
+    const bool is_over =
+      scale() <= 10 * force_rounding && step.residual * scale() <= 10 * force_rounding;
+    const bool is_small =
+      of_all <= tolerance && (step.changes == 0 || step.residual <= largest_undecided);
+    return (is_small || at_bottom || is_over) && !step.kept_previous_set && !step.restricted_set &&
+           (!law.has_scaled_penalty() || step.active == 0);
+  }
+
+
+
+  bool
+  ConvergenceCriteria::is_gap_converged(const NewtonStep &step) const
+  {
+    // What an augmentation changes is known up to the residual that the last solution left.
+    return step.gap_residual <= (law.augments() ? 10 : 1) *
+                                  std::max(tolerance, force_rounding / smallest_reference_force());
+  }
+} // namespace Signorini

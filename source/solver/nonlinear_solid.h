@@ -1,0 +1,119 @@
+#pragma once
+
+#include "solver/linearisation.h"
+#include "solver/solid_residual.h"
+#include "solver/volume_constraint.h"
+
+#include <deal.II/base/timer.h>
+
+#include <functional>
+
+namespace Signorini
+{
+  /// Bodies with constitutive laws that are not all linear elasticity: F(u) = int P(u) : Grad v dV
+  /// less the pressures that follow bodies that deform by any amount.
+  template <int dim>
+  class NonlinearSolid : public SolidResidual
+  {
+  public:
+    /// Refers to elasticity, and to the timer. Collective.
+    /// @param form of the tangent
+    NonlinearSolid(StiffnessForm             form,
+                   Elasticity<dim>          &elasticity,
+                   std::vector<unsigned int> body_of_dof,
+                   dealii::TimerOutput      &timer);
+
+    /// @param f Elasticity::load(), of bodies that deform by any amount
+    void
+    set_load(LA::Vector f) override;
+
+    void
+    extrapolate_from(const LA::Vector &u) override;
+
+    /// Throws SolverFailure where cells are folded. Collective.
+    LA::Vector
+    residual(const LA::Vector &u) const override;
+
+    /// Of loads, and of reactions at the last residual.
+    double
+    load_size() const override;
+
+    /// Bodies may be led about without any force: then reactions are nothing but rounding.
+    double
+    largest_load() const override
+    {
+      return largest;
+    }
+
+    bool
+    is_nonlinear() const override
+    {
+      return origin.size() == 0;
+    }
+
+    void
+    linearise(const LA::Vector &u) override;
+
+    /// Halves the step until no cell folds, nor loses nine tenths of its volume.
+    double
+    largest_admissible_step(const LA::Vector &u, const LA::Vector &du) const override;
+
+    const Stiffness &
+    stiffness() const override
+    {
+      return linearisation->stiffness();
+    }
+
+    bool
+    is_symmetric() const override
+    {
+      return pressures.empty();
+    }
+
+    VolumetricEquations *
+    volumetric() const override
+    {
+      return my_volumetric.get();
+    }
+
+    const dealii::AffineConstraints<double> &
+    constraints() const override
+    {
+      return elasticity.constraints();
+    }
+
+    const std::vector<unsigned int> &
+    body_of_dof() const override
+    {
+      return bodies;
+    }
+
+  private:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    /// Calls visit(cell, indices) for the locally owned cells.
+    void
+    for_cells(const std::function<void(const Cell                                         &cell,
+                                       const std::vector<dealii::types::global_dof_index> &indices)>
+                &visit) const;
+    LA::Vector
+    forces(const LA::Vector &u) const;
+    /// Throws SceneError where a pressure is not a number. Collective.
+    void
+    check_pressures() const;
+
+    const Elasticity<dim>                       &elasticity;
+    const std::vector<unsigned int>              bodies;
+    dealii::TimerOutput                         &timer;
+    const std::unique_ptr<VolumeConstraint<dim>> my_volumetric; ///< null: no body is mixed
+    LA::Vector                                   f;
+    LA::Vector                                   origin; ///< see extrapolate_from(); empty: none
+    LA::Vector                                   linearised;        ///< where; empty: nowhere
+    unsigned int linearised_volumetric = 0, linearised_history = 0; ///< their versions there
+    mutable DeformationKernel<dim>            kernel;
+    mutable PressureKernel<dim>               pressures;
+    const std::unique_ptr<Linearisation<dim>> linearisation;
+    mutable double reaction = 0, following = 0; ///< sizes, of reactions and pressures
+    mutable double largest = 0;                 ///< load_size() so far
+  };
+} // namespace Signorini

@@ -1,0 +1,117 @@
+#include "solver/preconditioners/interface_multigrid.h"
+
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Of closed points; those of multipliers that have a constraint are rigid.
+    PointVectors
+    contact_stiffness(const ContactSystem &system)
+    {
+      PointVectors D = system.contact_stiffness();
+      for (unsigned int a = 0; a < D.size(); ++a)
+        {
+          for (const auto i : D[a].locally_owned_elements())
+            if (system.coupling()(i) != 0 && system.constraint()[a][a](i) != 0)
+              D[a](i) = std::numeric_limits<double>::max();
+          D[a].compress(VectorOperation::insert);
+        }
+      return D;
+    }
+  } // namespace
+
+
+
+  InterfaceMultigrid::InterfaceMultigrid(const ContactSystem    &system,
+                                         const Hierarchy        &hierarchy,
+                                         const LA::DirectLibrary direct_solver,
+                                         const bool              interface_includes_geometric)
+    : system(system)
+    , amg(hierarchy, &system.gap_operator())
+    , n_components(hierarchy.n_components())
+    , direct_solver(direct_solver)
+    , interface_includes_geometric(interface_includes_geometric)
+  {
+    // Those of any active set, once.
+    system.stiffness().rows(potential_interface_dofs(system));
+  }
+
+
+
+  void
+  InterfaceMultigrid::update()
+  {
+    amg.set_contact_stiffness(contact_stiffness(system));
+    // Forces that turn push nodes along all components.
+    interface = std::make_unique<InterfaceSolver>(system,
+                                                  interface_includes_geometric ?
+                                                    active_interface_dofs(system) :
+                                                    dominant_interface_dofs(system, n_components),
+                                                  direct_solver,
+                                                  interface_includes_geometric);
+    if (interface->size() > 0)
+      interface->update();
+  }
+
+
+
+  void
+  InterfaceMultigrid::start(LA::BlockVector &x, const LA::BlockVector &rhs) const
+  {
+    if (interface->size() > 0)
+      interface->add_correction(x, rhs);
+  }
+
+
+
+  void
+  InterfaceMultigrid::solve(LA::Vector &dst, const LA::Vector &src) const
+  {
+    LA::BlockVector x = system.zero(), right = x;
+    right.block(0) = src;
+    correct_first(x, right);
+    dst = x.block(0);
+  }
+
+
+
+  void
+  InterfaceMultigrid::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    // The volumetric stress of mixed bodies leaves forces on the zone in each application.
+    if (interface->size() > 0 && (!system.unconstrained_modes().empty() || system.volumetric()))
+      correct_first(dst, src);
+    else
+      cycle_and_correct(dst, src);
+  }
+
+
+
+  void
+  InterfaceMultigrid::correct_first(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    dst = 0;
+    start(dst, src);
+    LA::BlockVector rest = src, correction = src, force = src;
+    system.contact_terms(force, dst);
+    system.stiffness().vmult_add(force.block(0), dst.block(0));
+    rest -= force;
+    cycle_and_correct(correction, rest);
+    dst += correction;
+  }
+
+
+
+  void
+  InterfaceMultigrid::cycle_and_correct(LA::BlockVector &dst, const LA::BlockVector &src) const
+  {
+    dst = 0;
+    amg.vmult(dst.block(0), src.block(0));
+    if (interface->size() > 0)
+      interface->correct(dst, src);
+  }
+} // namespace Signorini

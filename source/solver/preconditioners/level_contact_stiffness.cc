@@ -1,0 +1,218 @@
+#include "solver/preconditioners/level_contact_stiffness.h"
+
+#include "linear_algebra/columns.h"
+#include "linear_algebra/entries.h"
+#include "linear_algebra/row_view.h"
+#include "linear_algebra/values.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Where each local row goes when those with the same columns, points between the same two
+    /// faces, become one.
+    std::vector<unsigned int>
+    groups_of(const LA::SparseMatrix &B, const int n_rows)
+    {
+      std::vector<unsigned int> groups;
+      for (int row = 0; row < n_rows; ++row)
+        {
+          const bool is_first = row == 0,
+                     is_same =
+                       !is_first && LA::RowView(B, row).has_columns_of(LA::RowView(B, row - 1));
+          groups.push_back(is_first ? 0 : groups.back() + (is_same ? 0 : 1));
+        }
+      return groups;
+    }
+
+    /// Each group's mean rows, weighted: those of one component behind those of the other.
+    LA::SparseMatrix
+    mean_gap_rows(const GapOperator               &contact,
+                  const std::vector<unsigned int> &groups,
+                  const unsigned int               n_groups,
+                  const LA::Vector                &group_weight)
+    {
+      LA::RowBuilder      mean(group_weight.locally_owned_elements(), contact.B_free);
+      const double *const points = LA::values_of(contact.weight);
+      std::vector<double> sum;
+      for (unsigned int a = 0; a < contact.n_components(); ++a)
+        for (unsigned int first = 0, last = 0; first < groups.size(); first = last)
+          {
+            const LA::RowView columns(contact.B_free, first);
+            const double      total = LA::values_of(group_weight)[groups[first]];
+            sum.assign(columns.size, 0.);
+            for (; last < groups.size() && groups[last] == groups[first]; ++last)
+              {
+                const LA::RowView row(contact.free_rows(a), last);
+                for (int k = 0; k < row.size; ++k)
+                  sum[k] += points[last] / total * row.values[k];
+              }
+            mean.add(a * n_groups + groups[first], columns.size, columns.columns, sum.data());
+          }
+      return mean.finish();
+    }
+
+    /// b^T D b on the columns of this rank.
+    FullMatrix<double>
+    local_contact_stiffness(const LA::SparseMatrix &b,
+                            const LA::Vector       &D,
+                            const unsigned int      n_columns)
+    {
+      FullMatrix<double> contact_stiffness(n_columns);
+      for (unsigned int i = 0; i < D.locally_owned_size(); ++i)
+        {
+          const double point_stiffness = LA::values_of(D)[i];
+          if (point_stiffness == 0)
+            continue;
+          const LA::RowView row(b, i);
+          for (int k = 0; k < row.size; ++k)
+            for (int l = 0; l < row.size; ++l)
+              contact_stiffness(row.columns[k], row.columns[l]) +=
+                point_stiffness * row.values[k] * row.values[l];
+        }
+      return contact_stiffness;
+    }
+  } // namespace
+
+
+
+  LevelContactStiffness::LevelContactStiffness(const Hierarchy   &hierarchy,
+                                               const GapOperator &contact)
+    : groups(groups_of(contact.B_free, contact.weight.locally_owned_size()))
+    , n_groups(groups.empty() ? 0 : groups.back() + 1)
+  {
+    const unsigned int n_components = contact.n_components(), n = n_components * n_groups;
+    const MPI_Comm     comm = contact.weight.get_mpi_communicator();
+    LA::Vector         weight(LA::contiguous_partition(n, comm), comm);
+    limit           = weight;
+    D               = weight;
+    const double *W = LA::values_of(contact.weight),
+                 *k = LA::values_of(contact.coefficients.stiffness);
+    for (unsigned int a = 0; a < n_components; ++a)
+      for (unsigned int i = 0; i < groups.size(); ++i)
+        {
+          LA::values_of(weight)[a * n_groups + groups[i]] += W[i];
+          LA::values_of(limit)[a * n_groups + groups[i]] += 6. * k[i] * W[i];
+        }
+    for (unsigned int l = 0; l < hierarchy.n_levels(); ++l)
+      levels.push_back(
+        std::make_unique<Level>(l == 0 ? mean_gap_rows(contact, groups, n_groups, weight) :
+                                         hierarchy.prolongation(l - 1).times(levels[l - 1]->B)));
+    gap.resize(n);
+  }
+
+
+
+  void
+  LevelContactStiffness::set(const PointVectors &contact_stiffness)
+  {
+    remove();
+    for (unsigned int a = 0; a < contact_stiffness.size(); ++a)
+      {
+        double *const       d    = LA::values_of(D) + a * n_groups;
+        const double *const most = LA::values_of(limit) + a * n_groups;
+        for (unsigned int i = 0; i < groups.size(); ++i)
+          d[groups[i]] =
+            std::min(d[groups[i]] + LA::values_of(contact_stiffness[a])[i], most[groups[i]]);
+      }
+    update_levels();
+  }
+
+
+
+  void
+  LevelContactStiffness::stiffen()
+  {
+    D = limit;
+    update_levels();
+  }
+
+
+
+  void
+  LevelContactStiffness::remove()
+  {
+    D = 0.;
+    update_levels();
+  }
+
+
+
+  void
+  LevelContactStiffness::update_levels()
+  {
+    is_any = D.linfty_norm() > 0;
+  }
+
+
+
+  void
+  LevelContactStiffness::add_contact_stiffness(const Level  &level,
+                                               const Entries entries,
+                                               float        *result) const
+  {
+    if (!is_any)
+      return;
+    std::vector<float> of_columns(level.single_precision.n_columns(), 0.f);
+    for (unsigned int i = 0; i < D.locally_owned_size(); ++i)
+      {
+        const LA::RowView row(level.B, i);
+        double            sum = 0;
+        for (int k = 0; k < row.size; ++k)
+          sum += std::abs(row.values[k]);
+        for (int k = 0; k < row.size; ++k)
+          {
+            const double size = std::abs(row.values[k]);
+            of_columns[row.columns[k]] +=
+              LA::values_of(D)[i] * size * (entries == Entries::all ? sum : size);
+          }
+      }
+    level.single_precision.add_columns(of_columns.data(), result);
+  }
+
+
+
+  void
+  LevelContactStiffness::add_diagonal(const unsigned int level, float *result) const
+  {
+    add_contact_stiffness(*levels[level], Entries::diagonal, result);
+  }
+
+
+
+  void
+  LevelContactStiffness::add_row_sums(const unsigned int level, float *result) const
+  {
+    add_contact_stiffness(*levels[level], Entries::all, result);
+  }
+
+
+
+  void
+  LevelContactStiffness::add_product(const unsigned int level, float *dst, const float *src) const
+  {
+    if (!is_any)
+      return;
+    const LA::LevelMatrix &B = levels[level]->single_precision;
+    B.vmult(gap.data(), src);
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      gap[i] *= LA::values_of(D)[i];
+    B.Tvmult_add(dst, gap.data());
+  }
+
+
+
+  LA::SparseMatrix
+  LevelContactStiffness::sum_with_contact_stiffness(const LA::SparseMatrix &K,
+                                                    const unsigned int      level) const
+  {
+    const LA::SparseMatrix                    &B       = levels[level]->B;
+    const std::vector<types::global_dof_index> columns = LA::global_columns(B);
+    return LA::sum(K, local_contact_stiffness(B, D, columns.size()), columns);
+  }
+} // namespace Signorini

@@ -1,0 +1,104 @@
+#include "solver/solid_hierarchy.h"
+
+#include "multigrid/make_levels.h"
+#include "solid/rigid_body_modes.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::shared_ptr<const Hierarchy>
+    make_hierarchy(const LinearSolverSettings &settings,
+                   const Stiffness            &stiffness,
+                   const Elasticity<dim>      &elasticity)
+    {
+      const auto known = [&](std::vector<std::vector<double>> &&modes) {
+        if (settings.near_null_space == NearNullSpace::translations)
+          modes.resize(dim); // they come first
+        return std::move(modes);
+      };
+      Spaces spaces;
+      if (settings.coarsening != Coarsening::algebraic)
+        spaces = make_spaces(elasticity, stiffness, settings.coarsening != Coarsening::degree);
+      const auto modes =
+        known(spaces.levels.empty() ? rigid_body_modes(elasticity) : std::move(spaces.modes));
+      return std::make_shared<const Hierarchy>(stiffness, std::move(spaces.levels), modes, dim);
+    }
+  } // namespace
+
+
+
+  template <int d>
+  SolidHierarchy::SolidHierarchy(const LinearSolverSettings &settings,
+                                 const Stiffness            &stiffness,
+                                 const Elasticity<d>        &elasticity)
+    : SolidHierarchy(stiffness, d)
+  {
+    if (settings.preconditioner != "direct")
+      make = [settings, &stiffness, &elasticity] {
+        return make_hierarchy(settings, stiffness, elasticity);
+      };
+  }
+
+
+
+  SolidHierarchy::SolidHierarchy(const Stiffness                                  &stiffness,
+                                 const unsigned int                                dim,
+                                 std::function<std::shared_ptr<const Hierarchy>()> make)
+    : stiffness(stiffness)
+    , my_dim(dim)
+    , make(std::move(make))
+  {}
+
+
+
+  std::shared_ptr<const Hierarchy>
+  SolidHierarchy::get()
+  {
+    const bool is_inserted = hierarchy && hierarchy->n_levels() > 1; // else it is the matrix itself
+    if (!make || version == stiffness.version() || (is_inserted && !needs_rebuild))
+      return hierarchy;
+    hierarchy.reset(); // before there are two
+    hierarchy                  = make();
+    version                    = stiffness.version();
+    needs_rebuild              = false;
+    first_iterations_per_digit = 0;
+    return hierarchy;
+  }
+
+
+
+  void
+  SolidHierarchy::record_iterations(const double iterations_per_digit)
+  {
+    constexpr double much = 1.5, some = 1; // half as many again cost about what it takes to make it
+    if (first_iterations_per_digit == 0)
+      first_iterations_per_digit = iterations_per_digit;
+    else
+      needs_rebuild =
+        needs_rebuild || iterations_per_digit > much * first_iterations_per_digit + some;
+  }
+
+
+
+  bool
+  SolidHierarchy::request_rebuild()
+  {
+    if (!hierarchy || version == stiffness.version())
+      return false;
+    needs_rebuild = true;
+    return true;
+  }
+
+
+
+  template SolidHierarchy::SolidHierarchy(const LinearSolverSettings &,
+                                          const Stiffness &,
+                                          const Elasticity<2> &);
+  template SolidHierarchy::SolidHierarchy(const LinearSolverSettings &,
+                                          const Stiffness &,
+                                          const Elasticity<3> &);
+} // namespace Signorini

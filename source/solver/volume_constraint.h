@@ -1,0 +1,75 @@
+#pragma once
+
+#include "solid/volume_kernel.h"
+#include "solver/volumetric_equations.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace Signorini
+{
+  /// The equations of Elasticity's volumetric stress, of small and large deformation.
+  template <int dim>
+  class VolumeConstraint : public VolumetricEquations
+  {
+  public:
+    /// Null if no body is mixed. Refers to elasticity. Collective.
+    static std::unique_ptr<VolumeConstraint<dim>>
+    create(Elasticity<dim> &elasticity);
+
+    explicit VolumeConstraint(Elasticity<dim> &elasticity);
+
+    void
+    extrapolate_from(const LA::Vector &u) override;
+    LA::Vector
+    residual(const LA::Vector &u) const override;
+    /// The first time, throws SceneError where nothing determines the pressure of a body.
+    void
+    linearise(const LA::Vector &u) override;
+    LA::Vector
+    coefficients() const override
+    {
+      return elasticity.volumetric_stress().coefficients();
+    }
+
+    void
+    add(double factor, const LA::Vector &dm) override;
+    void
+    subtract_forces(LA::Vector &r) const override;
+
+    const VolumetricCoupling &
+    coupling() const override
+    {
+      return my_coupling;
+    }
+
+    unsigned int
+    version() const override
+    {
+      return my_version;
+    }
+
+  private:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    /// Calls visit(cell) for the locally owned cells of mixed bodies, which tells whether it is
+    /// folded. Throws SolverFailure then. Collective.
+    void
+    for_cells(const std::function<bool(const Cell &cell)> &visit) const;
+    void
+    make_pattern();
+    /// The pressure of an incompressible body is known up to a constant only where supports leave
+    /// its surface nowhere free to move outwards.
+    void
+    check_determined() const;
+
+    Elasticity<dim>                        &elasticity;
+    const dealii::AffineConstraints<double> free; ///< of coefficients: none
+    VolumetricCoupling                      my_coupling;
+    LA::Vector                              origin; ///< see extrapolate_from(); empty: none
+    bool                                    is_linearised = false;
+    unsigned int                            my_version    = 0;
+    mutable VolumeKernel<dim>               kernel;
+  };
+} // namespace Signorini

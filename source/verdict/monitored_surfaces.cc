@@ -1,0 +1,133 @@
+#include "verdict/monitored_surfaces.h"
+
+#include "contact/constraints/inactive_pairs.h"
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  MonitoredSurfaces<dim>::MonitoredSurfaces(const Scene<dim> &scene, const Snapshot<dim> &now)
+    : mesh(now.elasticity.mesh())
+  {
+    const std::vector<bool> idle =
+      Signorini::inactive_pairs(now.contact, now.pressure, now.pairs.size());
+    for (unsigned int i = 0; i < now.pairs.size(); ++i)
+      {
+        const ContactPair<dim> &pair = now.pairs[i];
+        if (!scene.obstacle_of(pair))
+          for (const auto &[one, other] :
+               {std::make_pair(pair.slave, pair.master), std::make_pair(pair.master, pair.slave)})
+            for (const unsigned int boundary : mesh.boundary_ids(one))
+              with_bodies.insert({boundary, *mesh.body_of(other)});
+        for (const unsigned int slave : mesh.boundary_ids(pair.slave))
+          if (scene.obstacle_of(pair))
+            (idle[i] ? idle_at_obstacles : at_obstacles).insert({slave, pair.master});
+          else
+            for (const unsigned int master : mesh.boundary_ids(pair.master))
+              (pair.is_self() ? selves :
+               idle[i]        ? inactive_pairs :
+                                pairs)
+                .insert(std::minmax(slave, master));
+        if (pair.is_self())
+          for (const SlaveFace<dim> &face : now.surfaces[i].slave_faces)
+            if (face.degree > 0)
+              slaves.insert({face.cell, face.face});
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  MonitoredSurfaces<dim>::kind(const CellIterator<dim> &cell, const unsigned int face) const
+  {
+    const bool is_slave = !slaves.empty() && slaves.count({cell->id(), face}) > 0;
+    return cell->face(face)->boundary_id() + (is_slave ? mesh.end_of_boundary_ids() : 0);
+  }
+
+
+
+  template <int dim>
+  bool
+  MonitoredSurfaces<dim>::is_self(const unsigned int a, const unsigned int b) const
+  {
+    return selves.count(boundaries(a, b)) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  MonitoredSurfaces<dim>::is_monitored(const unsigned int a, const unsigned int b) const
+  {
+    const unsigned int end = mesh.end_of_boundary_ids();
+    return pairs.count(boundaries(a, b)) > 0 || (is_self(a, b) && (a < end) != (b < end));
+  }
+
+
+
+  template <int dim>
+  bool
+  MonitoredSurfaces<dim>::is_monitored(const unsigned int a, const std::string &obstacle) const
+  {
+    return at_obstacles.count({a % mesh.end_of_boundary_ids(), obstacle}) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  MonitoredSurfaces<dim>::has_pair(const unsigned int a, const unsigned int body) const
+  {
+    return with_bodies.count({a % mesh.end_of_boundary_ids(), body}) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  MonitoredSurfaces<dim>::is_inactive(const unsigned int a, const unsigned int b) const
+  {
+    return !is_monitored(a, b) && inactive_pairs.count(boundaries(a, b)) > 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  MonitoredSurfaces<dim>::is_inactive(const unsigned int a, const std::string &obstacle) const
+  {
+    return !is_monitored(a, obstacle) &&
+           idle_at_obstacles.count({a % mesh.end_of_boundary_ids(), obstacle}) > 0;
+  }
+
+
+
+  template <int dim>
+  std::string
+  MonitoredSurfaces<dim>::name(const unsigned int kind) const
+  {
+    for (const std::string &boundary : mesh.boundaries())
+      if (mesh.boundary_ids(boundary).count(kind % mesh.end_of_boundary_ids()) > 0)
+        return boundary;
+    return "";
+  }
+
+
+
+  template <int dim>
+  std::pair<unsigned int, unsigned int>
+  MonitoredSurfaces<dim>::boundaries(const unsigned int a, const unsigned int b) const
+  {
+    const unsigned int end = mesh.end_of_boundary_ids();
+    return std::minmax({a % end, b % end});
+  }
+
+
+
+  template class MonitoredSurfaces<2>;
+  template class MonitoredSurfaces<3>;
+} // namespace Signorini

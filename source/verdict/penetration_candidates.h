@@ -1,0 +1,34 @@
+#pragma once
+
+#include "contact/search/configuration.h"
+#include "verdict/monitored_surfaces.h"
+
+#include <map>
+#include <utility>
+
+namespace Signorini
+{
+  /// Faces that may be in another body or in an obstacle where no pair looks for contact, by boxes
+  /// of moved vertices alone: nearly always there are few of them.
+  template <int dim>
+  class PenetrationCandidates
+  {
+  public:
+    /// Collective.
+    PenetrationCandidates(const Scene<dim>             &scene,
+                          const Configuration<dim>     &configuration,
+                          const MonitoredSurfaces<dim> &watched);
+
+    /// The face may be in something.
+    bool
+    may_penetrate(const CellIterator<dim> &cell, unsigned int face) const;
+
+    /// It may, or is near one of another body that may.
+    bool
+    counts(const CellIterator<dim> &cell, unsigned int face) const;
+
+  private:
+    std::map<std::pair<unsigned int, unsigned int>, bool>
+      found; ///< by active cell and face: may_penetrate() of those that count
+  };
+} // namespace Signorini

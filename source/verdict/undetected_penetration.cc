@@ -1,0 +1,554 @@
+#include "contact/search/boundary_faces.h"
+#include "contact/search/deep_penetration.h"
+#include "contact/search/search.h"
+#include "contact/search/search_radius.h"
+#include "contact/search/self_contact.h"
+#include "verdict/checks.h"
+#include "verdict/penetration_candidates.h"
+#include "verdict/symmetry_planes.h"
+#include <signorini/base/text.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Overlaps of pairs without pressure that are smaller are those of facets.
+    constexpr double much_of_cell = 0.2;
+
+    /// What a surface goes through.
+    enum class PenetrationType
+    {
+      other,    ///< surface, of the same body or another
+      body,     ///< another one: farther inside of it than any surface is near
+      itself,   ///< where a pair looks for that
+      obstacle, ///< of the scene
+      symmetry  ///< of its own body, a plane of which the other side is the image of this one
+    };
+
+    constexpr double small = 0.02; ///< share of a cell that passes
+
+    /// The deepest place, of those that make the answer none if there are any.
+    struct Overlap
+    {
+      double          share = 0, depth = 0; ///< of the cells behind; and as a length
+      unsigned int    surface          = 0; ///< its kind, see MonitoredSurfaces
+      PenetrationType penetration_type = PenetrationType::other;
+      unsigned int    what = 0; ///< the kind of the other surface; or which body, obstacle, plane
+      bool            is_inactive = false; ///< there is a pair, which has not seen it
+      bool            at_start    = false; ///< before anything moved
+
+      /// The answer is none.
+      bool
+      fails() const
+      {
+        return share > small && (penetration_type == PenetrationType::itself || is_inactive ||
+                                 (at_start && penetration_type == PenetrationType::body));
+      }
+
+      void
+      take(const Overlap &other)
+      {
+        if (other.fails() != fails())
+          {
+            if (other.fails())
+              *this = other;
+            return;
+          }
+        // Of those that are as deep but for rounding, the first.
+        const bool is_alike = std::abs(other.share - share) <= 1e-6 * share;
+        if (is_alike ? std::tie(other.surface, other.what) < std::tie(surface, what) :
+                       other.share > share)
+          *this = other;
+      }
+    };
+
+    /// The surface of one body as it is, and places on it that ask what they are in; of small
+    /// strain, where that may be anything.
+    template <int dim>
+    struct BodySurface
+    {
+      BodySurface(const BoundaryFaces<dim>                        &of_body,
+                  const MonitoredSurfaces<dim>                    &watched,
+                  const std::optional<PenetrationCandidates<dim>> &near,
+                  const MPI_Comm                                   comm)
+        : faces(of_body)
+      {
+        const QGauss<dim - 1> inner(2);
+        for (unsigned int i = 0; i < faces.faces.size(); ++i)
+          {
+            const auto &[cell, face] = faces.faces[i];
+            kinds.push_back(watched.kind(cell, face));
+            const FacePatch<dim> &patch = faces.patches[i];
+            deepest                     = std::max(deepest, faces.depth(i));
+            if (near && !near->may_penetrate(cell, face))
+              continue;
+            for (const Point<dim - 1> &xi : inner.get_points())
+              {
+                places.push_back(patch.position(xi));
+                normals.push_back(patch.normal(xi));
+                rest.push_back(reference_point(faces.rest[i], xi));
+                face_of.push_back(i);
+              }
+          }
+        deepest = Utilities::MPI::max(deepest, comm);
+        if (deepest > 0)
+          box = box_of(faces.patches, comm);
+      }
+
+      /// Of places deeper than that, who knows what they are in: beyond half a cell, its other side
+      /// may have been passed.
+      double
+      depth(const unsigned int place) const
+      {
+        return faces.depth(face_of[place]) / 2;
+      }
+
+      MasterFaces<dim>
+      masters(const bool know_rest) const
+      {
+        const auto tell =
+          [this](unsigned int i, const Point<dim - 1> &, MasterProjection<dim> &master_point) {
+            master_point.kind = kinds[i];
+            master_point.size = faces.depth(i) / 2;
+          };
+        MasterFaces<dim> result{faces.patches, tell, {}, {}};
+        if (know_rest)
+          result.rest = faces.rest;
+        return result;
+      }
+
+      MasterFaces<dim>
+      reference_masters() const
+      {
+        const auto tell = [](unsigned int, const Point<dim - 1> &, MasterProjection<dim> &) {};
+        return {faces.rest, tell, {}, {}};
+      }
+
+      BoundaryFaces<dim>               faces;
+      std::vector<unsigned int>        kinds; ///< one a face
+      std::vector<Point<dim>>          places;
+      std::vector<Tensor<1, dim>>      normals;
+      std::vector<ReferencePoint<dim>> rest;
+      std::vector<unsigned int>        face_of;
+      double                           deepest = 0;
+      std::optional<BoundingBox<dim>>  box; ///< if there are faces
+    };
+
+    template <int dim>
+    std::vector<BodySurface<dim>>
+    body_surfaces(const Configuration<dim>                        &configuration,
+                  const MonitoredSurfaces<dim>                    &watched,
+                  const std::optional<PenetrationCandidates<dim>> &near)
+    {
+      const Mesh<dim>              &mesh = configuration.elasticity().mesh();
+      const BoundaryFaces<dim>      all(configuration,
+                                   [&](const CellIterator<dim> &cell, const unsigned int face) {
+                                     return !near || near->counts(cell, face);
+                                   });
+      std::vector<BodySurface<dim>> result;
+      for (unsigned int body = 0; body < mesh.n_bodies(); ++body)
+        {
+          std::vector<bool> is_its(all.faces.size());
+          for (unsigned int i = 0; i < is_its.size(); ++i)
+            is_its[i] = mesh.body(all.faces[i].first) == body;
+          result.emplace_back(all.among(is_its), watched, near, mesh.communicator());
+        }
+      return result;
+    }
+
+    /// Places of a that may be in b.
+    template <int dim>
+    std::vector<unsigned int>
+    in_box_of(const BodySurface<dim> &a, const BodySurface<dim> &b)
+    {
+      std::vector<unsigned int> result;
+      for (unsigned int i = 0; i < a.places.size(); ++i)
+        if (b.box->point_inside(a.places[i]))
+          result.push_back(i);
+      return result;
+    }
+
+    template <int dim>
+    Overlap
+    overlap_of(const BodySurface<dim>       &a,
+               const BodySurface<dim>       &b,
+               const MonitoredSurfaces<dim> &watched,
+               const MPI_Comm                comm)
+    {
+      const bool                       is_self = &a == &b;
+      const std::vector<unsigned int>  asked   = in_box_of(a, b);
+      std::vector<Point<dim>>          places;
+      std::vector<Tensor<1, dim>>      normals;
+      std::vector<ReferencePoint<dim>> rest;
+      for (const unsigned int i : asked)
+        {
+          places.push_back(a.places[i]);
+          normals.push_back(a.normals[i]);
+          if (is_self)
+            rest.push_back(a.rest[i]);
+        }
+      const auto master_points = find_master_projections(
+        places, normals, b.masters(is_self), a.deepest / 2, comm, nullptr, {}, rest);
+      Overlap largest;
+      for (unsigned int k = 0; k < master_points.size(); ++k)
+        {
+          if (!master_points[k])
+            continue;
+          const MasterProjection<dim> &master_point = *master_points[k];
+          const unsigned int i = asked[k], kind = a.kinds[a.face_of[i]], other = master_point.kind;
+          const double       depth = (master_point.position - a.places[i]) * master_point.normal,
+                       room        = std::min(a.depth(i), master_point.size);
+          const bool is_inactive   = watched.is_inactive(kind, other);
+          if (depth > (is_inactive ? much_of_cell * 2 * room : 0) &&
+              master_point.position.distance(a.places[i]) < room &&
+              !watched.is_monitored(kind, other))
+            largest.take(
+              {depth / (2 * room),
+               depth,
+               std::min(kind, other),
+               watched.is_self(kind, other) ? PenetrationType::itself : PenetrationType::other,
+               std::max(kind, other),
+               is_inactive});
+        }
+      return largest;
+    }
+
+    /// What was outside of another body at rest, and is now farther inside than half a cell; or
+    /// what is inside, and was so at the start, unless it is of a pair with that body, whose
+    /// overlap may have to stay for a while.
+    template <int dim>
+    Overlap
+    depth_inside(const BodySurface<dim>       &a,
+                 const BodySurface<dim>       &b,
+                 const unsigned int            body,
+                 const MonitoredSurfaces<dim> &watched,
+                 const MPI_Comm                comm)
+    {
+      const std::vector<unsigned int> asked = in_box_of(a, b);
+      std::vector<Point<dim>>         places, at_rest;
+      for (const unsigned int i : asked)
+        {
+          places.push_back(a.places[i]);
+          at_rest.push_back(a.rest[i].x);
+        }
+      if (Utilities::MPI::sum(asked.size(), comm) == 0)
+        return {};
+      const auto   ends    = b.box->get_boundary_points();
+      const double far     = ends.first.distance(ends.second);
+      const auto   now     = depths(places, b.masters(false), far, comm),
+                 before    = depths(at_rest, b.reference_masters(), far, comm);
+      const auto is_inside = [](const double depth, const double least) {
+        return depth >= least && std::isfinite(depth);
+      };
+      Overlap largest;
+      for (unsigned int k = 0; k < asked.size(); ++k)
+        {
+          const unsigned int i = asked[k], kind = a.kinds[a.face_of[i]];
+          const double       cell     = 2 * a.depth(i);
+          const bool         at_start = is_inside(before[k], much_of_cell * cell);
+          if (at_start ?
+                is_inside(now[k], much_of_cell * cell) && !watched.has_pair(kind, body) :
+                is_inside(now[k], cell / 2) && !(before[k] > 0 && std::isfinite(before[k])))
+            largest.take(
+              {now[k] / cell, now[k], kind, PenetrationType::body, body, false, at_start});
+        }
+      return largest;
+    }
+
+    /// The faces of a body that lie in a box at rest: about so many of them on each rank.
+    template <int dim>
+    BoundaryFaces<dim>
+    sample_faces(const Configuration<dim> &configuration,
+                 const unsigned int        body,
+                 const BoundingBox<dim>   &box,
+                 const unsigned int        how_many)
+    {
+      const auto is_in_box = [&](const CellIterator<dim> &cell, const unsigned int face) {
+        return configuration.elasticity().mesh().body(cell) == body &&
+               box.point_inside(cell->face(face)->center());
+      };
+      unsigned int n = 0, next = 0;
+      for (const auto &cell : configuration.elasticity().dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            n += cell->face(f)->at_boundary() && is_in_box(cell, f);
+      const unsigned int stride = std::max(1u, n / how_many);
+      return {configuration, [&](const CellIterator<dim> &cell, const unsigned int face) {
+                return is_in_box(cell, face) && next++ % stride == 0;
+              }};
+    }
+
+    /// Where two bodies were inside of each other from the start by more than their surfaces see:
+    /// some faces are asked, since others beside them are as deep.
+    template <int dim>
+    Overlap
+    initial_depth(const Configuration<dim>     &configuration,
+                  const unsigned int            a,
+                  const unsigned int            b,
+                  const MonitoredSurfaces<dim> &watched)
+    {
+      constexpr unsigned int enough = 200;
+      const Mesh<dim>       &mesh   = configuration.elasticity().mesh();
+      const MPI_Comm         comm   = mesh.communicator();
+      if (common_depth(mesh.extent(a), mesh.extent(b)) == 0)
+        return {};
+      BodySurface<dim> asking(sample_faces(configuration, a, mesh.extent(b), enough),
+                              watched,
+                              {},
+                              comm);
+      if (!asking.box)
+        return {};
+      const BoundaryFaces<dim> of_b(configuration,
+                                    [&](const CellIterator<dim> &cell, const unsigned int) {
+                                      return mesh.body(cell) == b;
+                                    });
+      const BodySurface<dim>   outside(of_b, watched, {}, comm);
+      Overlap                  result = depth_inside(asking, outside, b, watched, comm);
+      // Bodies in the same place have the same surfaces: the middles of cells behind them are
+      // asked.
+      for (unsigned int i = 0; i < asking.places.size(); ++i)
+        {
+          asking.places[i] -= asking.depth(i) * asking.normals[i];
+          asking.rest[i].x -= asking.depth(i) * asking.normals[i];
+        }
+      result.take(depth_inside(asking, outside, b, watched, comm));
+      return result;
+    }
+
+    /// What was outside at rest has gone through the surface, however deep it is; what was inside
+    /// may belong there.
+    /// @param closest place of what is rigid, to place i, if there is one
+    /// @param was_outside at rest, of place i
+    /// @param is_inactive by the kind of its face, whether there is a pair that has not seen it
+    /// @param belongs what is inside at rest may be there
+    template <int dim, typename Closest, typename WasOutside, typename IsIdle>
+    Overlap
+    overlap_with_rigid(const BodySurface<dim> &a,
+                       const PenetrationType   penetration_type,
+                       const unsigned int      what,
+                       const Closest          &closest,
+                       const WasOutside       &was_outside,
+                       const IsIdle           &is_inactive,
+                       const bool              belongs)
+    {
+      Overlap largest;
+      for (unsigned int i = 0; i < a.places.size(); ++i)
+        {
+          const std::optional<ObstaclePoint<dim>> place = closest(i);
+          if (!place || place->gap >= 0)
+            continue;
+          const unsigned int kind  = a.kinds[a.face_of[i]];
+          const double       share = -place->gap / (2 * a.depth(i));
+          const bool         idle  = is_inactive(kind),
+                     is_near =
+                       (idle || share < 0.5) && faces_each_other<dim>(a.normals[i], place->normal);
+          const bool at_start = !belongs && share >= much_of_cell && !was_outside(i);
+          if ((is_near || at_start || was_outside(i)) && !(idle && share < much_of_cell))
+            largest.take({share, -place->gap, kind, penetration_type, what, idle, at_start});
+        }
+      return largest;
+    }
+
+    template <int dim>
+    Overlap
+    overlap_of(const Configuration<dim>     &configuration,
+               const BodySurface<dim>       &a,
+               const Obstacle<dim>          &obstacle,
+               const unsigned int            number,
+               const bool                    belongs,
+               const MonitoredSurfaces<dim> &watched)
+    {
+      const Configuration<dim> at_rest(configuration.elasticity());
+      const RigidPose<dim>     pose = configuration.pose(obstacle), rest = at_rest.pose(obstacle);
+      const double             length = configuration.elasticity().rotation_length_scale();
+      const auto closest = [&](const unsigned int i) -> std::optional<ObstaclePoint<dim>> {
+        if (watched.is_monitored(a.kinds[a.face_of[i]], obstacle.name) ||
+            !obstacle.shape->has_closest_point(a.rest[i].x, length))
+          return {};
+        return configuration.closest(obstacle, pose, a.places[i]);
+      };
+      const auto was_outside = [&](const unsigned int i) {
+        return at_rest.closest(obstacle, rest, a.rest[i].x).gap >= 0;
+      };
+      return overlap_with_rigid(
+        a,
+        PenetrationType::obstacle,
+        number,
+        closest,
+        was_outside,
+        [&](const unsigned int kind) { return watched.is_inactive(kind, obstacle.name); },
+        belongs);
+    }
+
+    template <int dim>
+    Overlap
+    overlap_of(const Configuration<dim>     &configuration,
+               const BodySurface<dim>       &a,
+               const SymmetryPlane<dim>     &plane,
+               const unsigned int            number,
+               const Scene<dim>             &scene,
+               const MonitoredSurfaces<dim> &watched)
+    {
+      // Obstacles are put there in place of the other half, and penalties let surfaces into them.
+      const auto is_held = [&](const unsigned int i) {
+        return std::any_of(
+          scene.obstacles.begin(), scene.obstacles.end(), [&](const auto &obstacle) {
+            return watched.is_monitored(a.kinds[a.face_of[i]], obstacle.name) &&
+                   configuration.closest(obstacle, configuration.pose(obstacle), a.places[i]).gap <
+                     a.depth(i);
+          });
+      };
+      const auto closest = [&](const unsigned int i) -> std::optional<ObstaclePoint<dim>> {
+        const double gap = (plane.center - a.places[i]) * plane.normal;
+        if (gap >= 0 || is_held(i))
+          return {};
+        return ObstaclePoint<dim>{gap, -plane.normal};
+      };
+      const auto was_outside = [&](const unsigned int i) {
+        return (plane.center - a.rest[i].x) * plane.normal >= 0;
+      };
+      return overlap_with_rigid(
+        a,
+        PenetrationType::symmetry,
+        number,
+        closest,
+        was_outside,
+        [](unsigned int) { return false; },
+        true);
+    }
+
+    /// Of all ranks.
+    Overlap
+    largest_of(const Overlap &own, const MPI_Comm comm)
+    {
+      Overlap largest;
+      for (const Overlap &of_rank : Utilities::MPI::all_gather(comm, own))
+        largest.take(of_rank);
+      return largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  CheckResult
+  check_undetected_penetration(const Scene<dim> &scene, const Snapshot<dim> &now)
+  {
+    const Mesh<dim>                          &mesh             = now.elasticity.mesh();
+    const bool                                is_finite_strain = now.elasticity.is_finite_strain();
+    const Configuration<dim>                  configuration(now.elasticity, now.displacement);
+    const MonitoredSurfaces<dim>              watched(scene, now);
+    std::optional<PenetrationCandidates<dim>> near;
+    if (!is_finite_strain)
+      near.emplace(scene, configuration, watched);
+    const auto                      bodies = body_surfaces(configuration, watched, near);
+    std::vector<SymmetryPlane<dim>> planes;
+    if (is_finite_strain)
+      planes = symmetry_planes(scene, now.elasticity);
+    Overlap largest;
+    for (unsigned int body = 0; body < bodies.size(); ++body)
+      {
+        const BodySurface<dim> &a = bodies[body];
+        for (unsigned int other = 0; other < bodies.size(); ++other)
+          {
+            const BodySurface<dim> &b = bodies[other];
+            if (body != other)
+              largest.take(initial_depth(configuration, body, other, watched));
+            if ((!is_finite_strain && &a == &b) || !a.box || !b.box ||
+                a.box->get_neighbor_type(*b.box) == NeighborType::not_neighbors)
+              continue;
+            largest.take(overlap_of(a, b, watched, mesh.communicator()));
+            if (is_finite_strain && &a != &b) // else not all of the other one is there
+              largest.take(depth_inside(a, b, other, watched, mesh.communicator()));
+          }
+        for (unsigned int i = 0; i < scene.obstacles.size(); ++i)
+          {
+            // Where it holds another body, as the ground does, there may be a hole for this one.
+            const Obstacle<dim> &obstacle = scene.obstacles[i];
+            const bool           is_used =
+              std::any_of(now.pairs.begin(), now.pairs.end(), [&](const ContactPair<dim> &pair) {
+                return scene.obstacle_of(pair) == &obstacle;
+              });
+            largest.take(overlap_of(configuration, a, obstacle, i, is_used, watched));
+          }
+        for (unsigned int i = 0; i < planes.size(); ++i)
+          if (planes[i].body == body)
+            largest.take(overlap_of(configuration, a, planes[i], i, scene, watched));
+      }
+    largest = largest_of(largest, mesh.communicator());
+    CheckResult check_result;
+    check_result.check      = "undetected contact";
+    check_result.value      = largest.share;
+    check_result.limit      = small;
+    check_result.outcome    = largest.fails()        ? Outcome::failed :
+                              largest.share <= small ? Outcome::passed :
+                                                       Outcome::warned;
+    const std::string name  = "'" + watched.name(largest.surface) + "' penetrates ",
+                      depth = " by up to " + short_text(largest.depth, 2);
+    const auto pair         = [&](const std::string &master) {
+      return "add a pair with Slave = " + watched.name(largest.surface) + ", Master = " + master +
+             " to Contact pairs if these surfaces can touch";
+    };
+    switch (largest.penetration_type)
+      {
+        case PenetrationType::body:
+          check_result.message =
+            "'" + watched.name(largest.surface) + "' is inside of '" +
+            mesh.body_name(largest.what) + "', by up to " + short_text(largest.depth, 2) +
+            (largest.at_start ? ", already at the start, where no pair detects contact" : "");
+          check_result.advice =
+            largest.at_start ?
+              "add a pair of their surfaces to Contact pairs, or move the bodies apart" :
+              "use smaller load steps, and add a pair to Contact pairs if there is none";
+          break;
+        case PenetrationType::other:
+          check_result.message = name + "'" + watched.name(largest.what) + "'" + depth +
+                                 ", where no pair detects contact";
+          check_result.advice = pair(watched.name(largest.what));
+          break;
+        case PenetrationType::itself:
+          check_result.message =
+            name + "itself" + depth +
+            ": the normals there vary so much that slave and master cannot be assigned";
+          check_result.advice = "split the boundary there, and define a contact pair of its parts";
+          break;
+        case PenetrationType::obstacle:
+          check_result.message = name + "the obstacle '" + scene.obstacles[largest.what].name +
+                                 "'" + depth + (largest.at_start ? ", from the start" : "") +
+                                 ", where no pair detects contact";
+          check_result.advice = pair(scene.obstacles[largest.what].name);
+          break;
+        case PenetrationType::symmetry:
+          check_result.message = name + "the plane of symmetry '" + planes[largest.what].boundary +
+                                 "'" + depth + ", where it would touch its mirror image";
+          check_result.advice =
+            "if it is a plane of symmetry, add the plane to Obstacles and a contact pair with it";
+          break;
+      }
+    if (largest.is_inactive)
+      {
+        const std::string words = ", where no pair detects contact";
+        check_result.message.replace(check_result.message.find(words),
+                                     words.size(),
+                                     ", and their contact pair did not detect it");
+        check_result.advice = "use smaller load steps, or set Search distance of the pair";
+      }
+    return check_result;
+  }
+
+
+
+  template CheckResult
+  check_undetected_penetration(const Scene<2> &, const Snapshot<2> &);
+  template CheckResult
+  check_undetected_penetration(const Scene<3> &, const Snapshot<3> &);
+} // namespace Signorini
