@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Over which coordinate the pressure of a contact surface is drawn: x, y or z, the distance from a centre, or an angle."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The picture of the deformed bodies: flat cells in 2D, a shaded view of the outer faces in 3D.
 
 Matplotlib draws polygons, but does not know which of them hides which. So the faces of a 3D model are projected here,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Matplotlib without a screen. Importing this starts the script again with the Python of the system where that of the
 path has no Matplotlib: scripts/setup installs it for the former."""
 

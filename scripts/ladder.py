@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The two scenes that studies of cost refine: their file, and the keys of size n."""
 
 

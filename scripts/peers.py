@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Two blocks (prm/block-on-block.prm) for other programs: decks with the same node coordinates, runs, forces."""
 
 import json

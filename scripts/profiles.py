@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Read what a run left in its output directory, but for the meshes."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Read the VTU files of the program, without VTK: only NumPy and the standard library are needed."""
 
 import base64

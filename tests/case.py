@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What a test case is, and what its body may ask for."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The installed library, used by another program as doc/tutorials/library.md says: package.py BUILD PROGRAM_FOLDER."""
 
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solves one scene after the other in the same process, as tests/worker.py asks: reads lines of
 // JSON on standard input,
 //   {"scene": FILE, "set": ["Section/Key=value", ...], "check": false}

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """The tests that run scenes: tables of cases, each table in one process.
 
     suite.py --list                            names of all cases

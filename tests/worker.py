@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A process that solves one scene after the other, on some ranks: starting the program takes longer than most scenes."""
 
 import json

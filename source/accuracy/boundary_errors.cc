@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "accuracy/boundary_errors.h"
 
 #include "solid/stress.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "accuracy/cell_errors.h"
 
 #include "accuracy/recovered_stress.h"

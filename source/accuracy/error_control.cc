@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "accuracy/error_control.h"
 
 #include <signorini/base/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <signorini/accuracy/known_solution.h>
 #include <signorini/parameters/section.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "accuracy/p_refinement.h"
 
 #include <deal.II/fe/fe_tools.h>

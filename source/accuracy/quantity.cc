@@ -1,4 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "accuracy/quantities/kinds.h"
+#include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 
 #include <algorithm>

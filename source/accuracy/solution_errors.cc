@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "accuracy/solution_errors.h"
 
 #include "fields/nodal_fields.h"

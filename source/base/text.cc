@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 

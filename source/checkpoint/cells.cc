@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checkpoint/cells.h"
 
 #include "mesh/cells_by_name.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checkpoint/origin.h"
 
 #include "checkpoint/sealed_file.h"

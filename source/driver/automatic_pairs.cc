@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "driver/automatic_pairs.h"
 
 #include "contact/search/deep_penetration.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "driver/equilibrium.h"
 
 #include <signorini/base/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "driver/fixed_configuration_solver.h"
 
 #include "base/interruption.h"
@@ -5,6 +6,7 @@
 #include "matrix_free/make_stiffness.h"
 #include "solid/rigid_body_modes.h"
 #include "solver/nonlinear_solid.h"
+#include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 #include <signorini/contact/methods/method.h>
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checkpoint/origin.h"
 #include "driver/simulation.h"
 #include "output/directory.h"
 #include <signorini/base/text.h>
 #include <signorini/driver/run_scene.h>
+#include <signorini/parameters/raw.h>
 #include <signorini/parameters/section.h>
 
 #include <filesystem>

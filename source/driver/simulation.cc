@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "driver/simulation.h"
 
 #include "driver/automatic_pairs.h"
@@ -6,6 +7,7 @@
 #include "output/preflight.h"
 #include "scene/skipped_items.h"
 #include "solver/linear_reference.h"
+#include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "driver/body_setup.h"
 #include "driver/simulation.h"
 #include "materials/material_law.h"

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checkpoint/cells.h"
 #include "checkpoint/origin.h"
 #include "driver/simulation.h"
 #include "output/accuracy_results.h"
+#include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "driver/simulation.h"
 #include <signorini/driver/solve.h>
 #include <signorini/parameters/section.h>

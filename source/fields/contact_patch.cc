@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/contact_patch.h"
 
 #include "fields/nodal_fields.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/face_vertices.h"
 
 #include "geometry/lagrange.h"

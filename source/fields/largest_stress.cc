@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/largest_stress.h"
 
 #include "solid/stress.h"

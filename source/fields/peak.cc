@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/peak.h"
 
 #include "linear_algebra/dense.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/pressure_at_dirichlet_nodes.h"
 
 #include "fields/nodal_fields.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/probes.h"
 
 #include "fields/surface_probes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/recovered_pressure.h"
 
 #include "fields/face_vertices.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/surface_probes.h"
 
 #include "contact/search/boundary_faces.h"

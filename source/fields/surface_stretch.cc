@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "fields/surface_stretch.h"
 
 #include "geometry/lagrange.h"

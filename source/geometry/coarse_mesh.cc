@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <signorini/geometry/coarse_mesh.h>
 
 #include <deal.II/grid/grid_tools.h>

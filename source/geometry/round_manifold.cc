@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "geometry/round_manifold.h"
 
 #include <deal.II/base/array_view.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "linear_algebra/direct_solver.h"
 
 #include <Amesos.h>

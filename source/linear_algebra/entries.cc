@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "linear_algebra/entries.h"
 
 #include "linear_algebra/row_view.h"

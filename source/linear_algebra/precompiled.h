@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Headers that most files use and that never change: read once, not a hundred times. With them a
 // file takes half the seconds.
 #include "linear_algebra/types.h"

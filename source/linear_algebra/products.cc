@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "linear_algebra/products.h"
 
 #include <EpetraExt_MatrixMatrix.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "materials/material_law.h"
 
 #include "materials/hencky.h"

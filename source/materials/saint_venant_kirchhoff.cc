@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "materials/saint_venant_kirchhoff.h"
 
 namespace Signorini

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Highway compiles this file once for each instruction set, so that one executable runs everywhere,
 // as fast as the processor can, and no function of one set ends up where another is expected.
 // (GCC's vector types and std::experimental::simd have the width of the compiler's flags: they

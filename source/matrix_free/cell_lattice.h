@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values on the nodes and points of as many hexahedra as a vector of the processor has places, as
 // kernels go through them. As lattice_lines.h, this file is read once for each instruction set, and
 // is not for others than the kernels.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "matrix_free/kernel_tables.h"
 
 #include <deal.II/base/polynomial.h>

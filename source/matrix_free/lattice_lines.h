@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors of the processor along the lines of a lattice of nodes or points, for kernels that
 // Highway compiles once for each instruction set: this file is read once for each of them, too. Not
 // for others than matrix_free/cell_kernel.cc.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "matrix_free/local_vectors.h"
 
 #include "linear_algebra/own_range.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "matrix_free/make_stiffness.h"
 
 #include "matrix_free/cell_stiffness.h"

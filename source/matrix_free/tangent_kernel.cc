@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled once for each instruction set, as cell_kernel.cc is.
 
 #include "matrix_free/tangent_kernel.h"

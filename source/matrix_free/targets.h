@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // The instruction sets that Highway compiles kernels for; to be included before any header of it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <signorini/mesh/body_mesh.h>
 #include <signorini/parameters/section.h>
 

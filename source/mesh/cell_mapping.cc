@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh/cell_mapping.h"
 
 #include <signorini/parameters/raw.h>

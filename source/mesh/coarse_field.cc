@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh/coarse_field.h"
 
 #include <deal.II/base/geometry_info.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh/generators/box.h"
 #include "mesh/generators/disc.h"
 #include "mesh/generators/file.h"

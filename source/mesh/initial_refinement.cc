@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "geometry/memory.h"
 #include "mesh/mesh.h"
 #include <signorini/parameters/raw.h>

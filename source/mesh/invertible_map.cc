@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh/invertible_map.h"
 
 #include <signorini/parameters/raw.h>

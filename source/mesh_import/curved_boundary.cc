@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/curved_boundary.h"
 
 #include "geometry/round_manifold.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/curved_cells.h"
 
 #include "geometry/quadratic_manifold.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/file_part.h"
 
 #include "mesh_import/cell_checks.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/pieces.h"
 
 #include "geometry/connected.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "multigrid/interpolation_transfer.h"
 
 #include "linear_algebra/columns.h"

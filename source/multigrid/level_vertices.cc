@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "multigrid/level_vertices.h"
 
 #include <deal.II/base/mpi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "multigrid/linear_space.h"
 
 #include "base/compatibility.h"

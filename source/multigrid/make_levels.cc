@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "multigrid/make_levels.h"
 
 #include "linear_algebra/diagonal.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "multigrid/mesh_levels.h"
 
 #include "matrix_free/cell_operator.h"

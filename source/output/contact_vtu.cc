@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/contact_vtu.h"
 
 #include "fields/nodal_fields.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/prediction.h"
 
 #include "matrix_free/make_stiffness.h"

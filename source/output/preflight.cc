@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/preflight.h"
 
 #include "contact/search/boundary_faces.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/probe_results.h"
 
 #include "fields/surface_probes.h"

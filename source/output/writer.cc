@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/writer.h"
 
 #include "output/contact_vtu.h"

@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "parameters/values.h"
 #include <signorini/base/text.h>
+#include <signorini/parameters/raw.h>
 #include <signorini/parameters/section.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scene/decisions.h"
 
 #include "materials/material_law.h"

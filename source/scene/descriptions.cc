@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scene/descriptions.h"
 
 #include <deal.II/base/exceptions.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scene/expected_motion.h"
 
 #include <deal.II/base/utilities.h>

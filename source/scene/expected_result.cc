@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "parameters/compiled_formula.h"
 #include "scene/former_entries.h"
 #include <signorini/parameters/section.h>

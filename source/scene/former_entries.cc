@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scene/former_entries.h"
 
 #include <signorini/parameters/raw.h>

@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scene/descriptions.h"
 #include "scene/skipped_items.h"
+#include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 #include <signorini/parameters/section.h>
 #include <signorini/scene/scene.h>

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scene/template.h"
 
 #include "contact/obstacles/shapes.h"
 #include "solver/preconditioner.h"
 #include <signorini/base/text.h>
+#include <signorini/parameters/raw.h>
 #include <signorini/parameters/section.h>
 #include <signorini/scene/scene.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/constrained_nodes.h"
 
 #include "geometry/extent.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/deformation_change.h"
 
 #include "solid/deformation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/deformation_kernel.h"
 
 #include "materials/symmetric_pairs.h"

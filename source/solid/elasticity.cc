@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/elasticity.h"
 
 #include "linear_algebra/diagonal.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/material_history.h"
 
 #include "mesh/cells_by_name.h"

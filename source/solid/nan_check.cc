@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/nan_check.h"
 
 #include <signorini/base/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/node_location.h"
 
 #include <signorini/parameters/raw.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/pressure_kernel.h"
 
 #include "solid/gradient_at_point.h"

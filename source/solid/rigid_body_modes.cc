@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/rigid_body_modes.h"
 
 #include "solid/cell_nodes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <signorini/solid/rigid_pose.h>
 
 #include <cmath>

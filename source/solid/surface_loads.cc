@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/surface_loads.h"
 
 #include "solid/nan_check.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/unsupported_modes.h"
 
 #include "geometry/cell_size.h"

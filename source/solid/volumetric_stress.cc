@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/volumetric_stress.h"
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/contact_system.h"
 
 #include "base/interruption.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/interface_solver.h"
 
 #include "linear_algebra/row_view.h"

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/linear_solver.h"
 
 #include "linear_algebra/direct_solver.h"
 #include "solver/preconditioners/schur_complement.h"
 #include "solver/preconditioners/volumetric_schur.h"
+#include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 
 #include <deal.II/lac/solver_cg.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/preconditioner.h"
 #include "solver/preconditioners/schur_complement.h"
 #include <signorini/parameters/section.h>

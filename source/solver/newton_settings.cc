@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <signorini/parameters/section.h>
 #include <signorini/solver/newton_settings.h>
 

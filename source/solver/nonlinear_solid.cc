@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/nonlinear_solid.h"
 
 #include "solid/cell_nodes.h"

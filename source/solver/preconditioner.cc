@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/preconditioner.h"
 
 #include "solver/linear_solver.h"

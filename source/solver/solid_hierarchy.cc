@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/solid_hierarchy.h"
 
 #include "multigrid/make_levels.h"

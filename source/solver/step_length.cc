@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/step_length.h"
 
 #include "base/interruption.h"

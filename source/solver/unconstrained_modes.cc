@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/unconstrained_modes.h"
 
 #include "linear_algebra/dense.h"

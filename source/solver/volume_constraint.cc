@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/volume_constraint.h"
 
 #include "linear_algebra/sparsity_pattern.h"

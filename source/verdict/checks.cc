@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "verdict/checks.h"
 
 #include "fields/peak.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solid/deformation.h"
 #include "solid/stress.h"
 #include "verdict/checks.h"

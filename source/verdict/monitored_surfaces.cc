@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "verdict/monitored_surfaces.h"
 
 #include "contact/constraints/inactive_pairs.h"

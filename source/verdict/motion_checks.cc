@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "verdict/checks.h"
 #include <signorini/base/text.h>
 #include <signorini/solid/model.h>

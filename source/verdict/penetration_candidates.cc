@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "verdict/penetration_candidates.h"
 
 #include "geometry/cell_size.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads scenes, meshes, decks and formulas with mistakes in them, many thousands in one process.
 // Each must be accepted or refused in the program's own words: no crash, no hang, no internal
 // error, no leak, no file left behind, no more memory than a small file may ask for.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the program says of its errors, against closed forms: estimates, bars, targets; and the refusals."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The active set is found in a few Newton steps by every method, from a cold start and when contact closes and opens."""
 
 import math

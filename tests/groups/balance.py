@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """All forces and all moments add up to nothing: contact forces on slave and master, reactions of supports, loads.
 
 Forces across curved interfaces balance on any mesh: rings with 24 cells against 37 around (PUB-03), a ball on a block. So do

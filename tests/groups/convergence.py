@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Errors fall at the rates of theory: the rate from the last mesh but one to the last is asserted, and the last error.
 
 What was measured stands in the scenes. Bounds are the orders of theory less a tenth (that far from the limit are meshes that

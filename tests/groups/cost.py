@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Contact at the places at rest costs few Newton steps and few multigrid cycles;
 neither depends on the clock. Krylov iterations on the saddle point are as good as independent of the mesh."""
 

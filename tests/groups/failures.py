@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Scenes that must be refused, or end without a result: exit code and message are as the comments at their top say.
 
     # exit: 2                        the exit code

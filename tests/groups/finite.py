@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Large deformation: what must not depend on how it was reached, nor on how it was computed; and what the program refuses."""
 
 from case import SCENES, VARIED, Case, force_of, method

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The scenes of the gallery and of the tutorials: read by --check, solved, and compared with their expected results."""
 
 from case import PRM, ROOT, Case, scenes_in

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The answer does not depend on what it must not depend on: ranks, units, slave and master, the springs of free bodies."""
 
 import math

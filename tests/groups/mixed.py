@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Nearly and fully incompressible bodies, whose bulk stress is a field of its own: orders, patch tests and iterations do not
 know Poisson's ratio; bodies of both formulations meet; what the program refuses."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Large deformation: contact is found where bodies and obstacles have come to, and what nothing finds is said."""
 
 from case import SCENES, VARIED, Case, force_of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Patch tests: uniform pressure by contact segments, on meshes that do not match, from either side."""
 
 import csv

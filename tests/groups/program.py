@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The program itself as users start it: exit codes, options, several ranks, messages that come once."""
 
 import resource

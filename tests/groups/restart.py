@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs that end before their end, and go on: killed, interrupted by signals, at the limit of their time, at a load step that
 cannot be solved."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Scenes that know their answer: their `Expected results` must hold. All methods that a scene names on one rank, two of them
 on each further number of ranks: other code runs there for all methods alike."""
 

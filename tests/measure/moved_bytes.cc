@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts the bytes that memmove() moves in a process, for scripts/growth: insertions into the
 // middle of sorted vectors, as of deal.II's IndexSet, are all done by it. Preloaded (LD_PRELOAD);
 // at the end the count goes to the file that SIGNORINI_MOVED names.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast kernels multiply, in each instruction set of this processor, beside what its memory
 // bears.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An active set that goes round in a circle, if it may.
 
 #include "solver/contact_solver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checkpoints on the disk: what is damaged is seen, and the one before is taken.
 
 #include "checkpoint/checkpoints.h"

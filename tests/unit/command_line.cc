@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the program prints without solving, and scenes as they are read.
 
 #include "contact/obstacles/shapes.h"
@@ -6,6 +7,7 @@
 #include "solver/preconditioner.h"
 #include <signorini/base/text.h>
 #include <signorini/driver/run_scene.h>
+#include <signorini/parameters/raw.h>
 #include <signorini/parameters/section.h>
 #include <signorini/scene/scene.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes with each of the things that a contact point may meet: curved faces that do not match,
 // hanging nodes, inclined supports at the rim, rigid bodies with unconstrained rigid-body modes,
 // the axis.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What Newton's method decides: which points are active, which motions are loose, what overlaps
 // count; on contact points without bodies.
 

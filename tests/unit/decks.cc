@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/decks/import_deck.h"
 #include "mesh_import/formats/abaqus.h"
 #include "mesh_import/formats/rigid_motion.h"

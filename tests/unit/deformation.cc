@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies that deform by any amount: forces of cells, their tangents, small ones as a limit.
 
 #include "base/solver_failure.h"

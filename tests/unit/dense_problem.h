@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact problems of a few unknowns, given as matrices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/division/hex_subdivision.h"
 
 #include <deal.II/base/tensor.h>

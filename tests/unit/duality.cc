@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions of the pressure on the slave, on faces of all kinds.
 
 #include <doctest/doctest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recovered stresses, the errors of quantities, and the bars that are made of them.
 
 #include "accuracy/cell_errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of keys, sections, choices and results of the last release, which are accepted for one
 // more.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "parameters/compiled_formula.h"
 #include <signorini/parameters/expression.h>
 #include <signorini/parameters/raw.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows of contact points against how gaps change when bodies move; nodes held by supports.
 
 #include "solid/cell_nodes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Are the pairs of displacement and pressure stable? The smallest beta with
 //   sup_v b(v, q) / |v|_E >= beta (sum_faces h/E |q|^2)^(1/2)   for all q
 // (the numerical inf-sup test, Chapelle and Bathe, Comput. Struct. 47 (1993) 537-545; El-Abbasi and

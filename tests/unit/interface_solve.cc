@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solvers on small systems against dense matrices.
 
 #include "contact/laws/normal_contact.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cell matrices and load vectors against an assembly with all indices, and against closed forms.
 
 #include "solid/kernel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constitutive laws with internal variables: strain measures, load steps, refinement, restarts.
 
 #include "solid/deformation_kernel.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stored energies of large deformation: what they exert against what they store.
 
 #include "materials/hencky.h"

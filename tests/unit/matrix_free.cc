@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Products without a matrix against the assembled matrix, on every kind of cell and constraint, and
 // the level of degree one against its Galerkin product.
 

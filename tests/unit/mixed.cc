@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies with a volumetric stress of their own: its functions, the derivatives of its equations,
 // and that the pair is stable.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact on surfaces that have moved: gaps and their first and second derivatives by the
 // displacement against differences, for projections on curved faces, beside hanging nodes and
 // inclined supports, and on obstacles that turn.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The multigrid method and the interface multigrid as operators.
 
 #include "contact/laws/normal_contact.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Normal stresses of the bodies at contact points, as Nitsche's method takes them; and the forces
 // of a pressure.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/directory.h"
 #include <signorini/parameters/raw.h>
 

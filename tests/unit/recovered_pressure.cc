@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pressure that is reported for degree 2: exact where it is linear, of fourth order where it is
 // smooth, whatever the mesh, the basis and the number of ranks; zero at open nodes.
 #include "fields/recovered_pressure.h"

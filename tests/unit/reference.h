@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The weak forms once more, straight from their definitions: all indices of the tensors, points one
 // by one, and what the program does for speed left out.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Regions of contact points that hang together, against a search over all pairs of points; and what
 // the active set makes of them.
 

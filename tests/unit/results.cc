@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run leaves behind against doc/guide/results.md: nothing undocumented, nothing documented
 // that is not there; and the stress in all its forms against closed forms.
 #include "driver/simulation.h"

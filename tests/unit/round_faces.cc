@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Facets that stand for circles, spheres, cylinders and cones are recognised as these, others are
 // not.
 #include "mesh_import/reconstruction/round_faces.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far contact is looked for: no farther than surfaces are expected to come closer, farther as
 // soon as they do, on finer meshes as far as the last solution tells; and initial overlaps are
 // found however deep they are.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What Newton's method does not know: which bodies, and which law.
 
 #include "solid/rigid_body_modes.h"

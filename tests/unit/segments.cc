@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/search/segments.h"
 
 #include "contact/interface/pairing.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene in a few lines, set up as the program does, for tests that look inside.
 #pragma once
 

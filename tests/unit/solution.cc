@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solutions of all methods, judged by the weak forms once more from their definitions; and what
 // must not change them: the form of the linear system, and units.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene that is led through load steps as the program does it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stiffness without a matrix, or a level of multigrid, against what it stands for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/obstacles/triangle_surface.h"
 #include <signorini/contact/obstacles/obstacle.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The residual and the linearised systems of all methods, in all their forms, against the weak
 // forms once more from their definitions.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laws with tangential tractions and with a history, through all that acts on contact points.
 
 #include "solver/contact_system.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact laws with tangential tractions, for tests of all that acts on points and statuses.
 #pragma once
 

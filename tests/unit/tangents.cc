@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tangents of large deformation without a matrix, by the points of integration, their means over
 // cells, and those of coarser meshes.
 

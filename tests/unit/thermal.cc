@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thermal strain against closed forms: free bodies, held bodies, normal stresses at contact points.
 
 #include "contact/laws/normal_contact.h"

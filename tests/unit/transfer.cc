@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is carried over from mesh to mesh and from run to run, and where meshes are refined.
 
 #include "accuracy/cell_errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two blocks that overlap a little here and gap a little there, so that both states of contact
 // occur.
 #pragma once

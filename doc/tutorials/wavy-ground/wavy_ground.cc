@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A block is pressed onto wavy rigid ground whose shape is a class of this program. The largest
 // pressure is compared with the closed form of Westergaard (J. Appl. Mech. 6 (1939) A49).
 #include <signorini/driver/solve.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <signorini/geometry/coarse_mesh.h>
@@ -26,7 +27,7 @@ namespace Signorini
     /// @param folder in which the file is looked for after the present one
     /// @return notes for the user
     virtual std::vector<std::string>
-    read_file(const std::string & /*folder*/)
+    read_file([[maybe_unused]] const std::string &folder)
     {
       return {};
     }
@@ -49,7 +50,7 @@ namespace Signorini
 
     /// What is to be refined as often. @param merges at most possible_merges()
     virtual CoarseMesh<dim>
-    generate_merged(const unsigned int /*merges*/) const
+    generate_merged([[maybe_unused]] const unsigned int merges) const
     {
       return generate();
     }

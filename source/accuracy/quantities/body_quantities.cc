@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "accuracy/quantities/kinds.h"
 #include "fields/contact_force.h"
 #include "fields/probes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "accuracy/quantities/kinds.h"
 #include "solid/cell_nodes.h"
 #include "solid/stress.h"

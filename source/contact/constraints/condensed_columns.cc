@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/condensed_columns.h"
 
 #include "linear_algebra/columns.h"

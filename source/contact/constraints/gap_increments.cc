@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/gap_increments.h"
 
 #include <deal.II/base/exceptions.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/gap_operator.h"
 
 #include "contact/constraints/coinciding_surface_points.h"

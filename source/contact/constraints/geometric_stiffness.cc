@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/geometric_stiffness.h"
 
 #include "contact/constraints/loaded_points.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/pressure_basis.h"
 
 #include "linear_algebra/dense.h"

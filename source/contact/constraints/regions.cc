@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/regions.h"
 
 #include "contact/search/bytes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/constraints/trace.h"
 
 #include "geometry/face_parameter.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/candidates.h"
 
 #include <algorithm>

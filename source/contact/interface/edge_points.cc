@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/edge_points.h"
 
 #include "contact/constraints/trace.h"

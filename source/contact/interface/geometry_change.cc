@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/geometry_change.h"
 
 #include "contact/constraints/gap_increments.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/master_faces.h"
 
 #include "contact/constraints/gap_second_variation.h"

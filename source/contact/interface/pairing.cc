@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/segment_pairs.h"
 #include "contact/interface/spurious_penetrations.h"
 #include "contact/search/self_contact.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/reference_gaps.h"
 
 #include "contact/interface/contact_points.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/single_pass_surface.h"
 
 #include "base/solver_failure.h"
@@ -15,6 +16,7 @@
 #include "contact/search/deep_penetration.h"
 #include "contact/search/search_radius.h"
 #include "contact/search/self_contact.h"
+#include <signorini/base/scene_error.h>
 #include <signorini/base/text.h>
 #include <signorini/contact/methods/method.h>
 #include <signorini/parameters/section.h>

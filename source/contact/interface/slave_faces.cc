@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/slave_faces.h"
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/spurious_penetrations.h"
 
 #include <deal.II/base/utilities.h>

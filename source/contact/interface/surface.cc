@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/interface/surface.h"
 
 #include "contact/interface/single_pass_surface.h"

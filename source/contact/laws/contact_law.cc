@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/laws/contact_law.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/laws/normal_contact.h"
 
 #include <algorithm>

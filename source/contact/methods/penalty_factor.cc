@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/methods/penalty_factor.h"
 
 #include <signorini/parameters/section.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/obstacles/stl_file.h"
 
 #include <signorini/base/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/search/boundary_faces.h"
 
 #include "contact/search/face_patches.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/search/face_patch.h"
 
 #include "geometry/lagrange.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/search/face_patches.h"
 
 #include <deal.II/fe/fe_nothing.h>

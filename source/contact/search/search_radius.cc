@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/search/search_radius.h"
 
 #include "geometry/extent.h"

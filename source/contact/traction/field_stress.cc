@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "contact/traction/field_stress.h"
 
 #include "linear_algebra/diagonal.h"

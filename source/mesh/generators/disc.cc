@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh/generators/disc.h"
 
 #include "geometry/round_manifold.h"

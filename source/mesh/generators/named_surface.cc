@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh/generators/named_surface.h"
 
 #include <signorini/parameters/section.h>

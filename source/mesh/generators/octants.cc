@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh/generators/octants.h"
 
 #include <deal.II/grid/grid_generator.h>

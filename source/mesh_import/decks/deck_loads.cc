@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/decks/deck_reader.h"
 #include "mesh_import/formats/abaqus_elements.h"
 #include <signorini/parameters/raw.h>

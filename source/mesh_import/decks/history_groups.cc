@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/decks/history_groups.h"
 
 #include <signorini/base/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/decks/scene_writer.h"
 
 #include "mesh_import/decks/import_deck.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/division/chosen_cells.h"
 
 #include "geometry/connected.h"

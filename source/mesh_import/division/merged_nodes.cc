@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/division/merged_nodes.h"
 
 #include "mesh_import/division/cell_shape.h"

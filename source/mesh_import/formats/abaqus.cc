@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/formats/abaqus_reader.h"
 #include <signorini/parameters/raw.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/formats/keyword_file.h"
 
 #include <signorini/base/text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <signorini/parameters/definitions.h>
@@ -27,7 +28,7 @@ namespace Signorini
   /// have blanks and commas. A keyword line that ends with a comma goes on in the next line.
   /// *INCLUDE, INPUT=file is followed, beside the file that says so, among data lines too; of any
   /// other keyword, INPUT=file has the first data lines. *PARAMETER defines names of numbers by
-  /// formulas, `name = formula` a line, which <name> stands for in all lines that follow.
+  /// formulas, `name = formula` a line, which `<name>` stands for in all lines that follow.
   class KeywordFile
   {
   public:

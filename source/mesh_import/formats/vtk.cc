@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/formats/vtk.h"
 
 #include "mesh_import/formats/file_position.h"

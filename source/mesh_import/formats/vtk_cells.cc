@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/formats/vtk_cells.h"
 
 #include <signorini/parameters/raw.h>

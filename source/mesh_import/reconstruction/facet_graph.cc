@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/reconstruction/facet_graph.h"
 
 #include "mesh_import/reconstruction/facets.h"

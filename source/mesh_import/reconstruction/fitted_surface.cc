@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/reconstruction/fitted_surface.h"
 
 #include "geometry/round_manifold.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/reconstruction/local_surface.h"
 
 #include "linear_algebra/dense.h"

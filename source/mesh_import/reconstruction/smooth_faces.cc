@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/reconstruction/smooth_faces.h"
 
 #include "geometry/connected.h"
@@ -16,7 +17,7 @@ namespace Signorini
 
   namespace
   {
-    constexpr double largest_share = 0.25; // of the sagitta, that corners may be off the fit
+    constexpr double largest_fit_share = 0.25; // of the sagitta, that corners may be off the fit
     constexpr double kink          = 15;   // [degrees] between surfaces that meet in an edge
     constexpr double straight      = 1e-4; // [radians] of normals, that make no difference
 
@@ -115,7 +116,7 @@ namespace Signorini
         for (const unsigned int corner : corners)
           arms.push_back(graph.vertices[corner] - graph.vertices[v]);
         LocalSurface<dim> result(arms, mean / mean.norm(), !inserted[v]);
-        result.fits = result.fits && result.deviation <= largest_share * graph.sagitta(faces);
+        result.fits = result.fits && result.deviation <= largest_fit_share * graph.sagitta(faces);
         return result;
       }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/reconstruction/smooth_patches.h"
 
 #include "geometry/connected.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "mesh_import/reconstruction/surface_reconstruction.h"
 
 #include "geometry/cell_size.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/preconditioners/block.h"
 
 #include "solver/linear_solver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/preconditioners/hierarchy.h"
 
 #include "linear_algebra/smoothed_aggregation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/preconditioners/largest_eigenvalue.h"
 
 #include <deal.II/base/mpi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/preconditioners/level_contact_stiffness.h"
 
 #include "linear_algebra/columns.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solver/preconditioners/schur_complement.h"
 
 #include "linear_algebra/columns.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <signorini/solid/rigid_body.h>
@@ -35,7 +36,7 @@ namespace Signorini
     /// Read what is in a file: after declare(), before all else. Throws SceneError.
     /// @param folder in which the file is looked for after the present one
     virtual void
-    read_file(const std::string & /*folder*/)
+    read_file([[maybe_unused]] const std::string &folder)
     {}
 
     /// Does it change with time, beside the motion of its obstacle?
@@ -66,7 +67,7 @@ namespace Signorini
     /// inside.
     /// @param length that differences of formulas are small beside
     virtual ObstaclePoint<dim>
-    closest_point(const dealii::Point<dim> &x, double /*length*/) const
+    closest_point(const dealii::Point<dim> &x, [[maybe_unused]] double length) const
     {
       return closest(x);
     }
