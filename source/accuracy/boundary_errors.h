@@ -7,20 +7,20 @@
 
 namespace Signorini
 {
-  /// What happens on boundaries adds to the error of each quantity, cell by cell.
+  /// Contributions of boundaries to the error of each quantity, cell by cell.
   struct BoundaryErrors
   {
     /// [quantity][cell]: supports prescribe more than the elements can follow. With z the dual
     /// displacement, - int sigma(z) n.(u_D - u_h) dA.
     std::vector<std::vector<double>> of_supports;
-    /// Likewise, cells leave out (d > 0) or add a strip of thickness d along a curved boundary
-    /// (Hadamard's formula), and what acts or is prescribed on the true boundary acts on theirs:
-    /// - int d (sigma(u):eps(z) - sigma(u) n.dz/dn - sigma(z) n.du/dn) dA.
+    /// [quantity][cell]: cells omit (d > 0) or add a strip of thickness d along a curved boundary
+    /// (Hadamard's formula), and loads and supports act on the boundary of the cells instead of the
+    /// true one: - int d (sigma(u):eps(z) - sigma(u) n.dz/dn - sigma(z) n.du/dn) dA.
     std::vector<std::vector<double>> of_geometry;
   };
 
-  /// Collective.
-  /// @param duals displacements, one a quantity
+  /// Estimate these errors. Collective.
+  /// @param duals dual displacements, one for each quantity
   template <int dim>
   BoundaryErrors
   boundary_errors(const Elasticity<dim>         &elasticity,

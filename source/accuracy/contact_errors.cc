@@ -26,7 +26,7 @@ namespace Signorini
       });
     }
 
-    /// Of each pair, where it presses.
+    /// The mean pressure of each pair over its active points.
     template <int dim>
     std::vector<double>
     mean_pressures(const Snapshot<dim> &s)

@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-  /// Of a solution.
+  /// The estimated errors of a solution.
   struct ErrorEstimate
   {
     double                        energy = 0; ///< of the error, relative to the solution: norm

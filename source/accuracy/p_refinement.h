@@ -28,7 +28,7 @@ namespace Signorini
   double
   growth_of_p_refinement(const Mesh<dim> &mesh, const std::vector<unsigned int> &bodies);
 
-  /// The same displacement in a richer space, of the same cells.
+  /// The same displacement in a space of higher degree on the same cells.
   template <int dim>
   LA::Vector
   p_refined(const Elasticity<dim> &elasticity,

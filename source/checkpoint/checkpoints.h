@@ -50,7 +50,7 @@ namespace Signorini
       return my_seconds;
     }
 
-    /// Of a run that needs them no more. Collective.
+    /// Remove the checkpoints of a run that needs them no more. Collective.
     void
     remove();
 

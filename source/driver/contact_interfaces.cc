@@ -19,7 +19,7 @@ namespace Signorini
 
   namespace
   {
-    /// As a share of the scene: as exact as places of nodes are in files.
+    /// Relative to the size of the model: the accuracy of node positions in files.
     constexpr double touching = 1e-6;
   } // namespace
 
@@ -66,7 +66,7 @@ namespace Signorini
 
   namespace
   {
-    /// Of what has a projection.
+    /// The area of the points that have a projection.
     template <int dim>
     double
     area_of(const ContactSurface<dim> &surface, const MPI_Comm comm)
@@ -134,7 +134,7 @@ namespace Signorini
     const ContactPair<dim> &pair = decisions.pairs[i];
     const double            now  = room * last_approach[i],
                  so_far = pair.search_distance > 0 ? pair.search_distance : candidate_gap[i];
-    // Points whose gap a formula tells may be anywhere, and somewhere else in time.
+    // Points whose gap is given by a formula may be anywhere, and elsewhere at another time.
     if (!pair.can_separate || pair.gap_is_given() || has_time_dependent_gap(pair) || now == 0 ||
         now >= so_far)
       return {};
@@ -170,7 +170,7 @@ namespace Signorini
           {
             const double now =
               my_surfaces[i].overlap + std::max(0., pair.closes_below) + approaches[i];
-            // What the scene holds to be closed may be far apart, however little moves.
+            // Surfaces that are closed by the input may be far apart, however little moves.
             limit = pair.can_separate && !pair.gap_is_given() ? now : std::max(limit, now);
           }
         result.push_back(
@@ -573,7 +573,7 @@ namespace Signorini
   double
   largest_expected_approach(const Scene<dim> &scene, const Mesh<dim> &mesh)
   {
-    // They may come closer from both sides.
+    // Both surfaces may move towards each other.
     return 3 * expected_motion(scene, mesh.extent());
   }
 

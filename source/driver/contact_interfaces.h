@@ -16,44 +16,45 @@
 
 namespace Signorini
 {
-  /// The contact pairs of a scene on the present mesh: how far projections are looked for, the
-  /// surfaces that were found, and the gap operator that the solver sees. How far surfaces may come
-  /// closer is guessed before the first solution and checked after each. Keeps references to its
-  /// arguments.
+  /// The contact interfaces of a model: its pairs on the present mesh, with their search
+  /// tolerances, the discretised surfaces, and the gap operator that the solver uses. How far
+  /// surfaces may approach each other is estimated before the first solution and checked after
+  /// each. Keeps references to its arguments.
   template <int dim>
   class ContactInterfaces
   {
   public:
-    /// @param decisions whose pairs may be exchanged by build()
+    /// @param decisions slave and master of its pairs may be exchanged by build()
     ContactInterfaces(Decisions<dim>             &decisions,
                       const Elasticity<dim>      &elasticity,
                       dealii::TimerOutput        &timer,
                       dealii::ConditionalOStream &out);
 
-    /// Search, and assemble the gap operator, which ends all references to the former one and to
-    /// the surfaces. Slave and master of pairs are exchanged where their stiffness and their meshes
-    /// ask for it, while they are at rest. Throws SceneError where a pair that has to see its
-    /// projection does not.
-    /// @param is_near surfaces are about where they will be: few candidates are enough
-    /// @param keeps_integration_points the points of integration are those of the last build(),
-    /// which was on this mesh and not at rest, and stay with the master's faces as long as these
-    /// are as good
+    /// Search for contact and assemble the gap operator. Invalidates all references to the former
+    /// one and to the surfaces. In the reference configuration, slave and master of a pair are
+    /// exchanged where stiffness and meshes require it and the settings allow it. Throws SceneError
+    /// where a pair without alternatives has no projection. Collective.
+    /// @param is_near the configuration is close to the solution, so that few candidates suffice
+    /// @param keeps_integration_points project the integration points of the last build() again,
+    /// which was on this mesh and in a displaced configuration; each keeps its master face as long
+    /// as that is as good as the nearest one
     void
     build(const Configuration<dim> &configuration,
           bool                      is_near                  = false,
           bool                      keeps_integration_points = false);
 
-    /// Before the mesh changes: what was built belongs to it.
+    /// Discard what build() made; to be called before the mesh changes.
     void
     invalidate();
 
-    /// What was learnt of the pairs, for a checkpoint: how far to look, which sides are exchanged.
+    /// The state of the pairs for a checkpoint: their search tolerances, and which of them are
+    /// exchanged.
     nlohmann::ordered_json
     save() const;
 
-    /// Before the first build(). Throws SceneError if the pairs are others. The pairs are those of
-    /// the scene, and exchanged as they were. Without `reach`, `nearby`, `known`, how far to look
-    /// is guessed as at first.
+    /// Restore what save() has returned; to be called before the first build(). Throws SceneError
+    /// if the pairs differ from those of the model. Pairs are exchanged as they were. Without the
+    /// entries `reach`, `nearby`, `known`, the search tolerances are estimated as at first.
     void
     load(const nlohmann::ordered_json &save);
 
@@ -77,70 +78,77 @@ namespace Signorini
       return *contact;
     }
 
-    /// Throws SolverFailure if obstacles would go through slaves on their way from one place to
-    /// another. @param from, to displacements. Collective.
+    /// Throws SolverFailure if an obstacle would tunnel through a slave between two displacements.
+    /// Collective.
+    /// @param from displacement before the increment @param to after it
     void
     check_tunnelling(const LA::Vector &from, const LA::Vector &to) const;
 
-    /// Throws SolverFailure if a slave is in the obstacle of its pair, which has no pressure.
-    /// @param u displacement. Collective.
+    /// Throws SolverFailure if a slave penetrates the obstacle of its pair without contact
+    /// pressure. Collective.
+    /// @param u displacement @param pressure at the contact points
     void
     check_missed_penetration(const LA::Vector &u, const LA::Vector &pressure) const;
 
-    /// Where surfaces have moved: let forces of such tractions turn with them, by
-    /// geometric_stiffness(). Collective.
+    /// Build the contact geometric stiffness of the gap operator for given tractions, see
+    /// geometric_stiffness(). No effect in the reference configuration. Collective.
+    /// @param traction at the contact points
     void
     build_geometric_stiffness(const PointVectors &traction);
 
-    /// An obstacle of which nobody knows where it is beside surfaces that have moved, see
-    /// ObstacleShape::has_closest_point(); empty if there is none. Collective.
+    /// The name of an obstacle without closest-point projection, see
+    /// ObstacleShape::has_closest_point(), which therefore cannot be used in displaced
+    /// configurations; empty if there is none. Collective.
     std::string
     obstacle_without_projection() const;
 
-    /// What contact at rest neglects with displacement u: the pair where that is most. Collective.
+    /// The geometry error of small sliding at displacement u, for the pair where it is largest.
+    /// Collective.
+    /// @param pressure at the contact points
     GeometryChange
     neglected(const LA::Vector &u, const LA::Vector &pressure) const;
 
-    /// True if no surface has moved by more than a small part of its faces since build(), so that
-    /// the points of integration may stay. Collective.
+    /// True if no surface has moved by more than a small fraction of its faces since build(), so
+    /// that the integration points can be kept. Collective.
     bool
     is_geometry_current(const LA::Vector &u) const;
 
-    /// True if surfaces have moved so far with displacement u, from where they were for build(),
-    /// that others than the candidates may touch: then more are, with the next build().
+    /// True if, since build(), surfaces have moved so far that faces other than the candidates may
+    /// touch. Then the tolerances are enlarged for the next build(). Collective.
+    /// @param u displacement of the solution
     bool
     search_radius_exceeded(const LA::Vector &u);
 
-    /// Look farther, with the next build(), for what may stop loose bodies. False if that is far
-    /// enough.
+    /// Enlarge the search radius for the next build(), to find surfaces that may constrain
+    /// rigid-body modes. Returns false if it is large enough already.
     bool
     enlarge_search_radius();
 
-    /// The share of initial overlaps that counts at time t, and the stress of the temperatures that
-    /// the bodies have now.
+    /// Set the time: the share of initial penetrations, and the stress due to the present
+    /// temperatures of the bodies.
     void
     set_time(double t);
 
-    /// Two pairs that press the same nodes, as a cause of singular systems, in words; may be empty.
-    /// Collective.
+    /// A description of two pairs with active points at the same nodes, which over-constrain them
+    /// and may make the system singular; empty if there are none. Collective.
     std::string
     overconstrained_nodes(const LA::Vector &active) const;
 
-    /// What build() found was of another time, and is not the same now: gaps by formulas, and loads
-    /// on surfaces of which a method asks for the stress.
+    /// True if build() was at another time, and its result depends on time: gaps given by formulas,
+    /// and surface loads where the method uses the normal stress.
     bool
     is_outdated() const;
 
-    /// What was left out, for the results.
+    /// The pairs that were skipped, for the results.
     std::vector<std::string>
     skipped_items() const;
 
   private:
-    /// Does the gap at rest depend on time?
+    /// True if the reference gap of the pair depends on time.
     bool
     has_time_dependent_gap(const ContactPair<dim> &pair) const;
 
-    /// The change of displacements since build().
+    /// The change of the displacement since build().
     LA::Vector
     displacement_since_build(const LA::Vector &u) const;
 
@@ -150,22 +158,25 @@ namespace Signorini
                const SearchTolerance     &range,
                const ContactSurface<dim> *former = nullptr) const;
 
-    /// How far to look for each pair in a configuration that it has moved to since build().
+    /// The search tolerances of the pairs in a displaced configuration, by how far they have moved
+    /// since build().
     std::vector<SearchTolerance>
     search_tolerances(const Configuration<dim> &configuration);
 
     SearchTolerance
     reference_tolerance(unsigned int i) const;
 
-    /// What the solution tells of the ranges on finer meshes.
+    /// The search tolerance of pair i on finer meshes, from the last solution.
     SearchTolerance
     tolerance_from_solution(unsigned int i) const;
 
-    /// By how much the surfaces of each pair may have come closer with a displacement.
+    /// Upper bounds of the approach of each pair's surfaces due to a displacement increment
+    /// [length]. Collective.
     std::vector<double>
     approach_distances(const LA::Vector &since) const;
 
-    /// If the mesh asks for it, and if the other side can be slave.
+    /// Exchange slave and master of pair i if their meshes and stiffness require it and the other
+    /// side can be slave.
     void
     exchange_sides(const Configuration<dim> &configuration, unsigned int i);
 
@@ -175,21 +186,26 @@ namespace Signorini
     dealii::TimerOutput        &timer;
     dealii::ConditionalOStream &out;
 
-    std::vector<double> candidate_gap;               ///< of each pair: gaps of candidates
-    std::vector<double> candidate_gap_near_solution; ///< the same where surfaces are about in place
-    std::vector<SearchTolerance> known_tolerances;   ///< at rest, from coarser meshes
-    std::vector<double> last_approach; ///< since rest, by the last solution; empty: there is none
-    bool                built_near_solution = false;
+    /// Gap up to which faces are candidates [length], for each pair.
+    std::vector<double> candidate_gap;
+    std::vector<double> candidate_gap_near_solution; ///< the same close to the solution
+    /// In the reference configuration, from solutions on coarser meshes.
+    std::vector<SearchTolerance> known_tolerances;
+    /// Approach of each pair since the reference configuration, at the last solution; empty: none
+    /// yet.
+    std::vector<double>              last_approach;
+    bool                             built_near_solution = false;
     std::vector<ContactSurface<dim>> my_surfaces;
     std::unique_ptr<ContactRows>     rows;
     std::unique_ptr<GapOperator>     contact;
-    LA::Vector                       build_displacement; ///< displacement; empty: at rest
-    double                           build_time = 0;     ///< time
-    std::set<std::string>            unexchangeable;     ///< pairs whose master cannot be the slave
-    bool                             noted_theta = false;
+    LA::Vector build_displacement; ///< displacement at build(); empty: reference configuration
+    double     build_time = 0;     ///< time at build()
+    std::set<std::string> unexchangeable; ///< names of pairs whose master cannot be the slave
+    bool                  noted_theta = false;
   };
 
-  /// How far surfaces of a scene may come closer: sound guesses save a second solution.
+  /// Estimate of how far surfaces of a model may approach each other [length], from its loads and
+  /// supports: a good estimate saves a second solution.
   template <int dim>
   double
   largest_expected_approach(const Scene<dim> &scene, const Mesh<dim> &mesh);

@@ -137,7 +137,7 @@ namespace Signorini
 
   namespace
   {
-    /// Is what was expected true, but for a small part of the change?
+    /// True if `now` is what was expected, up to a small fraction of its change since `before`.
     bool
     continues_motion(const LA::Vector &before, const LA::Vector &expected, const LA::Vector &now)
     {
@@ -165,7 +165,7 @@ namespace Signorini
   {
     if (!elasticity.is_finite_strain() || !previous_solution || t <= state.time)
       return {};
-    // Only if supports and obstacles, and loads, go on as they did.
+    // Extrapolate only if supports, obstacles and loads continue as in the last load step.
     const double times   = (t - state.time) / (state.time - previous_solution->time);
     const auto   load_at = [this](const double time) {
       elasticity.set_time(time);
@@ -254,7 +254,7 @@ namespace Signorini
     LA::Vector prescribed_increment = before.displacement;
     elasticity.distribute(prescribed_increment);
     prescribed_increment -= before.displacement;
-    // What supports and obstacles are led along faster is none either.
+    // A displacement rate that supports and obstacles prescribe is no snap-through either.
     const double speed = way.l2_norm() / duration,
                  drive = prescribed_increment.l2_norm() / duration,
                  pushed =
@@ -357,7 +357,8 @@ namespace Signorini
   StoppingCriteria
   Equilibrium<dim>::first_stopping_criteria(const double tolerance, const bool is_predicted) const
   {
-    // What the surfaces will change anyway need not be known to the last digit.
+    // Each update of the configuration changes the solution, so that a solution before the last
+    // update needs only a few digits.
     const double enough =
       is_predicted                                                                   ? 1e-1 :
       elasticity.is_finite_strain()                                                  ? 1e-2 :
@@ -372,7 +373,7 @@ namespace Signorini
   StoppingCriteria
   Equilibrium<dim>::next_stopping_criteria(const double tolerance, const double before) const
   {
-    // Augmentations take several steps each.
+    // An augmentation takes several steps, so the number of steps must not be limited to one.
     if (scene.contact.chosen().pressure_shift() == PressureShift::last_pressure)
       return {elasticity.is_finite_strain() ?
                 std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4) :
@@ -440,9 +441,10 @@ namespace Signorini
         bool keeps_integration_points = false;
         if (n > 1 || !is_placed)
           {
-            // With small strain, points of integration stay where they are before long. With large
-            // deformation results must not know from where they were reached: only if there is
-            // nothing else, since points may go to and fro over kinks and rims.
+            // At small strain, the integration points are kept after a few updates. At finite
+            // strain the result must not depend on the path to it: they are kept only if the
+            // iteration does not converge otherwise, because points may alternate between faces at
+            // kinks and edges.
             keeps_integration_points =
               n > 1 && (is_finite_strain ?
                           in_vain > patience / 2 :
@@ -455,11 +457,12 @@ namespace Signorini
           return false;
         const NewtonStep &first = my_report.steps[previous_steps.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
-        // What is left after this solution is less than at the rate of the last two placements,
-        // since it falls by second order, of which between the same points of integration an order
-        // of 1.5 is counted on; forces of bodies feel up to ten times as much of it. Then forces of
-        // pairs are told with the normals of this placement, to what was out of balance at it.
-        // Large deformation may move the rims of two bodies past each other, which no tangent sees.
+        // Predict the residual of the next update, to save it. The residual falls faster than at
+        // the rate of the last two updates, since the iteration converges quadratically; with the
+        // same integration points an order of 1.5 is assumed. Forces of bodies are up to ten times
+        // as sensitive. Forces of pairs are then reported with the normals of this configuration,
+        // accurate to its residual. Not at finite strain, where the edges of two bodies may move
+        // past each other, which no tangent contains.
         const double rate = before > 0 ? now / before : 1;
         const bool   is_foreseen =
           !is_finite_strain && rate <= 0.1 &&

@@ -10,16 +10,16 @@
 
 namespace Signorini
 {
-  /// The bodies in balance at a time: in place, and from there on where the surfaces have got to,
-  /// as far as that counts. Lives as long as a run; what depends on the mesh is made when it is
-  /// needed, and forgotten when that changes.
+  /// Solves for equilibrium at a given time: on a fixed contact configuration, and where large
+  /// sliding counts, by updating the contact geometry until it converges. Exists as long as the
+  /// run; whatever depends on the mesh is made on demand, and invalidated when the mesh changes.
   template <int dim>
   class Equilibrium
   {
   public:
-    /// Refers to all of them.
-    /// @param watch makes what is called in each step of Newton's method; what it throws ends the
-    /// solution, with `state` as the last iterate left it
+    /// Keeps references to all arguments but the last.
+    /// @param watch makes the function that is called in each Newton step; an exception that it
+    /// throws ends the solution, with `state` as the last iterate left it
     Equilibrium(const Decisions<dim>        &decisions,
                 Elasticity<dim>             &elasticity,
                 ContactInterfaces<dim>      &contact,
@@ -28,27 +28,30 @@ namespace Signorini
                 dealii::ConditionalOStream  &out,
                 std::function<StepVisitor()> watch);
 
-    /// Solves with contact as it is found where the surfaces are placed now.
+    /// Solves with a fixed configuration of the contact surfaces.
     FixedConfigurationSolver<dim> configuration_solver;
 
-    /// Look for contact there.
+    /// Search for contact in the present configuration of the surfaces.
     void
     find_contact()
     {
       configuration_solver.find_contact(my_uses_current_geometry);
     }
 
-    /// Solve at time t, starting from `state`, which becomes the solution. If there is none, it
-    /// stays as it was.
+    /// Solve at time t, starting from `state`, which becomes the solution. Returns false, and
+    /// leaves it as it was, if there is none. Collective.
+    /// @param tolerance of the residual, relative to the acting forces
     bool
     solve(double t, double tolerance);
 
-    /// The state is another one: nothing at all, or that of a checkpoint.
-    /// @param uses_current_geometry contact is where the surfaces are, from now on
+    /// Replace the state: by the undeformed one, or by that of a checkpoint.
+    /// @param uses_current_geometry contact is searched for in the displaced configuration from now
+    /// on
     void
     set_state(const State &other, bool uses_current_geometry);
 
-    /// The mesh is another one, and the state carried over to it.
+    /// The mesh has changed, and the state was transferred to it: discard all that depends on the
+    /// old one.
     void
     invalidate();
 
@@ -63,19 +66,21 @@ namespace Signorini
     Snapshot<dim>
     snapshot(unsigned int step) const;
 
-    /// The last iterate of a time that was not solved, where contact points that change to and fro
-    /// have 2 in `active`; none if there is nothing to be drawn.
+    /// The last iterate where solve() failed, for output; points whose status oscillates have 2 in
+    /// `active`. Empty if there is nothing to be shown.
     std::optional<Snapshot<dim>>
     failure(unsigned int step) const;
 
-    /// Contact is where the surfaces are, not where they were at rest.
+    /// True if contact is evaluated in the current configuration, false in the reference
+    /// configuration.
     bool
     uses_current_geometry() const
     {
       return my_uses_current_geometry;
     }
 
-    /// What following them would change: the share of the pressure, if it was estimated.
+    /// The relative change of the contact pressure that the current configuration would make, if it
+    /// was estimated.
     std::optional<double>
     neglected() const
     {
@@ -83,45 +88,54 @@ namespace Signorini
     }
 
   private:
-    /// See solve(). @param start where the bodies are linearised first, predicted(); else the
-    /// displacement of the state. Contact begins with surfaces as they are in the state in any
-    /// case: where they are predicted to be, they may have gone through each other.
+    /// See solve().
+    /// @param start displacement at which the bodies are linearised first, from predicted(); else
+    /// that of the state. The contact search starts with the surfaces of the state in any case,
+    /// since predicted surfaces may have penetrated each other undetected
     bool
     solve_from(const std::optional<LA::Vector> &start, double t, double tolerance);
-    /// Large deformation: where the last load step leads to, if there was one on this mesh and
-    /// what drives the bodies goes on as it did.
+    /// At finite strain: the displacement extrapolated from the last load step, if there was one on
+    /// this mesh and supports and loads continue as in it.
     std::optional<LA::Vector>
     predicted(double t);
     bool
     solve_from_start(const std::optional<LA::Vector> &start, double t, double tolerance);
     void
     store_failure(double t);
-    /// See NewtonReport::jump.
+    /// The ratio of the displacement rate to that of the last load step, see
+    /// NewtonReport::speed_ratio.
     double
     speed_ratio_since(const State &before);
-    /// Does the tangent curve down on the straight way from there?
+    /// True if the tangent is indefinite somewhere on the straight line from the displacement of
+    /// `before` to the present one.
     bool
     is_indefinite_on_path_from(const State &before);
-    /// That of the state.
+    /// Restore the volumetric stress of the state.
     void
     restore_volumetric_stress();
-    /// With the steps before in the report.
+    /// Solve on the fixed configuration, and put the steps of earlier configurations of this load
+    /// step before its own in the report.
     bool
     solve_fixed_configuration(double t, const StoppingCriteria &stopping, bool is_near = false);
-    /// Of the first solution of a load step, before surfaces are placed.
+    /// The stopping criteria of the first solution of a load step, before the contact geometry is
+    /// updated.
     StoppingCriteria
     first_stopping_criteria(double tolerance, bool is_predicted) const;
-    /// Of those after surfaces are placed: with large deformation, one step of Newton's method.
-    /// @param before what was out of balance at the last placement; 0: there was none
+    /// The stopping criteria after an update of the contact geometry: at finite strain a single
+    /// Newton step.
+    /// @param before largest residual at the last update; 0: there was none
     StoppingCriteria
     next_stopping_criteria(double tolerance, double before) const;
-    /// Do the surfaces move so far that contact has to be looked for where they are now?
-    /// @param is_solution else displacements are near one, which is silent unless they do
+    /// True if the surfaces move so far that contact has to be evaluated in the current
+    /// configuration; reports the estimated change.
+    /// @param is_solution the displacement is a solution; else it is close to one, and nothing is
+    /// reported unless the answer is true
     bool
     needs_geometry_update(bool is_solution);
-    /// Place the surfaces where they are, and solve, until they stay: Newton's method for the
-    /// dependence of gaps and normals on the displacement, of second order near the end.
-    /// @param is_placed they are where they are
+    /// Update the contact geometry and solve, alternately, until the configuration no longer
+    /// changes: a Newton method for the dependence of gaps and normals on the displacement, which
+    /// converges quadratically near the solution (doc/theory, 5).
+    /// @param is_placed the surfaces are in the current configuration already
     bool
     update_geometry_until_converged(double t, double tolerance, bool is_placed);
     Snapshot<dim>
@@ -139,16 +153,17 @@ namespace Signorini
     dealii::TimerOutput        &timer;
     dealii::ConditionalOStream &out;
 
-    LA::Vector              gap, active; ///< at the contact points; 1 or 0: closed or open
-    bool                    my_uses_current_geometry = false;
-    std::optional<double>   my_neglected;
-    NewtonReport            my_report;
-    std::vector<NewtonStep> previous_steps; ///< of this load step, with surfaces placed before
+    LA::Vector            gap, active; ///< at the contact points: gap [length]; 1 if active, else 0
+    bool                  my_uses_current_geometry = false;
+    std::optional<double> my_neglected;
+    NewtonReport          my_report;
+    /// The Newton steps of this load step in earlier contact configurations.
+    std::vector<NewtonStep> previous_steps;
 
-    double last_speed            = 0; ///< displacement per time of the last load step
-    double last_prescribed_speed = 0; ///< that of supports and obstacles alone
+    double last_speed            = 0; ///< displacement per time in the last load step
+    double last_prescribed_speed = 0; ///< the part of it that supports and obstacles prescribe
 
-    /// Before the last load step, on this mesh.
+    /// The solution before the last load step, if it was on this mesh.
     struct PreviousSolution
     {
       LA::Vector displacement;

@@ -11,17 +11,17 @@
 
 namespace Signorini
 {
-  /// The bodies in balance with contact as it is found at one place of the surfaces: at rest, or
-  /// displaced. Makes bodies, hierarchies and the solver when they are needed, keeps them as long
-  /// as they hold, and searches farther where surfaces may have come closer than contact was
-  /// looked for.
+  /// Solves for equilibrium with contact evaluated on a fixed configuration of the surfaces,
+  /// reference or displaced. Makes solids, hierarchies and the contact solver on demand and keeps
+  /// them as long as they are valid. Searches again with larger tolerances if surfaces may have
+  /// approached each other farther than contact was searched for.
   template <int dim>
   class FixedConfigurationSolver
   {
   public:
-    /// Refers to all of them.
+    /// Keeps references to all arguments but the last.
     /// @param state where solutions start, and what they become
-    /// @param watch makes what is called in each step of Newton's method
+    /// @param watch makes the function that is called in each Newton step
     FixedConfigurationSolver(const Scene<dim>            &scene,
                              Elasticity<dim>             &elasticity,
                              ContactInterfaces<dim>      &contact,
@@ -29,37 +29,37 @@ namespace Signorini
                              dealii::TimerOutput         &timer,
                              std::function<StepVisitor()> watch);
 
-    /// Where surfaces will be when contact is found next. @param u empty: at rest
+    /// Set the configuration in which find_contact() will search next. @param u displacement;
+    /// empty: reference configuration
     void
     set_configuration(LA::Vector u)
     {
       configuration_displacement = std::move(u);
     }
 
-    /// See ContactInterfaces::build(). Pressures are those of the state, of active sets nothing is
-    /// kept.
+    /// See ContactInterfaces::build(). Pressures are restored from the state; active sets are not.
     void
     find_contact(bool is_near, bool keeps_integration_points = false);
 
-    /// Throws SceneError for motions that nothing can stop, SolverFailure if that is only so where
-    /// surfaces are now.
+    /// Throws SceneError if there are rigid-body modes that neither supports nor contact can
+    /// constrain, and SolverFailure if that is so in the present configuration only.
     void
     check_motions()
     {
       make_unconstrained_modes();
     }
 
-    /// Pressure and active set of the state.
+    /// Restore pressure and active set from the state.
     void
     restore_active_set();
 
-    /// A load step starts: slip and internal variables of contact count from the start that the
-    /// state has.
+    /// Start a load step: slip and internal variables of contact are measured from the start that
+    /// the state holds.
     void
     start_step();
 
-    /// Bodies go on from there, where the next solution begins. @param u satisfies the supports of
-    /// that solution
+    /// Set the initial guess of the next solution. @param u displacement that satisfies the
+    /// supports of that solution
     void
     set_initial_guess(LA::Vector u)
     {
@@ -67,17 +67,17 @@ namespace Signorini
       had_negative_curvature = false;
     }
 
-    /// Solve for the loads at time t. Throws SolverFailure.
-    /// @param is_near where contact has to be found again
-    /// @return what it came to: whether converged() in report()
+    /// Solve for the loads at time t. Throws SolverFailure. Collective.
+    /// @param is_near passed on to find_contact() if contact has to be searched for again
+    /// @return whether Newton's method converged, see report()
     bool
     solve(double t, const StoppingCriteria &stopping, bool is_near);
 
-    /// The mesh is another one.
+    /// The mesh has changed: discard all that depends on the old one.
     void
     invalidate();
 
-    /// Newton's method, multigrid and all that they hold; the results stay.
+    /// Free the memory of Newton's method and the multigrid method; the results are kept.
     void
     release();
 
@@ -102,14 +102,14 @@ namespace Signorini
       return solver && solver->newton.tangent_is_indefinite(u, my_contact);
     }
 
-    /// So was one on the way, since set_initial_guess().
+    /// True if the tangent of any iterate since set_initial_guess() was found to be indefinite.
     bool
     met_negative_curvature() const
     {
       return had_negative_curvature || (solver && solver->linear_solver.met_negative_curvature());
     }
 
-    /// Its reaction to changes, seen by a quantity. Collective.
+    /// The dual solution of a quantity at the last solution. Collective.
     DualSolution
     dual(const Functional &functional);
 
@@ -121,7 +121,7 @@ namespace Signorini
       return former_cycles + (solver ? solver->linear_solver.multigrid_cycles() : 0);
     }
 
-    /// Of this rank.
+    /// Wall time of this rank's solves on this mesh [s].
     double
     seconds() const
     {
@@ -147,18 +147,18 @@ namespace Signorini
     dealii::TimerOutput               &timer;
     const std::function<StepVisitor()> watch;
 
-    LA::Vector   configuration_displacement; ///< displacement of surfaces; empty: at rest
-    LA::Vector   initial_guess;              ///< the last solution, until the next has begun
+    LA::Vector   configuration_displacement; ///< of the surfaces; empty: reference configuration
+    LA::Vector   initial_guess;              ///< used up when the next solution begins
     ContactState my_contact;
 
     // On this mesh:
-    std::unique_ptr<SolidResidual> bodies; ///< once they are assembled
+    std::unique_ptr<SolidResidual> bodies; ///< null until assembled
     std::optional<SolidHierarchy>  hierarchies;
-    std::unique_ptr<ContactSolver> solver; ///< for contact as it was found last
+    std::unique_ptr<ContactSolver> solver; ///< for the present result of the contact search
 
     NewtonReport  my_report;
-    unsigned int  former_cycles          = 0;     ///< of multigrid, before `solver`
-    bool          had_negative_curvature = false; ///< likewise
-    dealii::Timer clock;                          ///< of the solves on this mesh
+    unsigned int  former_cycles          = 0;     ///< multigrid cycles of earlier solvers
+    bool          had_negative_curvature = false; ///< an earlier solver has met negative curvature
+    dealii::Timer clock;                          ///< runs during solves on this mesh
   };
 } // namespace Signorini

@@ -22,8 +22,7 @@
 
 namespace Signorini
 {
-  /// Where a run is in its meshes and load steps: all whole numbers and times, the same on all
-  /// ranks.
+  /// The position of a run in its sequence of meshes and load steps; the same on all ranks.
   struct Position
   {
     unsigned int cycle   = 0; ///< meshes that were refined
@@ -57,30 +56,30 @@ namespace Signorini
     solve_scene();
     void
     set_up();
-    /// Of the bodies as they are now.
+    /// Set up the contact interfaces for the present bodies.
     void
     set_up_contact();
     void
     report_set_up();
-    /// Probes and expected results, before they cost a solution. Throws SceneError.
+    /// Check probes and expected results before anything is solved. Throws SceneError.
     void
     check_requests();
-    /// The end of the load history, on a mesh that is still to be refined.
+    /// Solve the end of the load history on a mesh that is still to be refined.
     bool
     solve_for_estimate();
-    /// At time t, from the last state; with large deformation where that is needed, see
+    /// Solve at time t, starting from the last state; at finite strain where that is needed, see
     /// simulation_deformation.cc.
     bool
     solve(double t, double tolerance);
-    /// To those that act at time t, on the same mesh and from the same state: all that is made of
-    /// the constraints is made anew.
+    /// Change to the supports that act at time t, on the same mesh and from the same state;
+    /// whatever depends on the constraints is rebuilt.
     void
     change_supports(double t);
     void
     run_load_history();
-    /// All load steps, cut back where they cannot be solved.
-    /// @param from where they start, and then where they are
-    /// @param visit called after each; false: that is all
+    /// Solve all load steps, with shorter ones where a step cannot be solved.
+    /// @param from in: where they start; out: where they are
+    /// @param visit called after each step; returns false to end
     bool
     apply_load_history(double                                        tolerance,
                        Position                                     &from,
@@ -92,7 +91,7 @@ namespace Signorini
     {
       return equilibrium->report();
     }
-    /// Of the solves on this mesh.
+    /// Multigrid cycles of the solves on this mesh.
     unsigned int
     multigrid_cycles() const;
     double
@@ -104,13 +103,14 @@ namespace Signorini
 
     // Small or large deformation, in simulation_deformation.cc:
 
-    /// Does what the last solution neglects of large deformation not count? Collective.
+    /// True if the error of small strain in the last solution is acceptable. Collective.
     bool
     is_small_enough();
-    /// From here on. Throws SceneError where the scene has what goes with small strain alone.
+    /// Switch to finite strain. Throws SceneError where the model uses features of small strain
+    /// only.
     void
     switch_to_finite_strain(const State &before);
-    /// On the same mesh. @param known ContactInterfaces::save()
+    /// Replace the elasticity on the same mesh. @param known ContactInterfaces::save()
     void
     replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
                        const State                     &carried,
@@ -144,16 +144,16 @@ namespace Signorini
     /// words; empty: they are
     std::string
     missed_targets(const ErrorControl &control) const;
-    /// Of the last load step.
+    /// Estimate the errors of the last load step.
     void
     estimate_result();
-    /// Of the last solution. Collective.
+    /// The estimated errors of the last solution. Collective.
     ErrorEstimate
     estimate_errors();
 
     // Checkpoints, in simulation_restart.cc:
 
-    /// Of the run in the output directory, if it has got to its end.
+    /// The exit code of the run in the output directory, if that run is finished.
     std::optional<ExitCode>
     code_of_finished_run() const;
     void
@@ -166,19 +166,20 @@ namespace Signorini
     /// All the rest, but for the results.
     void
     restore_state();
-    /// Nothing is left to be solved.
+    /// True if nothing is left to be solved.
     bool
     is_finished() const;
-    /// The run has come to a point from which it could go on; writes a checkpoint if it is time.
+    /// Mark a state from which a restart can continue, and write a checkpoint if it is time for
+    /// one.
     void
     pass_checkpoint();
-    /// At the last such point. Collective.
+    /// Write a checkpoint of the last such state. Collective.
     void
     write_checkpoint();
-    /// Of a run that ends without a solution.
+    /// Write a checkpoint for a run that ends without a solution.
     void
     write_final_checkpoint();
-    /// Prints, and looks whether the run is to end.
+    /// The visitor of Newton steps: prints, and checks for interruption.
     StepVisitor
     watch();
 

@@ -7,8 +7,8 @@
 
 namespace Signorini
 {
-  /// Where the load step has started that led to a state: what slip counts from, and the internal
-  /// variables of contact and of materials then.
+  /// The state at the start of a load step: the displacement from which the slip is measured, and
+  /// the internal variables of contact and materials.
   struct StepStart
   {
     LA::Vector    displacement; ///< empty: nothing depends on load steps before
@@ -17,7 +17,7 @@ namespace Signorini
     double        duration = 0; ///< of the load step
   };
 
-  /// Where a run is: all that the next load step starts from.
+  /// The state of a simulation: all that the next load step starts from.
   struct State
   {
     LA::Vector    displacement; ///< of all degrees of freedom, without ghosts
@@ -29,13 +29,13 @@ namespace Signorini
     unsigned int  step = 0; ///< load steps up to that time
   };
 
-  /// The values of all contact points at their places. Collective.
+  /// Scatter the values of all contact points to a surface field. Collective.
   SurfaceField
   to_surface_field(const GapOperator &contact, const ContactState &state, unsigned int dim);
 
-  /// The values of contact points from those at places, of this mesh or of the one that it was
-  /// refined from. What is not known is zero. Collective.
-  /// @param internal zeros, as many as the law has
+  /// Gather the values of contact points from a surface field, of this mesh or of the one that it
+  /// was refined from. Unknown values are zero. Collective.
+  /// @param internal zeros, as many as the law has internal variables
   ContactState
   from_surface_field(const SurfaceField   &field,
                      const GapOperator    &contact,

@@ -250,8 +250,8 @@ namespace Signorini
         return sum;
       }
 
-      /// Of each face, what has a projection, by the area of its parts: above one where these are
-      /// chords.
+      /// The share of each face that has a projection, by the area of its parts: above one where
+      /// these are chords.
       std::vector<double>
       covered_shares() const
       {

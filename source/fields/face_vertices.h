@@ -22,7 +22,7 @@ namespace Signorini
 
     using Field = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    /// Collective.
+    /// Number the vertices. Collective.
     FaceVertices(const Elasticity<dim> &elasticity, const std::vector<SlaveFace<dim>> &faces);
 
     /// The entries of the vertices of face f in a field; without meaning if it has no points.
@@ -53,7 +53,7 @@ namespace Signorini
       return degree * (vertex % 2) + (vertex / 2) * degree * (degree + 1);
     }
 
-    /// At rest.
+    /// The reference position of a vertex of a slave face.
     static const dealii::Point<dim> &
     position(const SlaveFace<dim> &face, const unsigned int vertex)
     {

@@ -22,7 +22,7 @@ namespace Signorini
         largest = {value, x};
     }
 
-    /// That of the rank with the largest value, the lowest of those.
+    /// Replace the value by that of the rank with the largest one; of several the lowest rank.
     template <int dim>
     void
     reduce_over_ranks(ValueAtPosition<dim> &one, const MPI_Comm comm)

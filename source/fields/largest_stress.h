@@ -15,8 +15,8 @@ namespace Signorini
     dealii::Point<dim> position; ///< at rest
   };
 
-  /// Of one body, at the superconvergent points of its cells: what a cell knows best, half a cell
-  /// and more below the surface.
+  /// The largest stresses of one body at the superconvergent points of its cells, where stresses
+  /// are most accurate: half a cell and more below the surface.
   template <int dim>
   struct LargestStresses
   {

@@ -12,8 +12,8 @@ namespace Signorini
   bool
   samples_nodes(const GapOperator &contact);
 
-  /// Of methods that sample at points: the row of the first point of a pair on this rank; those of
-  /// the others follow.
+  /// For methods that sample at quadrature points: the row of the first point of a pair on this
+  /// rank; those of the other points follow.
   template <int dim>
   dealii::types::global_dof_index
   first_row(const Snapshot<dim> &snapshot, unsigned int pair);
@@ -24,7 +24,8 @@ namespace Signorini
   std::vector<unsigned int>
   nearest_free(const SlaveFace<dim> &face, unsigned int dirichlet_node);
 
-  /// Of a node without a pressure of its own (by its number on a face), by one that is nearest.
+  /// The value at a node without a multiplier of its own (by its number on a face), from the
+  /// nearest node that has one.
   template <int dim>
   using PrescribedNodeValue = std::function<
     double(const SlaveFace<dim> &face, unsigned int dirichlet_node, unsigned int near)>;

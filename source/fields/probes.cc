@@ -252,7 +252,7 @@ namespace Signorini
              claims.begin();
     }
 
-    /// Of each rank.
+    /// The claims of each rank. Collective.
     template <int dim>
     std::vector<std::vector<Claim<dim>>>
     all_claims(const std::vector<CellLocation<dim>> &locations, const MPI_Comm comm)

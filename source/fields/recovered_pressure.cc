@@ -96,7 +96,8 @@ namespace Signorini
 
       static constexpr unsigned int n = Vertices::n;
 
-      /// Of the linear functions of a face: int phi_c phi_e dA, int phi_c grad phi_e dA.
+      /// The integrals of the linear functions of a face: int phi_c phi_e dA, int phi_c grad phi_e
+      /// dA.
       struct FaceMatrices
       {
         std::array<std::array<double, n>, n>         mass{};
@@ -152,7 +153,7 @@ namespace Signorini
         return face.covered < nearly_whole;
       }
 
-      /// Of contact, or of the master.
+      /// True if the face is at the edge of the contact area or of the master.
       bool
       is_at_edge(const SlaveFace<dim> &face) const
       {

@@ -7,7 +7,8 @@
 
 namespace Signorini
 {
-  /// Of a function on a face, from its derivatives in the parameters: a vector along the face.
+  /// The surface gradient of a function on a face, from its derivatives in the parameters: a
+  /// tangential vector.
   /// @param tangents derivatives of the position
   template <int dim>
   dealii::Tensor<1, dim>

@@ -53,7 +53,8 @@ namespace Signorini
       return best;
     }
 
-    /// Of each point, on the rank that has it; on the others they are far away.
+    /// The projections of the points on the surface, on the rank that has the closest face; on the
+    /// others their distance is infinite.
     template <int dim>
     std::vector<SurfaceProjection<dim>>
     project_points(const BoundaryFaces<dim>      &faces,

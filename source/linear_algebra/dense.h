@@ -14,7 +14,7 @@ namespace Signorini
     Eigen::MatrixXd vectors; ///< orthonormal columns, in the order of the values
   };
 
-  /// Of a symmetric matrix, of which the lower triangle counts.
+  /// The eigenvalues and eigenvectors of a symmetric matrix, of which the lower triangle is read.
   SymmetricEigenpairs
   eigenpairs_of_symmetric(const Eigen::MatrixXd &matrix);
 

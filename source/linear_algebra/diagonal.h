@@ -7,7 +7,7 @@ namespace Signorini
 {
   namespace LA
   {
-    /// Of a square matrix.
+    /// The diagonal of a square matrix.
     Vector
     diagonal(const SparseMatrix &matrix);
 

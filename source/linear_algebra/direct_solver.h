@@ -33,7 +33,7 @@ namespace Signorini
       void
       clear();
 
-      /// Of the matrix factorised last. Collective. Throws dealii::ExcTrilinosError.
+      /// Solve with the matrix factorised last. Collective. Throws dealii::ExcTrilinosError.
       void
       solve(Vector &x, const Vector &right) const;
 

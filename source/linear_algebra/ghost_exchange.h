@@ -36,7 +36,7 @@ namespace Signorini
         return partition.n_ghost_indices();
       }
 
-      /// Of an element that this rank owns or needs.
+      /// The local index of an element that this rank owns or has as a ghost.
       std::uint32_t
       local_index(const dealii::types::global_dof_index dof) const
       {
@@ -62,7 +62,7 @@ namespace Signorini
         partition.export_to_ghosted_array_finish(to, requests);
       }
 
-      /// Those of ghosts are added to their owners', and are void afterwards.
+      /// Add the values of ghosts to those of their owners; they are undefined afterwards.
       void
       add(Number *ghosts, Number *owned) const
       {

@@ -12,7 +12,7 @@ namespace Signorini
   struct MaterialLaw
   {
     std::string name, about;
-    /// What `Coefficients` are; empty: there are none.
+    /// Description of the entry `Coefficients`; empty if the law has none.
     std::string coefficients;
     /// mu at rest by the coefficients. Throws std::domain_error where they are none.
     std::function<double(const std::vector<double> &)> shear_modulus;
@@ -23,7 +23,7 @@ namespace Signorini
   const std::vector<MaterialLaw> &
   material_laws();
 
-  /// The one of a material.
+  /// The material law of a material.
   const MaterialLaw &
   law_of(const Material &material);
 } // namespace Signorini

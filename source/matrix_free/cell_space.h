@@ -8,8 +8,8 @@
 
 namespace Signorini
 {
-  /// A space of displacements in three dimensions as kernels see it: cells, degrees of freedom and
-  /// constraints, of the finest mesh or of a coarser one.
+  /// A space of displacements in three dimensions as cell kernels need it: cells, degrees of
+  /// freedom and constraints, of the finest mesh or of a coarser level.
   struct CellSpace
   {
     dealii::IndexSet                  owned; ///< degrees of freedom, those of rigid bodies last
@@ -19,15 +19,16 @@ namespace Signorini
     MPI_Comm   comm;
   };
 
-  /// That of the bodies on the present mesh; a degree's cells are in the order of the mesh.
+  /// The space of the bodies on the present mesh; the cells of each degree are in the order of the
+  /// mesh.
   CellSpace
   cell_space(const Elasticity<3> &elasticity);
 
-  /// The same with neither places nor moduli.
+  /// cell_space() without node positions and moduli.
   CellSpace
   bare_cell_space(const Elasticity<3> &elasticity);
 
-  /// K assembled. Collective.
+  /// Assemble K. Collective.
   void
   assemble(const CellSpace &space, LA::SparseMatrix &K);
 } // namespace Signorini

@@ -82,7 +82,7 @@ namespace Signorini
     mutable std::unique_ptr<LA::SparseMatrix> some_rows, whole; ///< null: nobody asked
   };
 
-  /// That of linear elasticity.
+  /// The stiffness of linear elasticity by cells.
   class MatrixFreeStiffness : public CellStiffness
   {
   public:

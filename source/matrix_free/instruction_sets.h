@@ -6,7 +6,7 @@
 
 namespace Signorini
 {
-  /// Those of this processor that there is code for, best first.
+  /// The instruction sets of this processor for which there is code, fastest first.
   std::vector<std::string>
   instruction_sets();
 

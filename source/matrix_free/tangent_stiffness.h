@@ -14,8 +14,8 @@ namespace Signorini
   class TangentStiffness : public CellStiffness
   {
   public:
-    /// That of the bodies at rest, until it is told of another place. Refers to the elasticity,
-    /// whose bodies all have an energy, and to the kernel. Collective.
+    /// The tangent of the undeformed bodies, until it is linearised elsewhere. Keeps references to
+    /// the elasticity, whose bodies all have a stored energy, and to the kernel. Collective.
     TangentStiffness(const Elasticity<3> &elasticity, DeformationKernel<3> &kernel);
 
     /// The tangents of the points at u. Returns the name of a body of which cells of this rank are

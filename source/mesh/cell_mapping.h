@@ -22,8 +22,9 @@ namespace Signorini
   class CellMapping : public dealii::MappingQ<dim>
   {
   public:
-    /// Of a mesh as it is refined now. Throws SceneError if cells fold. Collective.
-    /// @param degree the largest one; bodies of other degrees than this have degree 1
+    /// The mapping of a mesh as it is refined now. Throws SceneError if cells are inverted.
+    /// Collective.
+    /// @param degree the largest degree; bodies of other degrees than this have degree 1
     CellMapping(unsigned int                      degree,
                 std::vector<unsigned int>         degree_of_material,
                 const dealii::Triangulation<dim> &triangulation);
@@ -52,22 +53,22 @@ namespace Signorini
     using Cell  = typename dealii::Triangulation<dim>::cell_iterator;
     using Nodes = std::vector<dealii::Point<dim>>;
 
-    /// Which vertices, lines and quadrilaterals hang, by their numbers in the triangulation.
+    /// The hanging vertices, lines and quadrilaterals, by their numbers in the triangulation.
     struct Hanging;
 
     void
     place_hanging_nodes(const dealii::Triangulation<dim> &triangulation);
 
-    /// On the manifolds, as many as the degree of the body has.
+    /// The nodes of a cell on the manifolds, as many as the degree of its body has.
     Nodes
     nodes_on_manifolds(const Cell &cell) const;
 
-    /// The same, hanging ones moved to where the parent has them: what it shares with the larger
-    /// cell there is all that counts.
+    /// The nodes of a cell, with hanging ones on the edge or face of the larger cell, which is all
+    /// that both cells share.
     Nodes
     nodes(const Cell &cell, const Hanging &hanging) const;
 
-    /// As many as the mapping has.
+    /// The support points of the mapping from the nodes of the body's degree.
     Nodes
     support_points(Nodes nodes) const;
 

@@ -151,7 +151,7 @@ namespace Signorini
       return bodies_of_materials[id];
     }
 
-    /// Of the cells of a body that are in no set with a material of its own.
+    /// The material id of the cells of a body that are in no set with a material of its own.
     unsigned int
     own_material(const unsigned int body) const
     {
@@ -166,7 +166,7 @@ namespace Signorini
       return bodies_of_materials[cell->material_id()];
     }
 
-    /// That of "body.boundary"; none if there is no such boundary.
+    /// The body of the boundary "body.boundary"; none if there is no such boundary.
     std::optional<unsigned int>
     body_of(const std::string &boundary) const;
 
@@ -216,7 +216,7 @@ namespace Signorini
     std::set<dealii::types::coarse_cell_id>
     cell_set(const std::string &name) const;
 
-    /// Of the bodies whose generators have one.
+    /// The temperatures of the bodies whose generators provide them.
     const CoarseField<dim> &
     temperature() const
     {

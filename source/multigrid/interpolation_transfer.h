@@ -79,7 +79,8 @@ namespace Signorini
     const dealii::IndexSet                   fine, coarse;
     LocalVectors<float>                      vertices;
 
-    /// Of rigid bodies: local numbers above, places below.
+    /// Degrees of freedom of rigid bodies: (local number on the finer level, local index on the
+    /// coarser one).
     std::vector<std::pair<std::uint32_t, std::uint32_t>> rigid;
   };
 } // namespace Signorini

@@ -18,7 +18,7 @@ namespace Signorini
     /// Refers to the tangents of the leaves. Collective.
     LevelTangents(const CellTangents &of_leaves, const SpaceFillingCurve &curve, MPI_Comm comm);
 
-    /// Of a leaf of this rank, or of a cell with children that this rank owns.
+    /// The tangent of a leaf of this rank, or of a cell with children that this rank owns.
     const CellTangent &
     of(const SpaceFillingCurve::Cell &cell) const;
 

@@ -14,10 +14,9 @@
 
 namespace Signorini
 {
-  /// The vertices of a mesh of hexahedra and of the cells that it came from by refinement: those of
-  /// all leaves of this rank and of all cells with such leaves in them. A vertex has the name of
-  /// its first degree of freedom of degree one on the finest mesh; those of the other components
-  /// follow it.
+  /// The vertices of a mesh of hexahedra and of its coarser levels: those of all leaves of this
+  /// rank and of all ancestors of these. A vertex is identified by its first degree of freedom in
+  /// the space of degree one on the finest mesh; those of the other components follow it.
   class LevelVertices
   {
   public:
@@ -37,8 +36,7 @@ namespace Signorini
       }
     };
 
-    /// Of a mesh that p4est distributes. Collective.
-    /// @param dofs of degree one
+    /// For a mesh that is distributed by p4est. Collective. @param dofs of degree one
     LevelVertices(const dealii::DoFHandler<3>             &dofs,
                   const dealii::AffineConstraints<double> &hanging,
                   const dealii::AffineConstraints<double> &constraints);
@@ -55,7 +53,7 @@ namespace Signorini
       return names[cell->vertex_index(corner)];
     }
 
-    /// What a degree of freedom of a vertex known here hangs on; null if it is free.
+    /// The constraint of a degree of freedom of a vertex on this rank; null if it is free.
     const Line *
     line(const Index dof) const
     {
@@ -65,7 +63,7 @@ namespace Signorini
       return known == lines.end() ? nullptr : &known->second;
     }
 
-    /// Adds the names of vertices that those of a list hang on.
+    /// Add the vertices by which those of the list are constrained.
     void
     add_masters(std::vector<Index> &list) const;
 
@@ -89,16 +87,16 @@ namespace Signorini
 
     VertexNumbers() = default;
 
-    /// Of the finest mesh itself: as they are there. @param owned with those of rigid bodies
+    /// The numbers on the finest mesh itself. @param owned with those of rigid bodies
     explicit VertexNumbers(const dealii::IndexSet &owned)
       : is_finest(true)
       , my_owned(owned)
     {}
 
-    /// Numbered anew. Collective.
-    /// @param corners names of the vertices of this rank's cells on the level
-    /// @param known names that this rank wants to know the numbers of, some of which may not be
-    /// there
+    /// Number the vertices of a coarser level. Collective.
+    /// @param corners vertices of this rank's cells on the level
+    /// @param known vertices whose numbers this rank needs, some of which may not exist on the
+    /// level
     /// @param owned degrees of freedom of the finest mesh
     VertexNumbers(const std::vector<Index> &corners,
                   const std::vector<Index> &known,
@@ -112,21 +110,21 @@ namespace Signorini
       return is_finest || number(name) != dealii::numbers::invalid_dof_index;
     }
 
-    /// Of a vertex that is there.
+    /// The degree of freedom of a vertex of the level.
     Index
     dof(const Index name, const unsigned int component) const
     {
       return is_finest ? name + component : 3 * number(name) + component;
     }
 
-    /// With those of rigid bodies.
+    /// The degrees of freedom of this rank, with those of rigid bodies.
     const dealii::IndexSet &
     owned_dofs() const
     {
       return my_owned;
     }
 
-    /// Of this rank's vertices, in the order of their numbers; numbered anew only.
+    /// This rank's vertices, in the order of their numbers; on coarser levels only.
     const std::vector<Index> &
     owned_names() const
     {

@@ -9,14 +9,16 @@
 
 namespace Signorini
 {
-  /// The curve along which p4est deals out cells to ranks, in three dimensions: who owns what,
-  /// known without asking. A cell with children belongs to the rank of the first leaf in it.
+  /// The space-filling curve by which p4est distributes cells in three dimensions; it determines
+  /// the owner of any cell without communication. A cell with children belongs to the rank of its
+  /// first leaf.
   class SpaceFillingCurve
   {
   public:
     using Cell = dealii::Triangulation<3>::cell_iterator;
 
-    /// Number of the tree, and those of the children on the way down, three bits each.
+    /// Position on the curve: number of the tree, and the child numbers from the root down, three
+    /// bits each.
     using Position = std::pair<unsigned int, std::uint64_t>;
 
     struct PlacedCell
@@ -25,18 +27,18 @@ namespace Signorini
       Position position; ///< of the first leaf in it
     };
 
-    /// Collective.
+    /// Find the leaves of this rank and the first position of each rank. Collective.
     explicit SpaceFillingCurve(
       const dealii::parallel::distributed::Triangulation<3> &triangulation);
 
-    /// Those of this rank along the curve.
+    /// The leaves of this rank in the order of the curve.
     const std::vector<PlacedCell> &
     leaves() const
     {
       return my_leaves;
     }
 
-    /// Cells with children in which there are leaves of this rank.
+    /// The ancestors of this rank's leaves.
     const std::vector<PlacedCell> &
     ancestors() const
     {
@@ -47,7 +49,7 @@ namespace Signorini
     unsigned int
     owner(const Position &position) const;
 
-    /// Of the leaf at a corner of a cell.
+    /// The position of the leaf at a corner of a cell.
     static Position
     at_corner(const PlacedCell &cell_on_curve, unsigned int corner);
 

@@ -89,7 +89,7 @@ namespace Signorini
     /// How good the targets were met at a load step. @param why they were not; empty: they were
     void
     add_targets(const ErrorControl &control, const std::string &why, double time);
-    /// Of all meshes that were refined so far.
+    /// The results on all meshes that were refined so far.
     const Json &
     cycles() const
     {

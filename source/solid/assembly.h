@@ -39,7 +39,7 @@ namespace Signorini
       LA::SparseMatrix                        &K,
       const std::function<bool(const Cell &)> &takes = [](const Cell &) { return true; }) const;
 
-    /// The same with other matrices of cells than those of the materials at rest.
+    /// Assemble K from other cell matrices than those of the undeformed materials.
     void
     assemble(
       LA::SparseMatrix                                                      &K,

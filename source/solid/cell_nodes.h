@@ -20,7 +20,7 @@ namespace Signorini
     cell->get_dof_indices(indices);
   }
 
-  /// The places of a cell's nodes.
+  /// The positions of the nodes of a cell.
   template <int dim>
   class CellNodes
   {

@@ -19,6 +19,6 @@ namespace Signorini
 
   using CellTangent = std::array<float, n_tangent_numbers>;
 
-  /// Of the cells of this rank by their active index, integrated over each.
+  /// The tangents of the cells of this rank, by active cell index, integrated over each cell.
   using CellTangents = std::vector<CellTangent>;
 } // namespace Signorini

@@ -5,8 +5,8 @@
 
 namespace Signorini
 {
-  /// With the values of constrained degrees of freedom, which Newton's method leaves alone, and
-  /// ghosts. Collective.
+  /// A copy of a vector with constraints applied, since Newton's method does not update constrained
+  /// degrees of freedom, and with ghosts. Collective.
   template <int dim>
   LA::Vector
   constrained_ghosted(const Displacements<dim> &space, LA::Vector u)

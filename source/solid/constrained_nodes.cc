@@ -241,7 +241,7 @@ namespace Signorini
         positions = &nodes_of(cell);
       }
 
-      /// Of the cell's node i.
+      /// The position of the cell's node i.
       const Point<dim> &
       position(const unsigned int i) const
       {

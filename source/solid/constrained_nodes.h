@@ -15,7 +15,7 @@
 
 namespace Signorini
 {
-  /// A direction in which a node is held: n.u is what the support prescribes.
+  /// A constraint of a node along one direction n: the support prescribes n.u.
   template <int dim>
   struct DirectionConstraint
   {
@@ -23,7 +23,7 @@ namespace Signorini
     const Support<dim>    *support;   ///< null: the axis of an axisymmetric body
   };
 
-  /// A node on a support.
+  /// A node that supports constrain.
   template <int dim>
   struct ConstrainedNode
   {
@@ -32,24 +32,26 @@ namespace Signorini
     unsigned int                                     piece;      ///< of Mesh::pieces()
     std::vector<DirectionConstraint<dim>> prescribed_directions; ///< in the order of the supports
 
-    /// The part of a vector in which the node is free to move.
+    /// The part of a vector along the directions that are not constrained.
     dealii::Tensor<1, dim>
     free_part(const dealii::Tensor<1, dim> &v) const;
 
-    /// Its holds' directions, each orthogonal to those before it; zero where it depends on them.
+    /// The constrained directions, orthonormalised in their order; zero where one depends on those
+    /// before it.
     std::vector<dealii::Tensor<1, dim>>
     orthonormal() const;
   };
 
-  /// By their first degree of freedom.
+  /// The constrained nodes by their first degree of freedom.
   template <int dim>
   using ConstrainedNodes = std::map<dealii::types::global_dof_index, ConstrainedNode<dim>>;
 
-  /// The nodes on cells that this rank knows which supports that act at time t hold. A set of nodes
-  /// stands for these, and for all nodes on edges, faces and cells of the coarse mesh with all
-  /// corners in it; hanging nodes follow their neighbours and are left out. On curved boundaries, a
-  /// node has the mean of its faces' normals where they differ by less than 50 degrees, and several
-  /// directions at corners. Throws SceneError where a symmetry plane is not plane. Collective.
+  /// Find the nodes of locally owned and ghost cells that are constrained by supports acting at
+  /// time t. A set of nodes stands for these, and for all nodes on edges, faces and cells of the
+  /// coarse mesh all of whose corners are in it; hanging nodes follow their neighbours and are
+  /// skipped. On curved boundaries, a node has the mean normal of its faces where their normals
+  /// differ by less than 50 degrees, and several directions at corners. Throws SceneError where a
+  /// symmetry plane is not plane. Collective.
   template <int dim>
   ConstrainedNodes<dim>
   find_constrained_nodes(const Mesh<dim>                         &mesh,
@@ -59,9 +61,9 @@ namespace Signorini
                          double                                   t,
                          Model                                    model);
 
-  /// Add what the supports prescribe at time t, one line a direction, to be closed by the caller.
-  /// Where they meet, the first one counts; throws SceneError if the others do not agree with it.
-  /// Collective.
+  /// Add the constraints that supports prescribe at time t, one line for each direction; the caller
+  /// closes them. Where supports meet, the first one counts; throws SceneError if the others
+  /// contradict it. Collective.
   template <int dim>
   void
   constrain(const ConstrainedNodes<dim>       &nodes,

@@ -28,8 +28,8 @@ namespace Signorini
 
   namespace
   {
-    /// Of m ln J: S = m C^-1, whose derivative is -m P with P_ijkl = (A_ik A_jl + A_il A_jk)/2 and
-    /// A = C^-1.
+    /// The contribution of m ln J: S = m C^-1, whose derivative is -m P with P_ijkl = (A_ik A_jl +
+    /// A_il A_jk)/2 and A = C^-1.
     void
     add_volumetric_stress(const double                 m,
                           const SymmetricTensor<2, 3> &C,

@@ -20,7 +20,7 @@ namespace Signorini
                        const dealii::Tensor<1, dim> &u,
                        const dealii::Point<dim>     &X);
 
-  /// A material at a point of a body, and what it knows there beside the strain.
+  /// A material at a point of a body, with the data beside the strain that its law needs.
   struct MaterialPoint
   {
     /// Refers to the material. Without a constitutive law of its own it has that of linear
@@ -31,7 +31,7 @@ namespace Signorini
                            double          duration          = 0,
                            double          temperature_rise  = 0);
 
-    /// Of a law that remembers nothing.
+    /// A point of a material whose law has no internal variables.
     MaterialPoint(const ConstitutiveLaw &law, double volumetric_stress = 0);
 
     ConstitutiveResponse
@@ -57,7 +57,8 @@ namespace Signorini
               dealii::Tensor<2, 3> &F,
               ResponseOrder         wanted = ResponseOrder::tangent);
 
-  /// The same, or nothing where there is none: where J <= 0, or a sheet has no thickness.
+  /// response_at(), or nothing where there is none: where J <= 0, or where plane stress has no
+  /// solution.
   std::optional<ConstitutiveResponse>
   response_if_any(Model                 model,
                   const MaterialPoint  &point,

@@ -8,7 +8,7 @@
 
 namespace Signorini
 {
-  /// What a solution of small strain neglects of large deformation.
+  /// The error of a small-strain solution: what it neglects of finite strain.
   struct DeformationChange
   {
     double work   = 0; ///< int |(P - sigma) : Grad u| dV over int |sigma : Grad u| dV; at most 1

@@ -66,8 +66,8 @@ namespace Signorini
     volume_ratios(const Cell &cell, const dealii::Vector<double> &u);
 
   private:
-    /// Of a tensor that acts on gradients: those in the plane or in space, row by row, then the
-    /// hoop's if there is one.
+    /// The components of a tensor that acts on gradients: those in the plane or in space, row by
+    /// row, then the hoop component of axisymmetric models.
     static constexpr unsigned int maximum_components = dim * dim + (dim == 2 ? 1 : 0);
     using Components                                 = std::array<double, maximum_components>;
     using Tangent                                    = std::array<Components, maximum_components>;
@@ -76,7 +76,7 @@ namespace Signorini
     reinit(const Cell &cell);
     dealii::Tensor<2, 3>
     gradient(unsigned int q, const dealii::Vector<double> &u) const;
-    /// Of the shape functions at point q, to `slopes`.
+    /// Read the gradients of the shape functions at point q into `slopes`.
     void
     read_slopes(unsigned int q);
     Tangent
@@ -92,7 +92,7 @@ namespace Signorini
     in_unit_coordinates(const Tangent &D, unsigned int q) const;
     void
     add_forces(const dealii::Tensor<2, 3> &P, double weight, dealii::Vector<double> &forces) const;
-    /// On and below the diagonal, to `sums`.
+    /// Add the entries on and below the diagonal to `sums`.
     void
     add_tangent(const Tangent &D, double weight);
 
@@ -111,7 +111,8 @@ namespace Signorini
     bool                             is_small = false; ///< its strain measure
     std::vector<double>              ratios;
     std::vector<double>              sums; ///< of the tangent, node by node, row by row
-    /// At the present point: the gradient of each node's function, and what it is over the radius.
+    /// At the present point: the gradient of each node's shape function, and its value divided by
+    /// the radius.
     std::vector<std::array<double, dim + 1>> slopes;
   };
 } // namespace Signorini

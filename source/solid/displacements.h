@@ -16,12 +16,12 @@
 
 namespace Signorini
 {
-  /// The displacements that bodies can take on the present mesh: continuous finite elements of a
-  /// degree per body, hanging nodes, what supports and the motions of rigid bodies prescribe at a
-  /// time; and the vectors of such displacements. No law of the material and no forces.
+  /// The space of displacements on the present mesh: continuous finite elements of one degree for
+  /// each body, hanging nodes, the constraints that supports and rigid bodies prescribe at a time,
+  /// and vectors of such displacements. It knows neither constitutive laws nor forces.
   ///
-  /// Behind the degrees of freedom of the mesh, those of moving rigid bodies follow, which the last
-  /// rank owns.
+  /// The degrees of freedom of moving rigid bodies follow those of the mesh; the last rank owns
+  /// them.
   template <int dim>
   class Displacements
   {
@@ -38,7 +38,7 @@ namespace Signorini
       return my_model;
     }
 
-    /// Of the mesh alone.
+    /// The degrees of freedom of the mesh, without those of rigid bodies.
     const dealii::DoFHandler<dim> &
     dof_handler() const
     {
@@ -51,14 +51,14 @@ namespace Signorini
       return dofs;
     }
 
-    /// One a degree; cells have the index of theirs.
+    /// The finite elements, one for each degree; the active FE index of a cell selects its element.
     const dealii::hp::FECollection<dim> &
     finite_elements() const
     {
       return elements;
     }
 
-    /// The largest of all bodies.
+    /// The largest polynomial degree of all bodies.
     unsigned int
     degree() const
     {
@@ -77,7 +77,8 @@ namespace Signorini
       return locally_owned;
     }
 
-    /// Those of locally owned and ghost cells, and all of rigid bodies.
+    /// The locally relevant degrees of freedom: those of locally owned and ghost cells, and all of
+    /// rigid bodies.
     const dealii::IndexSet &
     relevant() const
     {
@@ -92,28 +93,28 @@ namespace Signorini
       return hanging;
     }
 
-    /// Hanging nodes, and what is prescribed at the present time.
+    /// The constraints of hanging nodes, and of supports at the present time.
     const dealii::AffineConstraints<double> &
     constraints() const
     {
       return all_constraints;
     }
 
-    /// The present one, of what is prescribed.
+    /// The present time, at which prescribed displacements were evaluated.
     double
     time() const
     {
       return my_time;
     }
 
-    /// Give constrained degrees of freedom the values that belong to the free ones.
+    /// Set constrained degrees of freedom to the values that the constraints imply.
     void
     distribute(LA::Vector &u) const
     {
       all_constraints.distribute(u);
     }
 
-    /// All, also those that do not act at present.
+    /// All supports, including those that do not act at present.
     const std::vector<Support<dim>> &
     supports() const
     {
@@ -127,7 +128,7 @@ namespace Signorini
       return my_time_of_supports;
     }
 
-    /// Do the same supports act at time t?
+    /// True if the same supports act at time t as at time_of_supports().
     bool
     has_supports_of(double t) const;
 
@@ -137,7 +138,8 @@ namespace Signorini
       return constrained;
     }
 
-    /// True if degrees of freedom are tied to others by supports that are not along the axes.
+    /// True if supports that are not along the axes constrain degrees of freedom in terms of
+    /// others.
     bool
     has_inclined_supports() const
     {
@@ -152,14 +154,15 @@ namespace Signorini
       return my_rigid_bodies;
     }
 
-    /// The first degree of freedom of rigid body i.
+    /// The first degree of freedom of moving rigid body i.
     dealii::types::global_dof_index
     first_dof(const unsigned int i) const
     {
       return dofs.n_dofs() + i * RigidBody<dim>::n_dofs;
     }
 
-    /// Arm by which rotations of rigid bodies are measured.
+    /// The length by which rotations of rigid bodies are multiplied to become degrees of freedom
+    /// [length].
     double
     rotation_length_scale() const
     {
@@ -186,14 +189,14 @@ namespace Signorini
     LA::Vector
     with_ghosts(const LA::Vector &u) const;
 
-    /// Of the mesh alone, without ghosts.
+    /// A zero vector of the degrees of freedom of the mesh, without ghosts.
     LA::Vector
     zero_mesh_vector() const
     {
       return LA::Vector(dofs.locally_owned_dofs(), my_mesh.communicator());
     }
 
-    /// Puts a vector of the mesh alone into one of all degrees of freedom.
+    /// Copy a vector of the mesh's degrees of freedom into one of all degrees of freedom.
     void
     set_mesh_part(const LA::Vector &part, LA::Vector &u) const;
 
@@ -236,7 +239,7 @@ namespace Signorini
     const Mesh<dim>                  &my_mesh;
     const std::vector<Support<dim>>   my_supports;
     const Model                       my_model;
-    const std::vector<RigidBody<dim>> my_rigid_bodies; ///< those that can move
+    const std::vector<RigidBody<dim>> my_rigid_bodies; ///< the rigid bodies that can move
 
     dealii::hp::FECollection<dim>     elements;
     std::vector<unsigned int>         element_of_body;
@@ -246,6 +249,6 @@ namespace Signorini
     ConstrainedNodes<dim>             constrained;
     double             my_time = 0, my_time_of_supports = 0, my_rotation_length_scale = 1;
     bool               inclined = false;
-    mutable LA::Vector zero_with_ghosts; ///< of the mesh; empty: nobody asked yet
+    mutable LA::Vector zero_with_ghosts; ///< of the mesh; empty until it is needed
   };
 } // namespace Signorini

@@ -34,9 +34,9 @@ namespace Signorini
                double                                    stabilisation = default_stabilisation,
                const std::vector<ThermalExpansion<dim>> &expansions    = {});
 
-    /// Of unconstrained rigid-body modes: springs in units of E times the size of the body. With
-    /// this, forces push bodies about as far as contact then gives way, from where it is found
-    /// soonest.
+    /// The default stabilisation of unconstrained rigid-body modes, in units of E times the size of
+    /// the body. With this value, acting forces move bodies about as far as contact deforms
+    /// afterwards, from where it is found soonest.
     static constexpr double default_stabilisation = 0.25;
 
     /// Distribute degrees of freedom on the mesh as it is now, with the supports that act at time
@@ -61,12 +61,13 @@ namespace Signorini
       return matrix;
     }
 
-    /// What K has on its diagonal beyond the stiffness of cells: something for prescribed motions
-    /// of rigid bodies, and springs where motions are free.
+    /// The diagonal terms of K beyond the stiffness of cells: entries for prescribed motions of
+    /// rigid bodies, and the stabilisation of unconstrained rigid-body modes.
     LA::Vector
     diagonal_terms() const;
 
-    /// Of K, of all cells or some, without those terms. Refers to this object.
+    /// The assembly of K from all or some cells, without diagonal_terms(). Keeps a reference to
+    /// this object.
     StiffnessAssembly<dim>
     assembly() const;
 
@@ -77,7 +78,7 @@ namespace Signorini
     LA::Vector
     load() const;
 
-    /// Has any material a constitutive law other than linear elasticity?
+    /// True if any material has a constitutive law other than linear elasticity.
     bool
     is_nonlinear() const
     {
@@ -86,7 +87,7 @@ namespace Signorini
       });
     }
 
-    /// Do bodies deform by any amount, by the laws of their materials?
+    /// True if any material has a constitutive law at finite strain.
     bool
     is_finite_strain() const
     {
@@ -103,8 +104,8 @@ namespace Signorini
                    const dealii::Point<dim>        &x,
                    std::vector<double>             &internal) const;
 
-    /// In such a load, moments that act on rigid bodies that have turned so far, see
-    /// RigidPose::on_rotations(). Collective.
+    /// In a vector of load(): transform the moments on rigid bodies for the rotations that they
+    /// have undergone, see RigidPose::on_rotations(). Collective.
     void
     rotate_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const;
 
@@ -124,7 +125,8 @@ namespace Signorini
       return materials[id];
     }
 
-    /// By their ids; one a body, if none has several (Mesh::body_of_material).
+    /// All materials by their ids; one for each body, if no body has several
+    /// (Mesh::body_of_material).
     const std::vector<Material> &
     all_materials() const
     {
@@ -143,7 +145,8 @@ namespace Signorini
       return thermal_strain;
     }
 
-    /// Of mixed bodies; nothing if there are none. What solves for the displacement keeps it.
+    /// The volumetric stress of bodies in displacement-pressure form; empty if there are none.
+    /// Solvers update it together with the displacement.
     const VolumetricStress<dim> &
     volumetric_stress() const
     {
@@ -156,7 +159,7 @@ namespace Signorini
       return my_volumetric_stress;
     }
 
-    /// What the constitutive laws remember; empty if they have no internal variables.
+    /// The internal variables of the constitutive laws; empty if they have none.
     const MaterialHistory<dim> &
     material_history() const
     {
@@ -173,8 +176,8 @@ namespace Signorini
     CellVariables
     internal_variables(const LA::Vector &u) const;
 
-    /// Motions without deformation that no support holds: of elastic bodies, and of rigid ones
-    /// along free components. They vanish at all constrained degrees of freedom.
+    /// The rigid-body modes that no support constrains: those of elastic bodies, and those of rigid
+    /// bodies along free components. They vanish at all constrained degrees of freedom.
     std::vector<UnconstrainedMode>
     unconstrained_modes() const
     {
@@ -187,7 +190,7 @@ namespace Signorini
       return unsupported.names();
     }
 
-    /// True if there are any. Known after setup().
+    /// True if there are rigid-body modes that no support constrains. Valid after setup().
     bool
     has_unsupported_modes() const
     {
@@ -221,7 +224,7 @@ namespace Signorini
     LA::Vector                   stabilisation;
   };
 
-  /// Those at the present time. Collective.
+  /// The surface loads at the present time. Collective.
   template <int dim>
   SurfaceLoads<dim>
   surface_loads(const Elasticity<dim> &elasticity)

@@ -28,7 +28,8 @@ namespace Signorini
                     const dealii::hp::FECollection<dim> &elements,
                     Model                                model);
 
-    /// cell_matrix takes the size of the cell.
+    /// Compute the stiffness matrix of a cell; cell_matrix is resized to its number of degrees of
+    /// freedom.
     void
     assemble(const Cell &cell, const Material &material, dealii::FullMatrix<double> &cell_matrix);
 
@@ -56,7 +57,7 @@ namespace Signorini
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    /// Collective.
+    /// Evaluate surface loads and find the cells of nodal forces. Collective.
     LoadKernel(const Mesh<dim>                     &mesh,
                const dealii::hp::FECollection<dim> &elements,
                Model                                model,
@@ -67,7 +68,8 @@ namespace Signorini
     bool
     assemble(const Cell &cell, dealii::Vector<double> &cell_load);
 
-    /// Of the first formula that had no finite value on this rank, in words; empty: none.
+    /// A message about the first formula that had no finite value on this rank; empty if there is
+    /// none.
     const std::string &
     fault() const
     {

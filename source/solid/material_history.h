@@ -28,7 +28,8 @@ namespace Signorini
     }
   };
 
-  /// Those of some cells, by their names: they refer to no mesh and no partition, and outlive both.
+  /// The internal variables of some cells, by cell id: they refer to no mesh and no partition, and
+  /// outlive both.
   using CellVariables = std::map<dealii::CellId, PointVariables>;
 
   /// What constitutive laws remember from the load step before, on the present mesh. Cells that
@@ -69,14 +70,14 @@ namespace Signorini
       return my_duration;
     }
 
-    /// Another number after each start().
+    /// Changes with each start().
     unsigned int
     version() const
     {
       return my_version;
     }
 
-    /// Internal variables a point of a material.
+    /// The number of internal variables at a point of a material.
     unsigned int
     n_internal(const unsigned int material_id) const
     {
@@ -85,11 +86,12 @@ namespace Signorini
 
     // Of a locally owned or ghost cell:
 
-    /// At a point of integration; null if the law has no internal variables.
+    /// The internal variables at an integration point; null if the law has none.
     const double *
     at(const Cell &cell, unsigned int q) const;
 
-    /// At a place of the reference cell, by the polynomial through the points.
+    /// The internal variables at a point of the reference cell, interpolated by the polynomial
+    /// through the integration points.
     std::vector<double>
     at(const Cell &cell, const dealii::Point<dim> &unit_point) const;
 

@@ -7,7 +7,7 @@
 
 namespace Signorini
 {
-  /// What to say of a formula without a finite value at a place and a time.
+  /// The message about a formula that has no finite value at a position and time.
   template <int dim>
   std::string
   not_finite(const std::string        &key,

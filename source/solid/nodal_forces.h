@@ -27,10 +27,10 @@ namespace Signorini
       value(double t) const;
     };
 
-    /// Collective.
+    /// Find the cells of the loaded nodes and points. Collective.
     NodalForces(const Mesh<dim> &mesh, const std::vector<Load<dim>> &loads);
 
-    /// Those on an active cell of this rank; null if there are none.
+    /// The forces on an active cell of this rank; null if there are none.
     const std::vector<Force> *
     on(unsigned int active_cell) const;
 

@@ -8,8 +8,8 @@
 
 namespace Signorini
 {
-  /// Which places of the mesh a set of coarse nodes stands for: the nodes themselves, and the
-  /// edges, faces and cells all of whose corners are in it, however they are refined.
+  /// The part of the mesh that a set of coarse nodes stands for: the nodes themselves, and the
+  /// edges, faces and cells all of whose corners are in the set, however they are refined.
   template <int dim>
   class ListedNodes
   {
@@ -22,12 +22,13 @@ namespace Signorini
       return by_cell.count(coarse_cell) > 0;
     }
 
-    /// @param unit a point of an active cell
+    /// True if a point of an active cell belongs to that part. @param unit point in reference
+    /// coordinates of the cell
     bool
     contains(const dealii::CellId &cell, const dealii::Point<dim> &unit);
 
-    /// How many nodes of the set are neither corners, nor between corners of the set, nor have been
-    /// asked for: no places of the mesh. Collective.
+    /// The number of nodes of the set that are neither corners of the mesh, nor between corners of
+    /// the set, nor were found by contains(): they do not exist in the mesh. Collective.
     unsigned int
     n_missing(MPI_Comm comm) const;
 
@@ -45,28 +46,28 @@ namespace Signorini
     std::vector<unsigned int>                   is_there;
   };
 
-  /// From a coarse cell to a cell in it. Returns false if the point belongs to another one: each
-  /// point belongs to just one of the cells that touch it. @param unit point of the coarse cell,
-  /// and then of the cell
+  /// Transform a point from a coarse cell to one of its descendants. Returns false if the point
+  /// belongs to another descendant: each point belongs to exactly one of the cells that touch it.
+  /// @param unit in: reference coordinates in the coarse cell; out: those in the cell
   template <int dim>
   bool
   descend(const dealii::CellId &cell, dealii::Point<dim> &unit);
 
-  /// The cell that a point lies in.
+  /// The active cell that contains a point.
   template <int dim>
   struct PointLocation
   {
-    bool               is_on_this_rank = false; ///< on this rank; exactly one has it
+    bool               is_on_this_rank = false; ///< exactly one rank has the cell
     unsigned int       active_cell;             ///< its index
     dealii::Point<dim> unit;
   };
 
-  /// Of several cells that share the point the same one whatever the number of ranks. As meshes
-  /// leave out points near the true surface of a curved body, it may lie outside by 2 % of the
-  /// cell.
-  /// @param body empty: any
-  /// @param what the message begins with. Throws SceneError if no cell has the point, or cells of
-  /// two bodies. Collective.
+  /// Find the cell that contains a point. Of several cells that share it, the result does not
+  /// depend on the number of ranks. Since meshes do not contain all points near the true surface of
+  /// a curved body, the point may lie outside of the cell by 2 % of its size. Throws SceneError if
+  /// no cell has the point, or cells of two bodies have it. Collective.
+  /// @param body name of the body; empty: any
+  /// @param what beginning of the message
   template <int dim>
   PointLocation<dim>
   locate(const Mesh<dim>          &mesh,

@@ -29,10 +29,11 @@ namespace Signorini
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    /// At the present time of elasticity, to which it refers. Collective.
+    /// Evaluate pressures at the present time of elasticity, to which it keeps a reference.
+    /// Collective.
     explicit PressureKernel(const Elasticity<dim> &elasticity);
 
-    /// No pressure anywhere, or none that follows.
+    /// True if there are no follower pressures.
     bool
     empty() const
     {
@@ -49,7 +50,8 @@ namespace Signorini
              dealii::Vector<double>       &forces,
              dealii::FullMatrix<double>   *tangent = nullptr);
 
-    /// Of the first pressure that had no finite value on this rank, in words; empty: none.
+    /// A message about the first pressure that had no finite value on this rank; empty if there is
+    /// none.
     const std::string &
     fault() const
     {
@@ -69,9 +71,10 @@ namespace Signorini
 
     const Elasticity<dim>              &elasticity;
     const dealii::hp::FECollection<dim> elements; ///< scalar: the values refer to them
-    /// Of the true surface: areas and normals at rest.
+    /// Values on the true surface: reference areas and normals.
     dealii::hp::FEFaceValues<dim> all_values;
-    /// Of the cells: the deformation gradient, which is a rotation where the nodes have turned.
+    /// Values on the cells: for the deformation gradient, which is exactly a rotation where the
+    /// nodes undergo one.
     dealii::hp::FEFaceValues<dim>                all_gradients;
     const std::vector<std::vector<unsigned int>> all_dofs; ///< see dofs_of_nodes()
     std::map<dealii::types::boundary_id, Loads>  by_boundary;

@@ -112,7 +112,7 @@ namespace Signorini
     private:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-      /// Of a node at x, for moments: of large deformation where it is now.
+      /// The position of a node at x, for moments: at finite strain the current one.
       /// @param indices of its degrees of freedom
       template <typename Indices>
       Point<dim>

@@ -8,7 +8,7 @@
 
 namespace Signorini
 {
-  /// What supports and loads exert.
+  /// The resultants of supports and loads.
   template <int dim>
   struct Reactions
   {

@@ -6,7 +6,7 @@
 
 namespace Signorini
 {
-  /// What acts on some nodes together.
+  /// The resultant of the forces on some nodes.
   template <int dim>
   struct Resultant
   {
@@ -35,7 +35,7 @@ namespace Signorini
     return m;
   }
 
-  /// The force f on the node at x.
+  /// The resultant of a single force f at x.
   template <int dim>
   Resultant<dim>
   resultant_of(const dealii::Point<dim> &x, const dealii::Tensor<1, dim> &f)

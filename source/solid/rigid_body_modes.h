@@ -18,11 +18,11 @@ namespace Signorini
 
     RigidBodyModes(const dealii::BoundingBox<dim> &box);
 
-    /// Each mode's value in component c at x.
+    /// The value of each mode in component c at x.
     std::array<double, n>
     at(const dealii::Point<dim> &x, unsigned int c) const;
 
-    /// Half the diagonal of the box.
+    /// Half of the diagonal of the bounding box [length].
     double
     size() const
     {
@@ -45,7 +45,7 @@ namespace Signorini
                    const dealii::hp::FECollection<dim> &elements,
                    const dealii::IndexSet              &owned);
 
-  /// Of the displacements of bodies.
+  /// The rigid-body modes of the bodies, mode by mode, on the locally owned degrees of freedom.
   template <int dim>
   std::vector<std::vector<double>>
   rigid_body_modes(const Displacements<dim> &displacements);

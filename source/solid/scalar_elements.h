@@ -9,7 +9,7 @@
 
 namespace Signorini
 {
-  /// Of vector-valued elements the one that all components have.
+  /// The scalar elements that all components of vector-valued elements have.
   template <int dim>
   dealii::hp::FECollection<dim>
   scalar_elements(const dealii::hp::FECollection<dim> &elements)

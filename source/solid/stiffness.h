@@ -11,9 +11,9 @@
 
 namespace Signorini
 {
-  /// What the smoother of a level of multigrid asks of a stiffness K. Vectors are arrays of the
-  /// degrees of freedom of this rank; those of levels are in single precision, which is good enough
-  /// for a preconditioner.
+  /// A stiffness K as the smoother of a multigrid level needs it. Vectors are arrays of this rank's
+  /// degrees of freedom; those of levels are in single precision, which suffices for a
+  /// preconditioner.
   template <typename Number>
   class StiffnessOperator
   {
@@ -24,16 +24,17 @@ namespace Signorini
     virtual Number *
     product(const Number *x) const = 0;
 
-    /// Where others hang on a degree of freedom, about that.
+    /// The diagonal of K. At degrees of freedom that constrain hanging nodes the value is
+    /// approximate.
     virtual std::vector<Number>
     diagonal() const = 0;
 
-    /// How large each row is as a whole: the sum of its absolute values, or about as much. Beside
-    /// the diagonal it is large where cells are of bad shape.
+    /// The l1 norm of each row, or an approximation of it. It is large beside the diagonal where
+    /// cells are of bad shape.
     virtual std::vector<Number>
     row_l1_norms() const = 0;
 
-    /// The degrees of freedom of this rank.
+    /// The degrees of freedom that this rank owns.
     virtual dealii::IndexSet
     owned() const = 0;
 
@@ -41,7 +42,7 @@ namespace Signorini
     communicator() const = 0;
   };
 
-  /// By a matrix. Refers to it.
+  /// A stiffness operator with an assembled matrix, to which it keeps a reference.
   class AssembledOperator : public StiffnessOperator<float>
   {
   public:
@@ -78,8 +79,8 @@ namespace Signorini
     mutable std::vector<float> result;
   };
 
-  /// K, how the forces of the bodies change with their displacement: what solvers ask of it. Only
-  /// what cannot do without asks for the whole matrix.
+  /// The stiffness K, the derivative of the internal forces by the displacement, as solvers need
+  /// it. The assembled matrix is only made for those who cannot do without.
   class Stiffness
   {
   public:
@@ -92,36 +93,38 @@ namespace Signorini
     virtual void
     vmult_add(LA::Vector &dst, const LA::Vector &src) const = 0;
 
-    /// Where others hang on a degree of freedom, about that.
+    /// The diagonal of K. At degrees of freedom that constrain hanging nodes the value is
+    /// approximate. Collective.
     virtual LA::Vector
     diagonal() const = 0;
 
-    /// The same for the finest level of multigrid. Collective.
+    /// K in single precision, for the finest level of multigrid. Collective.
     virtual const StiffnessOperator<float> &
     single_precision() const = 0;
 
-    /// A matrix in which at least the rows of some degrees of freedom of this rank are complete.
-    /// Collective. @param marker nonzero there
+    /// A matrix in which at least the rows of the marked degrees of freedom of this rank are
+    /// complete. Collective.
+    /// @param marker nonzero at these degrees of freedom
     virtual const LA::SparseMatrix &
     rows(const LA::Vector &marker) const = 0;
 
-    /// Collective.
+    /// The assembled matrix. Collective.
     virtual const LA::SparseMatrix &
     matrix() const = 0;
 
-    /// Of the cells of hexahedra that it is the sum of, for coarser spaces; null: they are those of
-    /// the materials at rest.
+    /// The tangents of the hexahedral cells that K is assembled from, for coarser spaces; null:
+    /// they are those of the undeformed materials.
     virtual const CellTangents *
     tangents() const
     {
       return nullptr;
     }
 
-    /// Another one after each change of values. What was returned before may be void then.
+    /// Changes with each change of values; references returned before may be invalid then.
     virtual unsigned int
     version() const = 0;
 
-    /// The degrees of freedom of this rank.
+    /// The degrees of freedom that this rank owns.
     virtual dealii::IndexSet
     owned() const = 0;
 
@@ -135,7 +138,7 @@ namespace Signorini
     }
   };
 
-  /// An assembled one. Refers to the matrix.
+  /// A stiffness with an assembled matrix, to which it keeps a reference.
   class AssembledStiffness : public Stiffness
   {
   public:
@@ -143,7 +146,7 @@ namespace Signorini
       : K(K)
     {}
 
-    /// The matrix has other values now.
+    /// To be called when the values of the matrix have changed.
     void
     has_changed()
     {
@@ -200,8 +203,9 @@ namespace Signorini
     }
 
   private:
-    const LA::SparseMatrix                          &K;
-    unsigned int                                     my_version = 1;
-    mutable std::unique_ptr<const AssembledOperator> my_single_precision; ///< null: nobody asked
+    const LA::SparseMatrix &K;
+    unsigned int            my_version = 1;
+    /// Null until it is needed.
+    mutable std::unique_ptr<const AssembledOperator> my_single_precision;
   };
 } // namespace Signorini

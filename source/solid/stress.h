@@ -12,7 +12,7 @@ namespace Signorini
   dealii::SymmetricTensor<2, 3>
   stress(const Material &material, const dealii::SymmetricTensor<2, 3> &strain);
 
-  /// The strain of a stress.
+  /// The strain that belongs to a stress, by linear elasticity.
   dealii::SymmetricTensor<2, 3>
   compliance(const Material &material, const dealii::SymmetricTensor<2, 3> &stress);
 

@@ -11,11 +11,11 @@
 
 namespace Signorini
 {
-  /// What all loads exert together at a place of a boundary.
+  /// The sum of all surface loads at a point of a boundary.
   template <int dim>
   struct SurfaceLoad
   {
-    dealii::Tensor<1, dim> traction;     ///< [force/area at rest], which does not turn
+    dealii::Tensor<1, dim> traction;     ///< [force/reference area], of fixed direction
     double                 pressure = 0; ///< [force/area], positive pushes into the body
 
     /// The force per area of a surface with that outward normal.
@@ -31,7 +31,7 @@ namespace Signorini
   class SurfaceLoads
   {
   public:
-    /// Collective.
+    /// Evaluate the loads at time t. Collective.
     SurfaceLoads(const Mesh<dim>                     &mesh,
                  const dealii::hp::FECollection<dim> &elements,
                  Model                                model,
@@ -50,11 +50,13 @@ namespace Signorini
       return by_boundary.count(id) > 0;
     }
 
-    /// At a place at rest. What is not finite is left out, see fault().
+    /// The load at a point of the reference configuration. Values that are not finite are skipped,
+    /// see fault().
     SurfaceLoad<dim>
     at(dealii::types::boundary_id id, const dealii::Point<dim> &x);
 
-    /// Of the first formula that had no finite value on this rank, in words; empty: none.
+    /// A message about the first formula that had no finite value on this rank; empty if there is
+    /// none.
     const std::string &
     fault() const
     {
@@ -66,7 +68,7 @@ namespace Signorini
     measure_boundaries(const Mesh<dim>                     &mesh,
                        const dealii::hp::FECollection<dim> &elements,
                        Model                                model);
-    /// False, and remembered, if that is not a number.
+    /// Returns false, and stores a message, if the value is not finite.
     bool
     check_finite_value(double                    size,
                        const Load<dim>          &load,
@@ -80,7 +82,7 @@ namespace Signorini
     std::string                         error_message;
   };
 
-  /// Of these boundaries, do loads act on any, with values that depend on time?
+  /// True if loads with time-dependent values act on any of these boundaries.
   template <int dim>
   bool
   surface_loads_vary(const Mesh<dim>              &mesh,

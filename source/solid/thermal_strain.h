@@ -73,11 +73,11 @@ namespace Signorini
     std::vector<std::pair<dealii::types::global_dof_index, double>>
     row(const Cell &cell, const dealii::Point<dim> &x) const;
 
-    /// Of all rises at the present time.
+    /// The coefficients of all temperature changes at the present time.
     LA::Vector
     coefficients() const;
 
-    /// The indices of this rank.
+    /// The indices of the coefficients that this rank owns.
     dealii::IndexSet
     owned() const;
 

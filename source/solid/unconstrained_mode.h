@@ -7,10 +7,10 @@
 
 namespace Signorini
 {
-  /// A motion without deformation that no support holds.
+  /// A rigid-body mode that no support constrains.
   struct UnconstrainedMode
   {
     std::string name;   ///< "ball: translation z"
-    LA::Vector  motion; ///< of free degrees of freedom; zero at constrained ones
+    LA::Vector  motion; ///< displacement; zero at constrained degrees of freedom
   };
 } // namespace Signorini

@@ -13,35 +13,38 @@
 
 namespace Signorini
 {
-  /// Motions without deformation that no support holds, of elastic bodies piece by piece, and of
-  /// rigid ones along their free components; and the springs that make K regular in spite of them.
+  /// The rigid-body modes that no support constrains: of each connected piece of an elastic body,
+  /// and of rigid bodies along their free components; and the stabilisation that makes K regular in
+  /// spite of them.
   template <int dim>
   class UnsupportedModes
   {
   public:
-    /// Keeps a reference.
+    /// Keeps a reference to the displacements.
     UnsupportedModes(const Displacements<dim> &displacements);
 
-    /// To be called when degrees of freedom have been distributed anew. Collective.
+    /// Find the modes; to be called when degrees of freedom have been distributed. Collective.
     void
     find();
 
     bool
     any() const;
 
-    /// "ball: translation z"
+    /// The names of the modes, as in "ball: translation z".
     std::vector<std::string>
     names() const;
 
-    /// In the order of the names. They vanish at all constrained degrees of freedom.
+    /// The modes in the order of the names. They vanish at all constrained degrees of freedom.
     std::vector<UnconstrainedMode>
     motions() const;
 
-    /// A diagonal: on the nodes of pieces with such motions, strength times E L/L^3 times their
-    /// share of the volume, and on free components of rigid bodies strength times theirs. Zero at
-    /// constrained degrees of freedom; empty if there are no motions.
+    /// The stabilising stiffness, a diagonal: on the nodes of pieces with such modes, strength
+    /// times E L/L^3 times their share of the volume; on free components of rigid bodies, strength
+    /// times `of_rigid_bodies`. Zero at constrained degrees of freedom; empty if there are no
+    /// modes.
     /// @param materials by their ids
-    /// @param of_rigid_bodies what stands for the stiffness of rigid bodies
+    /// @param of_rigid_bodies takes the place of the stiffness of rigid bodies
+    /// @param strength dimensionless, see Elasticity::default_stabilisation
     LA::Vector
     stabilisation(const std::vector<Material> &materials,
                   double                       of_rigid_bodies,

@@ -8,22 +8,25 @@
 
 namespace Signorini
 {
-  /// The changes of volume of one cell of a mixed body, as VolumetricStress sees them: int phi
-  /// theta dV with theta = tr eps without thermal strain (small deformation) or ln J (large), and
-  /// how they change with the displacement, int phi tr(Grad v F^-1) dV with F = I if that is small.
+  /// The volume change of one cell of a body in displacement-pressure form, tested with the
+  /// functions of VolumetricStress: int phi theta dV with the volumetric strain theta = tr eps
+  /// without thermal strain (small strain) or ln J (finite strain), and its derivative by the
+  /// displacement, int phi tr(Grad v F^-1) dV, with F = I at small strain.
   template <int dim>
   class VolumeKernel
   {
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    /// Refers to elasticity.
+    /// Keeps a reference to elasticity.
     explicit VolumeKernel(const Elasticity<dim> &elasticity);
 
-    /// Returns false, and leaves nothing that means anything, where the cell is folded: J <= 0.
-    /// @param u the displacement at the degrees of freedom of the cell
-    /// @param changes one a function phi [force]
-    /// @param slopes a row a function, a column a degree of freedom; null: not wanted
+    /// Evaluate one cell. Returns false, and leaves the results undefined, where the cell is
+    /// inverted: J <= 0.
+    /// @param u displacement at the degrees of freedom of the cell
+    /// @param changes int phi theta dV for each function phi [force]
+    /// @param slopes derivatives: one row for each function, one column for each degree of freedom;
+    /// null: not needed
     bool
     assemble(const Cell                   &cell,
              const dealii::Vector<double> &u,

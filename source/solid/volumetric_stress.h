@@ -15,21 +15,21 @@
 
 namespace Signorini
 {
-  /// The volumetric stress m of mixed bodies, tension positive, a field of its own: the stress is
-  /// 2 mu eps + m I (small deformation), or that of the law with lambda = 0 and m ln J added to W
-  /// (large deformation: m is Kirchhoff's), and
+  /// The volumetric stress m of bodies in displacement-pressure form (doc/theory, 6.6), tension
+  /// positive, an independent unknown: the stress is 2 mu eps + m I (small strain), or that of the
+  /// law with lambda = 0 and m ln J added to W (finite strain: m is a Kirchhoff stress), and
   ///
   ///   int phi (theta - m/lambda) dV = 0 for all phi,  theta = tr eps or ln J,
   ///
-  /// without thermal strain. That holds for lambda as large as one likes, infinite included, where
-  /// a displacement alone locks.
+  /// without thermal strain. lambda may be arbitrarily large or infinite, where a pure displacement
+  /// formulation locks.
   ///
-  /// In each cell, m is a linear function of the place, whatever it is in the neighbours: with
-  /// quadratic displacements that is stable and of second order, on cells of any shape because it
-  /// is linear in space, not in coordinates of the cell (Boffi and Gastaldi, Numer. Math. 92 (2002)
-  /// 593; Boffi, Brezzi, Fortin, Mixed Finite Element Methods, 2013, 8.6). The functions phi of a
-  /// cell are orthogonal, of the size of mu/h: coefficients are lengths, the rows of the equation
-  /// forces, and matrices of such functions are diagonal.
+  /// In each cell, m is a linear function of the position, discontinuous between cells: with
+  /// quadratic displacements that is inf-sup stable and of second order, on cells of any shape,
+  /// because it is linear in space and not in the coordinates of the cell (Boffi and Gastaldi,
+  /// Numer. Math. 92 (2002) 593; Boffi, Brezzi, Fortin, Mixed Finite Element Methods, 2013, 8.6).
+  /// The functions phi of a cell are orthogonal and of the size of mu/h: coefficients are lengths,
+  /// the rows of the equation are forces, and mass matrices of these functions are diagonal.
   template <int dim>
   class VolumetricStress
   {
@@ -41,18 +41,18 @@ namespace Signorini
     /// Keeps a reference to the mesh. @param materials by their ids
     VolumetricStress(const Mesh<dim> &mesh, const std::vector<Material> &materials, Model model);
 
-    /// The mesh has changed: the stress is zero. Collective.
+    /// To be called when the mesh has changed; sets the stress to zero. Collective.
     void
     reinit();
 
-    /// No body is mixed: there is nothing to do, and nothing is stored.
+    /// True if no body is in displacement-pressure form; then nothing is stored.
     bool
     empty() const
     {
       return mixed.empty();
     }
 
-    /// Is a cell one of a mixed body?
+    /// True if the cell belongs to a body in displacement-pressure form.
     bool
     is_on(const Cell &cell) const
     {
@@ -61,28 +61,28 @@ namespace Signorini
 
     // Of a locally owned or ghost cell of a mixed body:
 
-    /// m at a place; zero on other bodies.
+    /// m at a point x of a cell [force/area]; zero on other bodies.
     double
     value(const Cell &cell, const dealii::Point<dim> &x) const;
 
     Functions
     functions(const Cell &cell, const dealii::Point<dim> &x) const;
 
-    /// int phi^2 dV of each of its functions [stress x force]
+    /// int phi^2 dV, the same for each function of the cell [stress x force]
     double
     size(const Cell &cell) const
     {
       return basis(cell).size;
     }
 
-    /// Of its coefficients.
+    /// The global indices of the coefficients of a cell.
     const std::vector<dealii::types::global_dof_index> &
     indices(const Cell &cell) const
     {
       return basis(cell).indices;
     }
 
-    /// Its coefficients.
+    /// The coefficients of a cell [length].
     const Functions &
     coefficients(const Cell &cell) const
     {
@@ -91,25 +91,25 @@ namespace Signorini
 
     // Of all cells:
 
-    /// Those that this rank owns.
+    /// The coefficients that this rank owns.
     const dealii::IndexSet &
     owned() const
     {
       return dofs.locally_owned_dofs();
     }
 
-    /// An empty one if no body is mixed.
+    /// A zero vector of coefficients; empty if no body is in displacement-pressure form.
     LA::Vector
     zero_vector() const
     {
       return empty() ? LA::Vector() : LA::Vector(owned(), mesh.communicator());
     }
 
-    /// Without ghosts.
+    /// The coefficients of all cells, without ghosts.
     LA::Vector
     coefficients() const;
 
-    /// Collective.
+    /// Set the coefficients. Collective. @param values without ghosts
     void
     set_coefficients(const LA::Vector &values);
 

@@ -12,7 +12,7 @@ namespace Signorini
 
   namespace
   {
-    /// Points that are not open. Collective.
+    /// The number of points that are not open. Collective.
     unsigned int
     count(const LA::Vector &status)
     {
@@ -127,8 +127,8 @@ namespace Signorini
   unsigned int
   ActiveSet::restrict_to_deepest(const LA::Vector &gap, const bool step_by_step)
   {
-    // Refined once, an area has four times as many points: that is how a zone grows without losing
-    // its shape.
+    // A surface refined once has four times as many points; by that factor, an active set can grow
+    // without losing its shape.
     constexpr unsigned int growth   = 4;
     const unsigned int     n        = contact.n_pairs();
     const MPI_Comm         comm     = gap.get_mpi_communicator();
@@ -209,8 +209,8 @@ namespace Signorini
 
 
 
-  // Surfaces that touch overlap by that, of which nothing follows: of positions relative to each
-  // other, and of the numbers that these are differences of.
+  // Rounding of positions relative to each other, and of the coordinates that these are differences
+  // of.
   double
   ActiveSet::coordinate_rounding() const
   {
@@ -242,7 +242,8 @@ namespace Signorini
       if (contact.coefficients.bilateral(i) == 0)
         deepest = std::max(deepest, -gap(i));
     deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
-    // So is a single one that overlaps, as the tip of a cone does by the mean over its faces.
+    // A single penetrating point counts as touching, like the tip of a cone in the mean over its
+    // faces.
     if (deepest > coordinate_rounding() && n_active_unilateral() > 1)
       return restrict_to_deepest(gap);
     now = contact.coefficients.bilateral;
@@ -285,7 +286,8 @@ namespace Signorini
   bool
   ActiveSet::is_cycling()
   {
-    // A sum of well-mixed numbers, one a closed point: independent of order and ranks.
+    // The set is identified by a hash, a sum of well-mixed numbers over the closed points, which is
+    // independent of order and ranks.
     uint64_t   hash  = 0;
     const auto n_all = now.size();
     for (const auto i : now.locally_owned_elements())
@@ -299,7 +301,7 @@ namespace Signorini
     hash                  = Utilities::MPI::sum(hash, now.get_mpi_communicator());
     LA::Vector difference = now;
     difference -= last;
-    // To stay where we are is no cycle.
+    // An unchanged set is not a cycle.
     return !history.insert(hash).second && difference.l1_norm() > 0;
   }
 

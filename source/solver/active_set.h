@@ -9,9 +9,10 @@
 
 namespace Signorini
 {
-  /// The statuses of the contact points. Closed are those where the law has a pressure, among them
-  /// always those of pairs that never separate. With them goes what Newton's method remembers: the
-  /// statuses of the step before, sets that were, and how often points have changed.
+  /// The active set: the statuses of the contact points. Closed (active) points are those where the
+  /// law has a pressure; points of pairs without separation are always closed. Stores the history
+  /// that Newton's method needs: the statuses of the last step, earlier sets, and how often each
+  /// point has changed.
   class ActiveSet
   {
   public:
@@ -28,78 +29,88 @@ namespace Signorini
     unsigned int
     size() const;
 
-    /// Without those of pairs that never separate.
+    /// Number of closed points of pairs with separation.
     unsigned int
     n_active_unilateral() const;
 
-    /// Keep the set, but forget the way to it.
+    /// Keep the set, but clear the history.
     void
     restart();
 
-    /// Start from these statuses, and what is always closed. True if they are others. Collective.
+    /// Start from these statuses; points of pairs without separation become closed. Returns true if
+    /// the set differs from the present one. Collective.
     bool
     set(const LA::Vector &status);
 
-    /// The statuses that the contact law asks for; the present ones become the last ones.
+    /// Set the statuses that the contact law implies; the present ones become those of the last
+    /// step. Collective.
     void
     update(const LA::Vector &status);
 
-    /// Where smooth bodies overlap, they are pushed apart on a part of that area only: Hertz' is
-    /// where they are at least half as deep as at the deepest point. Of each pair no other points
-    /// become active. Returns the number of active points.
-    /// @param step_by_step nor so many that there are more than four times those of the last set
+    /// Restrict the newly active points of each pair to those with at least half of the deepest
+    /// penetration. Where smooth bodies penetrate each other, the contact area is only a part of
+    /// the area of penetration; in Hertz' contact it is exactly that one. Returns the number of
+    /// active points. Collective.
+    /// @param step_by_step also restrict the number of active points to about four times that of
+    /// the last set
     unsigned int
     restrict_to_deepest(const LA::Vector &gap, bool step_by_step = false);
 
-    /// A region of points that pulls as a whole does not stay, nor do the points beside it that
-    /// overlap because it was turned about: left to themselves, they would wander along a lever
-    /// that lifts off, a point a step. Of each pair something must be left.
-    /// @param trial normal component of that of the law: the pressure that points would have
+    /// Deactivate connected regions of points whose mean trial pressure is tensile, together with
+    /// the points beside them that penetrate only because the region was rotated. Left to the
+    /// point-wise law, the edge of such a region would move along a plate that lifts off by one
+    /// point a step. A pair of which no active point would remain is left unchanged.
+    /// @param trial normal component of the trial traction of the law
     void
     deactivate_tensile_regions(const LA::Vector &trial);
 
-    /// Bodies that stand on each other do not fall. Returns the number of active points.
+    /// Activate all points with zero gap (initial contact carries load). Returns the number of
+    /// active points. Collective.
     unsigned int
     activate_zero_gap(const LA::Vector &gap);
 
-    /// A body that nothing but contact holds, or an obstacle under a given force, rests on a point
-    /// at first; better it is pushed in a little before that point counts. Returns the number of
-    /// active points.
+    /// Deactivate points with zero gap: all points of pairs with separation if at most one of them
+    /// penetrates, else restrict_to_deepest(). A body that only contact supports, or an obstacle
+    /// under a given force, would otherwise rest on a single point at first; it is better pushed in
+    /// a little before that point becomes active. Returns the number of active points. Collective.
     unsigned int
     deactivate_zero_gap(const LA::Vector &gap);
 
-    /// Of all changes, make the one that violates the law most.
-    /// @param trial normal component of that of the law
+    /// Undo all changes of the set but that of the point that violates the law most. Collective.
+    /// @param trial normal component of the trial traction of the law
     void
     change_only_most_violated(const LA::Vector &trial);
 
-    /// Take back all changes if there was an active point that may separate. Returns true if that
-    /// changes anything.
+    /// Undo all changes if the last set has an active point of a pair with separation. Returns true
+    /// if that changes anything. Collective.
     bool
     restore_previous_if_active();
 
-    /// Instead of a set without points that may separate. Returns true if it has some then.
+    /// Replace a set without active points of pairs with separation by these statuses. Returns true
+    /// if it has such points then. Collective.
     bool
     replace_if_empty(const LA::Vector &status);
 
-    /// True if the set is one of those since restart(), but not the last one.
+    /// True if the set has occurred before since restart(), other than in the last step.
+    /// Collective.
     bool
     is_cycling();
 
-    /// Number of points whose status is not the last one.
+    /// Number of points whose status differs from that of the last step; counts the changes of each
+    /// point. Collective.
     unsigned int
     count_changes();
 
-    /// 1 at the contact points that changed often.
+    /// Indicator of chattering points: 1 at the contact points that changed often.
     LA::Vector
     chattering() const;
 
-    /// Where they are, for messages.
+    /// The positions of the chattering points, for messages. Collective.
     std::string
     chattering_points() const;
 
   private:
-    /// Surfaces that touch overlap by that, of which nothing follows.
+    /// The rounding error of coordinates [length]: smaller penetrations are insignificant.
     double
     coordinate_rounding() const;
 

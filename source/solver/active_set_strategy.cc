@@ -72,15 +72,19 @@ namespace Signorini
                             const bool         was_idle,
                             NewtonStep        &step)
   {
+    // The set that the law implies. With a pressure from an earlier solution or mesh, its first set
+    // follows from that.
     const PointVectors trial  = n == 0 && !is_cold ? law.trial_from_traction(in) : law.trial(in);
     const LA::Vector  &gap    = in.gap[0];
     const unsigned int before = active_set.size();
     active_set.update(law.status(trial));
     const unsigned int all = active_set.size();
-    // From a zone that is too small bodies overlap far around it, until they rest on it.
+    // If the active set is too small, bodies penetrate each other in a wide surrounding, until they
+    // rest on it: then the set would grow far too much.
     const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before && !was_idle;
     if (is_cold && (n <= 1 || grows))
       {
+        // Cold start: gaps alone are known. Keep a part of the penetrating points.
         const bool         falls  = n == 0 && !system.unconstrained_modes().empty();
         const bool         stands = falls && zero_gaps_constrain_all_modes(gap);
         const unsigned int kept   = stands ? active_set.activate_zero_gap(gap) :
@@ -90,9 +94,11 @@ namespace Signorini
       }
     if (!globalised && n > 0)
       active_set.deactivate_tensile_regions(trial[0]);
-    // The linear solves may have been too rough to tell where there is pressure. Those of thin
-    // bodies, which bend before they are compressed, are so rough that sets wander without end, and
-    // none comes up again.
+    // Escalation where the set cycles or keeps changing. First, the linear solves may have been too
+    // inaccurate to decide where there is pressure; those of thin bodies, which bend before they
+    // are compressed, are so inaccurate that sets change for ever without any of them coming up
+    // again. If accurate solves do not help either, the steps need globalisation. Each stage ends
+    // after a bounded number of changes, so that Newton's method ends.
     const bool is_partial = my_reduction > fine_reduction;
     if (!globalised &&
         (active_set.is_cycling() || n_changes >= (is_partial ? patience : 2 * patience)))
@@ -106,15 +112,17 @@ namespace Signorini
       }
     if (globalised && law.has_multiplier())
       active_set.change_only_most_violated(trial[0]);
-    // An obstacle that retreats has lost all contact before the bodies follow: let them first.
+    // An obstacle that retreats loses all contact in the first step, before the bodies follow: keep
+    // the last set for that step.
     step.kept_previous_set =
       n == 0 && (active_set.restore_previous_if_active() ||
                  (!is_cold && active_set.replace_if_empty(law.status(in.traction))));
     step.active  = active_set.size();
     step.changes = active_set.count_changes();
     n_changes += step.changes > 0;
-    // A stiff penalty peels a contact zone that is too large point by point, a soft one at once.
-    // The sign of the gap, which decides, knows nothing of the penalty.
+    // End of the penalty continuation. A stiff penalty reduces a contact area that is too large
+    // point by point, a soft one at once; the sign of the gap, which decides, does not depend on
+    // the penalty.
     if (law.has_scaled_penalty() &&
         (globalised || (step.active > 0 && step.changes <= 0.2 * active_set.n_active_unilateral())))
       {
@@ -130,7 +138,7 @@ namespace Signorini
   ActiveSetStrategy::zero_gaps_constrain_all_modes(const LA::Vector &gap)
   {
     ActiveSet touching(contact);
-    // On a tip nothing stands.
+    // A single point is no support.
     if (touching.activate_zero_gap(gap) <= 1)
       return false;
     system.find_unconstrained_modes(touching.values());

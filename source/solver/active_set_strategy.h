@@ -7,29 +7,34 @@
 
 namespace Signorini
 {
-  /// Which points are taken for active next. Mostly those that the law says; but a cold start, from
-  /// no pressure, takes the deepest half of what overlaps, grows step by step, and softens stiff
-  /// penalties until the set is nearly found; and a set that comes up again, or that keeps
-  /// changing, is left by finer linear solves, and then by caution: one change at a time where
-  /// pressures are unknowns, small steps elsewhere.
+  /// The active-set strategy: which points are active in the next Newton step. Mostly those that
+  /// the law implies, with globalisation where that fails:
+  /// a cold start, without a pressure to start from, takes only the deepest half of the penetrating
+  /// points, lets the set grow step by step, and scales stiff penalties down until the set is
+  /// nearly found (penalty continuation);
+  /// a set that cycles, or keeps changing, is first left to more accurate linear solves, and then
+  /// needs globalisation: one change at a time where pressures are unknowns, a line search
+  /// elsewhere.
   class ActiveSetStrategy
   {
   public:
-    /// Refers to both. The system finds the motions that a set leaves loose; its matrices stay.
+    /// Keeps references to both. The system is used to find the rigid-body modes that a set leaves
+    /// unconstrained; its matrices are not changed.
     ActiveSetStrategy(ContactSystem &system, ContactLaw &law, double reduction);
 
-    /// A new solution. Returns true if the set, or the stiffness of the law, is not that of the
+    /// Start a new solution. Returns true if the set, or the penalty of the law, is not that of the
     /// last one. Collective.
     /// @param p pressure
-    /// @param status what it starts with
+    /// @param status initial statuses
     bool
     start(const LA::Vector &p, const LA::Vector &status);
 
-    /// The next augmentation.
+    /// Start the next augmentation.
     void
     restart();
 
-    /// Returns true if the linearisation is not that of the last step. Collective.
+    /// Determine the statuses of the next step. Returns true if the linearisation is not that of
+    /// the last step. Collective.
     /// @param n number of the step
     /// @param was_idle the last step changed nothing
     /// @param step gets the counts
@@ -42,14 +47,15 @@ namespace Signorini
       return active_set.values();
     }
 
-    /// Steps have to be safe now rather than full.
+    /// True if full steps have failed to find the set, so that steps need a line search, or change
+    /// one point at a time.
     bool
     needs_globalisation() const
     {
       return globalised;
     }
 
-    /// By linear solves while the set changes.
+    /// The reduction of the residual by linear solves while the set changes (forcing term).
     double
     reduction() const
     {
@@ -63,11 +69,11 @@ namespace Signorini
     }
 
   private:
-    /// At points that may separate.
+    /// True if no point of a pair with separation has a pressure. Collective.
     bool
     has_no_pressure(const LA::Vector &p) const;
-    /// What touches at the start holds all that contact could hold: so does a stack of blocks, a
-    /// ball on a plane does not.
+    /// True if the points with zero gap constrain all rigid-body modes that contact can constrain
+    /// at all: true for a stack of blocks, false for a ball on a plane. Collective.
     bool
     zero_gaps_constrain_all_modes(const LA::Vector &gap);
 
@@ -76,9 +82,9 @@ namespace Signorini
     const GapOperator &contact;
     const double       first_reduction;
     ActiveSet          active_set;
-    bool               is_cold      = true; ///< without a pressure to start from
+    bool               is_cold      = true; ///< started without a pressure
     bool               globalised   = false;
     double             my_reduction = 1e-2;
-    unsigned int n_changes = 0; ///< steps that changed the set, since something else was tried
+    unsigned int n_changes = 0; ///< steps that changed the set, since the strategy changed last
   };
 } // namespace Signorini

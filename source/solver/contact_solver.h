@@ -6,11 +6,11 @@
 
 namespace Signorini
 {
-  /// All that Newton's method needs for contact as it was found: the law, the linear system of
-  /// bodies and law, its solver. Goes when contact is looked for again.
+  /// Newton's method for one result of the contact search, with the contact law, the linear system
+  /// of solids and law, and its linear solver. Replaced when contact is searched for again.
   struct ContactSolver
   {
-    /// Refers to bodies, contact, hierarchies and timer.
+    /// Keeps references to bodies, contact, hierarchies and timer.
     ContactSolver(const NewtonSettings       &newton_settings,
                   const LinearSolverSettings &linear_settings,
                   const ContactMethod        &method,

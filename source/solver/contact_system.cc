@@ -66,7 +66,7 @@ namespace Signorini
 
   namespace
   {
-    /// What has changed since `before`, which becomes what is now.
+    /// The entries that have changed since `before`, which is updated.
     std::vector<std::vector<double>>
     changes(const ContactSystem::Blocks &now, std::vector<std::vector<double>> &before)
     {

@@ -47,11 +47,11 @@ namespace Signorini
   class ContactSystem
   {
   public:
-    /// A diagonal matrix of the points for each two components, [a][b].
+    /// A diagonal matrix over the points for each pair of components, [a][b].
     using Blocks = std::vector<PointVectors>;
 
-    /// Refers to all but the unconstrained rigid-body modes, which must live as long.
-    /// @param volumetric null: no body is mixed
+    /// Keeps references to all arguments but the unconstrained modes.
+    /// @param volumetric null: no body is in displacement-pressure form
     /// @param symmetric_bodies see SolidResidual::is_symmetric()
     ContactSystem(const Stiffness          &stiffness,
                   const ContactLaw         &law,
@@ -63,12 +63,12 @@ namespace Signorini
     void
     linearise(const LawInputs &in, const LA::Vector &status);
 
-    /// The same of laws whose derivatives do not depend on the inputs.
+    /// Set the statuses only; for laws whose derivatives do not depend on the inputs.
     void
     set_status(const LA::Vector &status);
 
-    /// vmult() is that of the transposed matrix from then on, until this is taken back: another one
-    /// if is_symmetric() says no.
+    /// Make vmult() that of the transposed matrix, until called with false. No effect if
+    /// is_symmetric().
     void
     transpose(const bool wanted)
     {
@@ -84,7 +84,7 @@ namespace Signorini
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
-    /// False: K takes the place of K - G, until this is taken back.
+    /// Include the contact geometric stiffness (K - G), or not (K).
     void
     use_geometric_stiffness(const bool wanted)
     {
@@ -97,8 +97,8 @@ namespace Signorini
       return uses_geometric;
     }
 
-    /// How the forces that are not the law's change: (K - G) du without the springs that K has
-    /// against unconstrained rigid-body modes.
+    /// The change of the internal forces, (K - G) du, without the stabilisation of unconstrained
+    /// modes that K contains.
     void
     internal_force(LA::Vector &dst, const LA::Vector &du) const;
 
@@ -108,14 +108,14 @@ namespace Signorini
       return motions;
     }
 
-    /// Find the loose ones of these statuses, without the system for it.
+    /// Determine the unconstrained modes for these statuses, without linearising.
     void
     find_unconstrained_modes(const LA::Vector &status)
     {
       motions.set_status(status);
     }
 
-    /// The same without K and the volumetric stress, which get zero.
+    /// vmult() of the contact terms alone; the results of K and of the volumetric stress are zero.
     void
     contact_terms(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
@@ -123,14 +123,15 @@ namespace Signorini
     LA::BlockVector
     zero() const;
 
-    /// The number of blocks of q; the first of them is block 1.
+    /// The number of blocks of the multipliers q, of which the first is block 1; 1 (empty) in the
+    /// condensed form.
     unsigned int
     n_multiplier_blocks() const
     {
       return saddle ? law.n_components() : 1;
     }
 
-    /// The block of the volumetric stress, if there is one.
+    /// The index of the block of the volumetric stress, if there is one.
     unsigned int
     volumetric_block() const
     {
@@ -150,8 +151,8 @@ namespace Signorini
              (!contact.has_stress() || contact.theta == 1);
     }
 
-    /// K, with springs against unconstrained rigid-body modes: that is what preconditioners are
-    /// built of.
+    /// K, with the stabilisation of unconstrained rigid-body modes: what preconditioners are made
+    /// of.
     const Stiffness &
     stiffness() const
     {
@@ -171,16 +172,16 @@ namespace Signorini
       return contact;
     }
 
-    /// D_aa of each component a.
+    /// The diagonal contact stiffness D_aa of each component a [force/length].
     PointVectors
     contact_stiffness() const;
 
-    /// Is the point closed, in the condensed form with any stiffness?
+    /// True if the point is closed; in the condensed form only if its stiffness is not zero.
     bool
     is_active_point(dealii::types::global_dof_index point) const;
 
-    /// What the points of this rank add to K in the condensed form: a matrix on the local columns
-    /// of GapOperator::B_free. Empty in the saddle point form, and without points.
+    /// The contact stiffness of this rank's points in the condensed form, over the local columns of
+    /// GapOperator::B_free. Empty in the saddle point form, and without points.
     const dealii::SparseMatrix<double> &
     surface_stiffness() const
     {
@@ -218,8 +219,9 @@ namespace Signorini
               ContactStatus                   status);
     void
     make_surface_pattern();
-    /// B and S have a row a point, and often dozens of points between two faces: summing them up
-    /// once an active set costs less than to apply them one by one in each iteration.
+    /// Assemble the surface stiffness. B and S have a row for each point, and often dozens of
+    /// points lie between two faces: summing them up once for each active set costs less than
+    /// applying them one by one in each iteration.
     void
     sum_up_surface_stiffness();
     /// Returns false if there was nothing to add.

@@ -9,11 +9,12 @@
 
 namespace Signorini
 {
-  /// Forces out of balance, and what they have to be small beside: when Newton's method may stop.
+  /// The residual of Newton's method, and the convergence criteria: the forces that it is measured
+  /// against.
   class ConvergenceCriteria
   {
   public:
-    /// Refers to both.
+    /// Keeps references to both.
     ConvergenceCriteria(const SolidResidual &bodies, const ContactLaw &law, double tolerance);
 
     void
@@ -22,65 +23,66 @@ namespace Signorini
       tolerance = wanted;
     }
 
-    /// Forget the forces that there were.
+    /// Discard the forces of earlier iterates.
     void
     restart();
 
-    /// Forces of the bodies and of contact, zero where the displacement is prescribed.
-    /// @param in at u, with the traction that counts
+    /// The residual of solids and contact, zero where the displacement is prescribed. Collective.
+    /// @param in at u, with the present traction
     LA::Vector
     residual(const LA::Vector &u, const LawInputs &in, const LA::Vector &status);
 
     // Of the last one:
 
-    /// The forces that gaps ask for, see ContactLaw::residual(). Where surfaces overlap before
-    /// anything else acts, they are all that tells what is small.
+    /// Set the norm of the gap residuals as forces, see ContactLaw::residual(). If bodies penetrate
+    /// each other initially and nothing else acts, it is the only scale of forces.
     void
     set_gap_forces(const double forces)
     {
       gap_forces = forces;
     }
 
-    /// The forces at work; where there are none, those that gaps ask for; 1 if there are none
-    /// either.
+    /// The scale of forces: the acting ones; if there are none, those of the gap residuals; if
+    /// these vanish too, 1.
     double
     scale() const
     {
       return force_scale > 0 ? force_scale : gap_forces > 0 ? gap_forces : 1.;
     }
 
-    /// Those at work in the body where they are smallest.
+    /// The reference force of the body where it is smallest.
     double
     smallest_reference_force() const;
-    /// Relative to the forces at work, that of the body where it is largest.
+    /// The largest residual of a body, relative to its reference force. Collective.
     double
     residual_of_bodies(const LA::Vector &r) const;
 
-    /// That one.
+    /// The body with the largest relative residual. Collective.
     unsigned int
     worst_body(const LA::Vector &r) const;
 
-    /// Forces and the active set are those of a solution; with augmentations, of the present one.
-    /// @param before residual of the last step, to see that it does not fall any more
+    /// True if residual and active set are converged; with augmentations, those of the present one.
+    /// @param before residual of the last step, to detect stagnation at rounding level
     bool
     is_force_converged(const NewtonStep &step, double before) const;
-    /// So are the gaps.
+    /// True if the gap residual is converged.
     bool
     is_gap_converged(const NewtonStep &step) const;
 
   private:
-    /// Body by body, what residuals have to be small beside. That of all, which a support that
-    /// moves a stiff body makes large though the body is free of stress in the end, is not what
-    /// acts on a soft one; so it counts up to a thousand times the contact force.
+    /// The reference force of each body. The force of all bodies together, which a support that
+    /// displaces a stiff body makes large even if that body is free of stress in the end, says
+    /// nothing about a soft body; so it counts only up to a thousand times the contact force of the
+    /// body. Collective.
     std::vector<double>
     reference_forces(const LA::Vector &contact_force, double scale) const;
     std::vector<double>
     residuals_of_bodies(const LA::Vector &r) const;
-    /// Of the parts of a vector.
+    /// The norm of the part of a vector that belongs to each body. Collective.
     std::vector<double>
     norms_of_bodies(const LA::Vector &force) const;
-    /// Of the bodies' forces, and of penalties, which multiply that of the gap; in the norm of the
-    /// residual.
+    /// The rounding error of the residual, in its norm: that of internal forces, and that of the
+    /// gap times penalties.
     double
     rounding(const LA::Vector &u, const LawInputs &in, const LA::Vector &status) const;
 

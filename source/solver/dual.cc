@@ -7,8 +7,8 @@ namespace Signorini
 
   namespace
   {
-    /// What tractions do that follow: of_traction times their derivatives, which `derivative` takes
-    /// from the response of the law.
+    /// For tractions that follow from the law: of_traction times their derivatives, which
+    /// `derivative` takes from the response of the law.
     template <typename Derivative>
     PointVectors
     derivative_by_law(const ContactLaw   &law,
@@ -45,7 +45,7 @@ namespace Signorini
     {
       return response.by_stress;
     }
-    /// Of a quantity of the tractions, by the unknowns of the system.
+    /// The derivative of a quantity of the tractions by the unknowns of the system.
     LA::BlockVector
     gradient(const ContactSystem &system,
              const ContactLaw    &law,

@@ -5,16 +5,16 @@
 
 namespace Signorini
 {
-  /// How a quantity J(u, p) feels changes of the equations that u and p solve: with the
-  /// linearisation M of bodies and contact at the solution, and M (du, dp) = (r, W d) for forces r
-  /// out of balance and gaps d that are not closed,
+  /// The dual (adjoint) solution of a quantity J(u, p): its sensitivity to perturbations of the
+  /// equations that u and p solve. With the linearisation M of solids and contact at the solution,
+  /// and M (du, dp) = (r, W d) for residual forces r and gap residuals d,
   ///
   ///   J(u + du, p + dp) - J(u, p) = z.r + zeta.(W d),   M^T (z, zeta) = (dJ/du, dJ/dp).
   struct DualSolution
   {
-    LA::Vector   z;              ///< [J per force], a displacement with homogeneous supports
-    PointVectors zeta;           ///< [J per force], of each component; zero at open points
-    double       remainder  = 0; ///< z.r + zeta.(W d) of what Newton's method has left
+    LA::Vector   z;       ///< [J per force], a displacement with homogeneous supports
+    PointVectors zeta;    ///< [J per force], of each component; zero at open points
+    double remainder = 0; ///< z.r + zeta.(W d) for the residuals that Newton's method has left
     unsigned int iterations = 0; ///< of the linear solver
   };
 } // namespace Signorini

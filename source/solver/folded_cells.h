@@ -9,8 +9,7 @@
 
 namespace Signorini
 {
-  /// Throws SolverFailure, on all ranks, if cells are folded on one of them. Collective.
-  /// @param body_here the name of their body; empty: none
+  /// Throws SolverFailure on all ranks if cells are inverted on one of them. Collective.
   inline void
   check_folds(const std::string &body_here, const MPI_Comm comm)
   {

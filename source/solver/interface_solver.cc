@@ -101,7 +101,7 @@ namespace Signorini
 
 
 
-  /// Matrix entries in zone numbering.
+  /// Matrix entries in the numbering of the restricted system.
   class InterfaceSolver::Entries
   {
   public:
@@ -111,7 +111,7 @@ namespace Signorini
       all.push_back({i, j, value});
     }
 
-    /// A matrix of their sum. Collective.
+    /// Assemble the sum of the entries as a matrix. Collective.
     void
     sum_up(const IndexSet &owned, const MPI_Comm comm, LA::SparseMatrix &matrix)
     {

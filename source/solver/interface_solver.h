@@ -12,46 +12,52 @@
 
 namespace Signorini
 {
-  /// Nonzero at the degrees of freedom that active contact points touch.
+  /// Marker of the active interface: nonzero at the degrees of freedom in rows of active contact
+  /// points.
   LA::Vector
   active_interface_dofs(const ContactSystem &system);
 
-  /// At those along which a node moves where the gaps of these points open. A surface that has
-  /// moved has a normal with all components, but to let its nodes move along the largest one is
-  /// enough for any gap, and the others make the zone thrice as large.
+  /// Marker of the active interface restricted to one component for each node, that along which the
+  /// gaps of its points change most. In a displaced configuration normals have all components; but
+  /// the largest one suffices to close any gap, and the others would make the interface solve three
+  /// times as large.
   /// @param n_components of a node
   LA::Vector
   dominant_interface_dofs(const ContactSystem &system, unsigned int n_components);
 
-  /// At those that any contact points touch.
+  /// Marker of the potential interface: nonzero at the degrees of freedom in rows of any contact
+  /// points.
   LA::Vector
   potential_interface_dofs(const ContactSystem &system);
 
-  /// Exact solution of a ContactSystem restricted to a zone: some of the degrees of freedom, and
-  /// all multipliers. With the degrees of freedom that contact touches it costs a surface, with all
-  /// of them it is a direct solver. Forces of contact that turn join what multipliers keep apart:
-  /// factors that know of them take several times as long, and spare CG iterations where pressures
-  /// are large beside moduli.
+  /// Exact solution of a ContactSystem restricted to a subset of its degrees of freedom and all
+  /// multipliers: a local solve as in Schwarz methods. With the degrees of freedom of the active
+  /// interface its cost is that of a surface problem; with all degrees of freedom it is a direct
+  /// solver. The contact geometric stiffness couples what multipliers keep apart: a factorisation
+  /// that includes it takes several times as long, and saves CG iterations where pressures are
+  /// large compared to moduli.
   class InterfaceSolver
   {
   public:
-    /// @param marker nonzero at the degrees of freedom of the zone
-    /// @param with_geometric with forces of contact that turn, if those of the system do
+    /// Keeps a reference to the system.
+    /// @param marker nonzero at the degrees of freedom to be included
+    /// @param with_geometric include the contact geometric stiffness if the system does
     InterfaceSolver(const ContactSystem &system,
                     const LA::Vector    &marker,
                     LA::DirectLibrary    direct_library,
                     bool                 with_geometric = true);
 
-    /// Factorise for the present system. Throws SolverFailure if the zone is singular.
+    /// Factorise for the present system. Throws SolverFailure if the restricted matrix is singular.
+    /// Collective.
     void
     update();
 
-    /// x += R^T (R A R^T)^-1 R r with the restriction R to the zone.
+    /// x += R^T (R A R^T)^-1 R r with the restriction R to the included unknowns. Collective.
     void
     add_correction(LA::BlockVector &x, const LA::BlockVector &r) const;
 
-    /// x += R^T (R A R^T)^-1 R (r - A x), with that A: afterwards the residual of x vanishes on the
-    /// zone. Only the rows of the zone are evaluated.
+    /// x += R^T (R A R^T)^-1 R (r - A x): afterwards the residual of x vanishes on the included
+    /// unknowns. Only their rows are evaluated. Collective.
     void
     correct(LA::BlockVector &x, const LA::BlockVector &r) const;
 
@@ -73,8 +79,9 @@ namespace Signorini
     void
     collect_geometric(Entries &entries) const;
 
-    /// Calls act(block of the system's vectors, number of the point on this rank) in the order of
-    /// the zone: point by point, its components one after the other.
+    /// Call act(block of the system's vectors, local number of the point) for the multipliers of
+    /// this rank in the order of their indices: point by point, all components of a point one after
+    /// the other.
     template <typename Action>
     void
     for_each_multiplier(const Action &act) const;
@@ -84,20 +91,21 @@ namespace Signorini
     add_solution(LA::BlockVector &x) const;
 
     const ContactSystem        &system;
-    const LA::SparseMatrix     &K; ///< its rows of the zone
+    const LA::SparseMatrix     &K; ///< the rows of the included degrees of freedom
     const LA::ColumnExchange    columns_of_K;
-    mutable std::vector<double> x_of_K; ///< a vector there
+    mutable std::vector<double> x_of_K; ///< workspace: a vector on columns_of_K
     const LA::DirectLibrary     library;
     const bool                  with_geometric;
 
-    /// The owned degrees of freedom of the zone: number among those that this rank owns, zone
-    /// index. The zone's owned indices are these, then the multipliers of this rank.
+    /// The included degrees of freedom of this rank: (local number, index in the restricted
+    /// system). The owned indices of the restricted system are these, then the multipliers of this
+    /// rank.
     std::vector<std::pair<unsigned int, dealii::types::global_dof_index>> dofs;
-    dealii::types::global_dof_index                                       first_row =
-      0; ///< zone index of the first multiplier of this rank
-    dealii::IndexSet    owned;
-    LA::Vector          number;                   ///< zone index of each degree of freedom, or -1
-    std::vector<double> number_in_K, number_in_B; ///< that of each local column
+    dealii::types::global_dof_index first_row = 0; ///< index of the first multiplier of this rank
+    dealii::IndexSet                owned;
+    LA::Vector number; ///< index of each degree of freedom in the restricted system, or -1
+    /// Index of each local column in the restricted system, or -1.
+    std::vector<double> number_in_K, number_in_B;
 
     LA::SparseMatrix        matrix;
     mutable LA::Vector      left, right;

@@ -9,16 +9,18 @@ namespace Signorini
 
   namespace
   {
-    /// The derivative of the energy along u + a du, which grows with a: the energy is convex. It is
-    /// minus the residual there,
+    /// The derivative phi'(a) of the energy along u + a du. It is monotone, since the energy is
+    /// convex, and equals minus the residual in the direction du,
+    ///
     ///   phi'(a) = -r.du + a du.K du - [B du].W (p(a) - p(0)) - [S du].W/eps (a S du - p(a) +
     ///   p(0)),
-    /// the last term with Nitsche's method (theta = 1) only, and p(a) from the law. K is that of
+    ///
+    /// with p(a) from the contact law; the last term belongs to Nitsche's method (theta = 1). K is
     /// the linearisation at u.
     class Slope
     {
     public:
-      /// Refers to the law and to the inputs.
+      /// Keeps references to the law and to the inputs. Collective.
       Slope(const ContactSystem &system,
             const ContactLaw    &law,
             const LA::Vector    &r,
@@ -37,11 +39,11 @@ namespace Signorini
       }
 
     private:
-      /// Of the point, at a.
+      /// The traction at point i for the step length a.
       LawVector
       traction(ContactLaw::Index i, double a) const;
 
-      /// What contact takes off at a, by the points of this rank.
+      /// The contact terms of phi'(a), summed over the points of this rank; to be subtracted.
       double
       of_contact(double a) const;
 
@@ -125,7 +127,7 @@ namespace Signorini
       double low, high;
     };
 
-    /// Around the step at which the slope is zero, beyond 1 if need be.
+    /// An interval that contains the zero of the slope, by doubling the step length from 1.
     Bracket
     bracket(const Slope &slope)
     {
@@ -139,7 +141,8 @@ namespace Signorini
       return result;
     }
 
-    /// Where the slope is zero: Newton steps would go astray at the kinks that the law gives it.
+    /// The zero of the slope, by bisection, which the kinks of the contact law do not disturb. Ends
+    /// at a relative width of 1e-10.
     double
     bisect(const Slope &slope, Bracket in)
     {

@@ -5,14 +5,14 @@
 
 namespace Signorini
 {
-  /// True if solutions are minima of an energy in the displacement: of methods without unknown
-  /// pressures, and with a symmetric system.
+  /// True if solutions minimise an energy of the displacement: methods without multipliers whose
+  /// system is symmetric.
   bool
   has_energy(const ContactSystem &system);
 
-  /// The a for which u + a du has the least energy, or 1 if that is nearly as good. It costs
-  /// vectors of the surface only. Collective.
-  /// @param r forces out of balance at u
+  /// The step length a that minimises the energy of u + a du, or 1 if that is nearly as good. Costs
+  /// vectors on the contact surface only. Collective.
+  /// @param r residual at u
   /// @param in gap, stress and pressure at u
   double
   energy_minimising_step(const ContactSystem &system,

@@ -16,7 +16,7 @@ namespace Signorini
 
   namespace
   {
-    /// No contact at all.
+    /// A gap operator without any points.
     GapOperator
     nothing(const IndexSet &dofs, const MPI_Comm comm)
     {

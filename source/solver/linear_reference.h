@@ -6,13 +6,13 @@
 
 namespace Signorini
 {
-  /// The yardstick of a contact solve: what the bodies alone cost, without contact, on the same
-  /// mesh.
+  /// The reference cost of a contact solution: the linear elastic solution of the bodies without
+  /// contact on the same mesh.
   struct LinearReference
   {
     double       seconds_assembly = 0, seconds_preconditioner = 0, seconds_krylov = 0;
     unsigned int iterations = 0; ///< of the near null space that takes fewer
-    /// The faster one: the seconds are its.
+    /// The faster near-null space; the seconds are those with it.
     NearNullSpace near_null_space = NearNullSpace::rigid_body_modes;
 
     double
@@ -22,9 +22,9 @@ namespace Signorini
     }
   };
 
-  /// Assemble, set up the multigrid method and solve by CG, all from nothing, with each near null
-  /// space, and take the least of each figure. Replaces the stiffness matrix by one of the same
-  /// values: what looks at the old one must be gone. Collective.
+  /// Assemble, set up the multigrid method and solve by CG, from scratch, with each near-null
+  /// space, and take the minimum of each figure. Replaces the stiffness matrix by one of the same
+  /// values: references to the old one become invalid. Collective.
   /// @param tolerance of the residual, relative to the load
   template <int dim>
   LinearReference

@@ -143,7 +143,7 @@ namespace Signorini
   bool
   LinearSolver::can_factorise() const
   {
-    // Of a minute or so.
+    // Sizes whose factorisation takes about a minute.
     const unsigned int most = hierarchies.dim() == 2 ? 400000 : 60000;
     return settings.preconditioner == "interface multigrid" && system.stiffness().size() <= most;
   }
@@ -224,8 +224,9 @@ namespace Signorini
                       const double            absolute_tolerance,
                       const NegativeCurvature curvature)
   {
-    // Ends: there is one hierarchy of this stiffness, one zone that knows of forces that turn, and
-    // there are no other factors than those.
+    // Each failure escalates: rebuild the hierarchy for this stiffness, include the geometric
+    // stiffness in the interface solve, factorise. Each of these happens at most once for a
+    // stiffness, so the loop ends.
     for (;;)
       try
         {
@@ -255,7 +256,8 @@ namespace Signorini
     const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
 
     x = 0;
-    // What CG has seen before it gave up, factors do not.
+    // If CG has found negative curvature before the system was factorised, that remains known: a
+    // factorisation does not detect it.
     is_indefinite = is_indefinite && has_failed_iterating;
     if (preconditioner->is_exact() && !system.is_transposed())
       {
@@ -303,8 +305,9 @@ namespace Signorini
     IterationNumberControl    limited(patience, control.tolerance());
     SolverControl            &chosen = is_limited ? limited : control;
     SolverCG<LA::BlockVector> solver(chosen);
-    // alpha = r.z/p.Ap, beta = r.z/(r.z before): the preconditioner has the sign of its coarsest
-    // level, which may be that of the system.
+    // alpha = r.z/p.Ap is negative for a direction p of negative curvature of the system; beta =
+    // r.z/(r.z before) is negative if the preconditioner is indefinite, as its coarsest level is
+    // where the system is.
     solver.connect_coefficients_slot([&](const double alpha, const double beta) {
       ++n;
       is_indefinite = is_indefinite || alpha < 0 || beta < 0;
@@ -325,6 +328,8 @@ namespace Signorini
         if (curvature != NegativeCurvature::truncate)
           throw;
       }
+    // Steihaug: keep the iterate before the direction of negative curvature. CG is repeated up to
+    // it, since the solver does not return it.
     x = start;
     if (request_rebuild()) // it may have been that of the preconditioner
       {
@@ -351,8 +356,8 @@ namespace Signorini
   unsigned int
   LinearSolver::iteration_limit(const NegativeCurvature curvature) const
   {
-    // From there on a factorisation is quicker, or a zone that knows of forces that turn; and what
-    // curves down has been seen.
+    // Beyond these numbers a factorisation, or an interface solve with the geometric stiffness, is
+    // faster; and if only negative curvature is looked for, it would have been found.
     constexpr unsigned int patience = 200, little_patience = 50;
     const bool             is_limited = curvature == NegativeCurvature::report || can_factorise();
     return std::min(settings.maximum_iterations,

@@ -13,36 +13,41 @@
 
 namespace Signorini
 {
-  /// What CG does where it meets a direction along which the system is not positive.
+  /// What CG does where it meets a direction of negative curvature.
   enum class NegativeCurvature
   {
     ignore,
-    report,  ///< throws IndefiniteSystem
-    reject,  ///< likewise, also if it takes so many iterations that one cannot be far
-    truncate ///< with what it had before (Steihaug, SIAM J. Numer. Anal. 20 (1983) 626), likewise
+    report, ///< throw IndefiniteSystem
+    /// Throw IndefiniteSystem, also if so many iterations were needed that an indefinite tangent is
+    /// likely.
+    reject,
+    /// As `reject`, but return the iterate before it (Steihaug, SIAM J. Numer. Anal. 20 (1983)
+    /// 626).
+    truncate
   };
 
-  /// Solves the contact systems of one mesh. Rebuilds as much as has changed: with the active set,
-  /// what the preconditioner keeps on the surface; with the values of the stiffness (its version),
-  /// the preconditioner and the multigrid hierarchy.
+  /// Solves the contact systems of one mesh. Rebuilds only what has changed: after a change of the
+  /// active set, what the preconditioner stores of the surface; after a change of the stiffness (of
+  /// its version), the preconditioner and the multigrid hierarchy.
   class LinearSolver
   {
   public:
-    /// Refers to all but the settings.
+    /// Keeps references to all arguments but the settings.
     LinearSolver(const LinearSolverSettings &settings,
                  const ContactSystem        &system,
                  SolidHierarchy             &hierarchies,
                  dealii::TimerOutput        &timer);
 
-    /// The system's active set has changed, or the stiffness. Collective; before the first solve().
+    /// To be called when the active set or the stiffness of the system has changed, and before the
+    /// first solve(). Collective.
     void
     update();
 
-    /// Solve from a zero start until the residual has fallen by the reduction, or below the
-    /// absolute tolerance. What the preconditioner's start achieves does not count as reduction: it
-    /// takes away the forces of stiff penalties, next to which all others look small. Returns the
-    /// number of iterations; throws SolverFailure. Where the interface multigrid does not get there
-    /// and the system is not too large for it, it is factorised from then on.
+    /// Solve with initial value zero until the residual is reduced by a factor, or below the
+    /// absolute tolerance. The reduction is measured after the preconditioner's start(), which
+    /// removes the forces of stiff penalties, beside which all others would look small. If
+    /// interface multigrid does not converge and the system is small enough, it is factorised from
+    /// then on. Returns the number of iterations; throws SolverFailure. Collective.
     unsigned int
     solve(LA::BlockVector       &x,
           const LA::BlockVector &rhs,
@@ -50,13 +55,14 @@ namespace Signorini
           double                 absolute_tolerance,
           NegativeCurvature      curvature = NegativeCurvature::ignore);
 
-    /// See SolidHierarchy::interface_includes_geometric_stiffness(). Returns whether they did.
-    /// Those that there are stay as they are if that is not wanted any more.
+    /// Set SolidHierarchy::interface_includes_geometric_stiffness(). Returns its former value.
+    /// Existing preconditioners that include it are kept.
     bool
     include_geometric_in_interface(bool wanted);
 
-    /// Take a hierarchy of the stiffness as it is now, and zones that know of forces that turn.
-    /// @return false: it was that, or the system is factorised
+    /// Rebuild hierarchy and preconditioner for the present stiffness, and include the geometric
+    /// stiffness in the interface solve.
+    /// @return false if they are up to date already, or the system is factorised
     bool
     request_rebuild();
 
@@ -66,21 +72,21 @@ namespace Signorini
       return cycles_before + (preconditioner ? preconditioner->multigrid_cycles() : 0);
     }
 
-    /// True: the Krylov method did not converge, and the system is factorised instead.
+    /// True if the Krylov method did not converge, and the system is factorised instead.
     bool
     has_fallen_back() const
     {
       return has_failed_iterating;
     }
 
-    /// CG has met a direction in the last solve along which the system is not positive.
+    /// True if CG met a direction of negative curvature in the last solve.
     bool
     tangent_is_indefinite() const
     {
       return is_indefinite;
     }
 
-    /// So in any solve so far that went on from there.
+    /// True if CG met a direction of negative curvature in any solve that ignored it.
     bool
     met_negative_curvature() const
     {
@@ -88,13 +94,13 @@ namespace Signorini
     }
 
   private:
-    /// Zones do not know of forces that turn, and the system does.
+    /// True if the system has a geometric stiffness that the interface solve does not include.
     bool
     interface_lacks_geometric() const;
-    /// After which there are other ways than more of them.
+    /// The maximal number of iterations before something else is tried.
     unsigned int
     iteration_limit(NegativeCurvature curvature) const;
-    /// See solve(), with the preconditioner at hand.
+    /// See solve(), with the present preconditioner.
     unsigned int
     solve_once(LA::BlockVector       &x,
                const LA::BlockVector &rhs,
@@ -108,23 +114,25 @@ namespace Signorini
             LA::BlockVector       &x,
             const LA::BlockVector &rhs,
             NegativeCurvature      curvature);
-    /// The same of CG.
+    /// Conjugate gradients with the treatment of negative curvature. Returns the number of
+    /// iterations; throws SolverFailure.
     unsigned int
     conjugate_gradients(dealii::SolverControl &control,
                         LA::BlockVector       &x,
                         const LA::BlockVector &rhs,
                         NegativeCurvature      curvature);
 
-    /// For the stiffness as it is now.
+    /// Make the preconditioner for the present stiffness.
     void
     make_preconditioner();
     bool
     can_factorise() const;
-    /// From here on, where that may help.
-    /// @return false: it would not
+    /// Factorise the system from now on.
+    /// @return false if that would not help
     bool
     factorise(NegativeCurvature curvature);
-    /// Take the iterations of a solution that has begun with a residual, and ended with another.
+    /// Record the iterations per digit of a solution for the hierarchy.
+    /// @param first initial residual @param last final residual
     void
     record_iterations(unsigned int iterations, double first, double last);
 

@@ -12,7 +12,7 @@ namespace Signorini
 
   namespace
   {
-    /// With a matrix.
+    /// The tangent as an assembled matrix.
     template <int dim>
     class Assembled : public Linearisation<dim>
     {
@@ -74,7 +74,7 @@ namespace Signorini
       AssembledStiffness      my_stiffness;
     };
 
-    /// By the cells, without pressures.
+    /// The tangent by cells, matrix-free, without follower pressures.
     class MatrixFree : public Linearisation<3>
     {
     public:

@@ -10,13 +10,13 @@
 
 namespace Signorini
 {
-  /// The derivative of the forces of bodies that deform by any amount, pressures that follow them
-  /// included, as a Stiffness.
+  /// The tangent stiffness of solids at finite strain, including follower pressures, as a
+  /// Stiffness.
   template <int dim>
   class Linearisation
   {
   public:
-    /// Refers to all but the form. Collective.
+    /// Keeps references to all arguments but the form. Collective.
     static std::unique_ptr<Linearisation>
     create(StiffnessForm           form,
            Elasticity<dim>        &elasticity,
@@ -25,13 +25,13 @@ namespace Signorini
 
     virtual ~Linearisation() = default;
 
-    /// Linearise at u. Throws SolverFailure where cells are folded: then the stiffness means
-    /// nothing. Collective.
+    /// Linearise at u. Throws SolverFailure where cells are inverted; then the stiffness is
+    /// undefined. Collective.
     /// @param u with ghosts, satisfies the constraints
     virtual void
     linearise(const LA::Vector &u) = 0;
 
-    /// Of the bodies at rest, before they are linearised.
+    /// The tangent stiffness at the last linearise(); before, that of the undeformed bodies.
     virtual const Stiffness &
     stiffness() const = 0;
   };

@@ -21,7 +21,7 @@ namespace Signorini
       return law.trial({nothing, nothing, state.traction, state.internal})[0].linfty_norm() > 0;
     }
 
-    /// The norm of all components.
+    /// The l2 norm over all components.
     double
     norm(const PointVectors &vectors)
     {
@@ -195,17 +195,18 @@ namespace Signorini
     NewtonStep        &step = stage.step;
     const LA::Vector  &r    = stage.rhs.block(0);
     const unsigned int n    = report.steps.size();
-    // As long as the active set or the penalty changes, the next one throws away what goes beyond a
-    // good guess.
+    // Forcing term: while the active set or the penalty changes, the next system discards whatever
+    // goes beyond a good guess.
     const bool is_settled =
       contact.empty() ||
       (n > 0 && step.changes == 0 && !step.restricted_set && !stage.penalty_scale_changed);
-    // As many digits as a step of Newton's method finds where surfaces move on.
+    // A partial solution, after which the configuration is updated, needs only the digits that a
+    // Newton step gains.
     const double reduction = stopping.is_partial() ? std::min(strategy.reduction(), step.residual) :
                              is_settled            ? 0. :
                                                      strategy.reduction();
-    // Surfaces that come back to where they touch have the last pressure there at once, though next
-    // to none may be left in balance: a search would stop before that, again and again.
+    // If surfaces of an augmented law come into contact again, the last pressure acts at once,
+    // though the residual may be nearly zero: a line search would stop before that again and again.
     const bool comes_back = law.augments() && step.active == 0 && has_last_pressure(law, state);
     const bool is_searched =
       bodies.is_nonlinear() && !step.restricted_set && !step.kept_previous_set && !comes_back;
@@ -289,7 +290,8 @@ namespace Signorini
     };
     const bool did_include =
       linear_solver.include_geometric_in_interface(true); // to end in few iterations
-    // A preconditioner that is left from where the tangent curved down sees that everywhere.
+    // A preconditioner of a former, indefinite tangent would report negative curvature everywhere:
+    // if there was any, repeat with one of the present tangent.
     const bool result = sees_one() && (!linear_solver.request_rebuild() || sees_one());
     linear_solver.include_geometric_in_interface(did_include);
     return result;
@@ -307,6 +309,8 @@ namespace Signorini
     const LA::Vector size = bodies.stiffness().diagonal();
     try
       {
+        // Inverse iteration with the diagonal of K as mass: each solution is the right-hand side of
+        // the next one, up to scaling. A negative x.f = x.K x proves negative curvature.
         for (unsigned int i = 0; i < most; ++i)
           {
             linear_solver.solve(x, forces, enough, 0.);
@@ -348,8 +352,8 @@ namespace Signorini
                   const double           tolerance,
                   const double           residual)
   {
-    // Far from balance, forces of contact may seem to turn so fast that nothing resists; near a
-    // solution that is so, it is.
+    // Far from equilibrium the geometric stiffness may make the tangent indefinite by itself: then
+    // solve without it. Near a solution, an indefinite tangent is real.
     constexpr double far = 0.1;
     if (!stopping.is_partial() || residual < far)
       return linear_solver.solve(x, rhs, reduction, tolerance);

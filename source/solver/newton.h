@@ -12,17 +12,17 @@
 
 namespace Signorini
 {
-  /// How far Newton's method goes.
+  /// When Newton's method stops.
   struct StoppingCriteria
   {
-    double tolerance = 1e-10; ///< of the residual, relative to the forces at work
-    /// After so many steps the result counts, however far from balance, once the active set stays:
-    /// where surfaces will be placed anew in any case. Then linear solves find no more digits than
-    /// a step of Newton's method.
+    double tolerance = 1e-10; ///< of the residual, relative to the acting forces
+    /// Accept the result after this number of steps, whatever its residual, once the active set no
+    /// longer changes; for solutions after which the contact geometry is updated anyway. The linear
+    /// solver then reduces the residual only as far as a Newton step would.
     unsigned int sufficient_steps = dealii::numbers::invalid_unsigned_int;
 
-    /// Asked where the active set stays, once not even a thousandth is out of balance: is that
-    /// enough?
+    /// Called when the active set does not change and the relative residual is below 1e-3; true:
+    /// accept the result.
     std::function<bool()> is_sufficient;
 
     bool
@@ -32,21 +32,24 @@ namespace Signorini
     }
   };
 
-  /// Semismooth Newton method for the balance of bodies and contact, F(u) = f + B^T W p, with the
-  /// contact law between p and the gap. Where all but the law is linear, it is the primal-dual
-  /// active set strategy (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2003) 865).
+  /// Semismooth Newton method for the equilibrium of solids and contact, F(u) = f + B^T W p, with
+  /// the contact law between p and the gap (doc/theory, 4). Where all but the law is linear, it is
+  /// the primal-dual active set strategy (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2003)
+  /// 865).
   ///
-  /// Full steps, which find the active set in a few, until one comes up again. If it still does
-  /// with finer linear solves, then from there on
-  /// methods with multipliers change one point at a time, the worst; the others minimise a convex
-  /// energy (but for Nitsche's method with theta = 0 or -1, and mixed bodies), along which each
-  /// step is searched exactly: it costs vectors of the surface only. If the method augments, one
-  /// solution follows the other. Steps of bodies that deform by any amount go no farther than their
-  /// energy falls, see energy_descending_step().
+  /// Iteration: evaluate the law and the residuals, update the active set, linearise, solve,
+  /// update. Steps are full, and mostly find the active set in a few, until a set comes up again.
+  /// If it still does so with more accurate linear solves, then from there on methods with
+  /// multipliers change one point at a time, the one that violates the law most; the others
+  /// minimise a convex energy by an exact line search, which costs vectors on the surface only
+  /// (except for Nitsche's method with theta = 0 or -1, and bodies in displacement-pressure form,
+  /// which have no such energy). If the law augments, each solution starts the next augmentation.
+  /// Steps of bodies at finite strain are shortened until their energy decreases, see
+  /// energy_descending_step(). Ends with convergence, or after NewtonSettings::maximum_steps.
   class Newton
   {
   public:
-    /// Refers to all but the settings.
+    /// Keeps references to all arguments but the settings.
     /// @param system that of the bodies and the law
     /// @param linear_solver of the system
     Newton(const NewtonSettings &settings,
@@ -55,9 +58,10 @@ namespace Signorini
            ContactSystem        &system,
            LinearSolver         &linear_solver);
 
-    /// Is the linearisation at a solution not positive definite? Solves it for forces without any
-    /// symmetry, which see what those of a solution do not: a straight column that would buckle.
-    /// Seen by CG; of mixed bodies by inverse iteration, and there only as long as nothing else is
+    /// True if the linearisation at a solution is not positive definite. Solves it for forces
+    /// without any symmetry, which contain modes that the forces of the solution do not excite,
+    /// such as the buckling of a straight column. Detected by CG; with bodies in
+    /// displacement-pressure form by inverse iteration, and there only if no other eigenvalue is
     /// closer to zero. Collective.
     bool
     tangent_is_indefinite(const LA::Vector &u, const ContactState &state);
@@ -69,22 +73,24 @@ namespace Signorini
       convergence.set_tolerance(stopping.tolerance);
     }
 
+    /// Solve. Collective.
     /// @param u in: start, with the prescribed displacements of this step; out: solution
-    /// @param state of contact, in: start, with the internal variables of the last load step, which
-    /// stay; out: tractions and statuses of the solution
+    /// @param state of contact; in: start, with the internal variables of the last load step, which
+    /// are not changed; out: tractions and statuses of the solution
+    /// @param visit called after each step
     NewtonReport
     solve(LA::Vector &u, ContactState &state, const StepVisitor &visit);
 
-    /// The internal variables of the contact law at the end of a load step that has come to u.
+    /// The internal variables of the contact law at the end of a load step with solution u.
     InternalFields
     internal(const LA::Vector &u, const ContactState &state) const;
 
-    /// The dual solution of a quantity at the solution that solve() has returned. The linearisation
-    /// is that of the contact law as it is there; of Uzawa's method that of its springs.
-    /// @param state of contact there
+    /// The dual solution of a quantity at the solution that solve() has returned, with the
+    /// linearisation of the contact law there; for Uzawa's method that of its penalty. Collective.
+    /// @param state of contact at the solution
     /// @param of_displacement derivative by the free degrees of freedom
-    /// @param of_pressure by the pressures at the contact points
-    /// @param reduction of the residual
+    /// @param of_pressure derivative by the pressures at the contact points
+    /// @param reduction of the residual of the linear system
     DualSolution
     dual(const LA::Vector   &u,
          const ContactState &state,
@@ -93,7 +99,8 @@ namespace Signorini
          double              reduction);
 
   private:
-    /// One step: where the bodies are out of balance, and the right-hand side of the next system.
+    /// The data of one Newton step: gaps and stresses at the points, the right-hand side of the
+    /// linear system, and what is reported.
     struct Stage
     {
       PointVectors    gap, stress;
@@ -103,27 +110,29 @@ namespace Signorini
       double          damping               = 1; ///< of the next step
     };
 
-    /// The law at u, and the residuals; updates statuses and tractions.
+    /// Evaluate the law and the residuals at u, and update statuses and tractions.
     void
     evaluate(const LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage);
-    /// Is that the solution, or why will there be none? Or it is that of an augmentation, and the
-    /// next one starts.
+    /// Decide whether the iterate is the solution, or why there will be none. If it is the solution
+    /// of an augmentation, start the next one.
     void
     assess(const ContactState &state, NewtonReport &report, Stage &stage);
-    /// Solve the linear system, and move on.
+    /// Solve the linear system, determine the step length, and update u and the tractions.
     void
     advance(LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage);
     void
     solve_linear(const LA::BlockVector &rhs, double reduction, double tolerance, NewtonStep &step);
-    /// Of mixed bodies, whose saddle points are not solved by CG: do forces, or those that inverse
-    /// iteration makes of them, do negative work on the way that they push? That tends to the
-    /// motion whose stiffness is closest to zero, which is the one that has become negative last.
+    /// True if the tangent has negative curvature along a direction found by inverse iteration: the
+    /// Rayleigh quotient of the solution for the given forces, or for those of the next iterations,
+    /// is negative. The iteration tends to the mode whose stiffness is closest to zero, which is
+    /// the one that has become negative last. For bodies in displacement-pressure form, whose
+    /// saddle points CG does not solve.
     bool
     finds_negative_curvature(LA::BlockVector forces);
     /// Returns the number of iterations.
     unsigned int
     iterate(const LA::BlockVector &rhs, double reduction, double tolerance, double residual);
-    /// The linear system is that of the bodies at u, and of the law at these inputs.
+    /// Linearise solids at u and the law at these inputs.
     void
     linearise(const LA::Vector &u, const LawInputs &in);
 
@@ -137,8 +146,8 @@ namespace Signorini
     ActiveSetStrategy   strategy;
     StoppingCriteria    stopping;
 
-    LA::BlockVector x;               ///< the change of (u, q)
-    bool            is_same = false; ///< the linear system has the present statuses
-    unsigned int    version = 0;     ///< and the stiffness of that version
+    LA::BlockVector x;               ///< the increment of (u, q), and of m
+    bool            is_same = false; ///< the linear system is that of the present statuses
+    unsigned int    version = 0;     ///< version of the stiffness in the linear system
   };
 } // namespace Signorini

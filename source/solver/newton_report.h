@@ -16,31 +16,35 @@ namespace Signorini
     unsigned int active = 0, changes = 0, krylov_iterations = 0;
     double       residual = 0, gap_residual = 0, damping = 1;
     double       residual_of_bodies =
-      0; ///< the largest one of a body, see ConvergenceCriteria::reference_forces()
-    bool kept_previous_set = false; ///< takes over the active set of the last load step
+      0; ///< the largest one of a body, relative, see ConvergenceCriteria::reference_forces()
+    bool kept_previous_set = false; ///< the active set is that of the last load step
     bool restricted_set =
-      false; ///< overlapping points are not active yet, see restrict_to_deepest()
-    bool augmented           = false; ///< a solution, from which the next augmentation starts
-    bool fell_back_to_direct = false; ///< iterating: the system is factorised from this step on
+      false;                ///< overlapping points are not active yet, see restrict_to_deepest()
+    bool augmented = false; ///< converged, and starts the next augmentation
+    /// Iterative solver failed: the system is factorised from this step on.
+    bool fell_back_to_direct = false;
   };
 
   struct NewtonReport
   {
     bool                    converged = false;
-    std::string             reason; ///< why not
+    std::string             reason; ///< if not converged
     std::vector<NewtonStep> steps;
-    /// Motions that neither supports nor contact determine: they are held, by at most that force.
+    /// Rigid-body modes that neither supports nor contact constrain: they are stabilised by forces
+    /// of at most `stabilisation_force`.
     std::vector<std::string> undetermined_modes;
-    double                   stabilisation_force     = 0;
-    bool                     has_unconstrained_modes = false; ///< that is why it did not converge
-    LA::Vector               chattering; ///< if not: 1 at the contact points that change to and fro
-    /// The solution, or what was tried where there is none, may be unstable, see
-    /// Newton::tangent_is_indefinite(); where that was asked for.
+    double                   stabilisation_force = 0;
+    bool       has_unconstrained_modes = false; ///< unconstrained modes are why it did not converge
+    LA::Vector chattering; ///< if not converged: 1 at contact points whose status oscillates
+    /// The tangent at the solution, or at the last iterate, was found to be indefinite, so that it
+    /// may be unstable, see Newton::tangent_is_indefinite(). False if that was not checked.
     bool tangent_is_indefinite = false;
-    /// How many times as far per time as in the load step before the bodies have moved, if that is
-    /// more than 3, and the tangent curves down somewhere on the straight way; else 0.
-    double       speed_ratio = 0;
-    unsigned int worst_body  = dealii::numbers::invalid_unsigned_int; ///< likewise, out of balance
+    /// The displacement rate divided by that of the load step before, if it is more than 3 and the
+    /// tangent is indefinite somewhere on the straight line between the two solutions: a sign of
+    /// snap-through. Else 0.
+    double speed_ratio = 0;
+    /// Body with the largest relative residual, if not converged.
+    unsigned int worst_body = dealii::numbers::invalid_unsigned_int;
 
     bool
     is_finished() const
@@ -49,10 +53,10 @@ namespace Signorini
     }
   };
 
-  /// What is done after each step.
+  /// Called after each Newton step.
   using StepVisitor = std::function<void(const NewtonStep &)>;
 
-  /// Prints the head of a table now, and a row each step.
+  /// Print the head of a table, and return a visitor that prints a row for each step.
   StepVisitor
   print_steps(dealii::ConditionalOStream &out);
 } // namespace Signorini

@@ -11,13 +11,13 @@
 
 namespace Signorini
 {
-  /// Bodies with constitutive laws that are not all linear elasticity: F(u) = int P(u) : Grad v dV
-  /// less the pressures that follow bodies that deform by any amount.
+  /// Solids whose constitutive laws are not all linear elasticity: F(u) = int P(u) : Grad v dV,
+  /// minus follower pressures on bodies at finite strain.
   template <int dim>
   class NonlinearSolid : public SolidResidual
   {
   public:
-    /// Refers to elasticity, and to the timer. Collective.
+    /// Keeps references to elasticity and timer. Collective.
     /// @param form of the tangent
     NonlinearSolid(StiffnessForm             form,
                    Elasticity<dim>          &elasticity,
@@ -35,11 +35,12 @@ namespace Signorini
     LA::Vector
     residual(const LA::Vector &u) const override;
 
-    /// Of loads, and of reactions at the last residual.
+    /// The norm of loads, and of the reactions at the last residual.
     double
     load_size() const override;
 
-    /// Bodies may be led about without any force: then reactions are nothing but rounding.
+    /// The largest load_size() so far: bodies may undergo rigid motions without force, and then
+    /// reactions are nothing but rounding error.
     double
     largest_load() const override
     {
@@ -55,7 +56,7 @@ namespace Signorini
     void
     linearise(const LA::Vector &u) override;
 
-    /// Halves the step until no cell folds, nor loses nine tenths of its volume.
+    /// Halves the step until no cell is inverted or loses nine tenths of its volume.
     double
     largest_admissible_step(const LA::Vector &u, const LA::Vector &du) const override;
 

@@ -19,11 +19,12 @@ namespace Signorini
   public:
     virtual ~Preconditioner() = default;
 
-    /// The active set has changed.
+    /// To be called when the active set has changed. Collective.
     virtual void
     update() = 0;
 
-    /// Where Krylov methods have to start (from a zero vector), if the preconditioner relies on it.
+    /// Set the start vector of Krylov methods, where the preconditioner relies on a special one.
+    /// @param x in: zero
     virtual void
     start(LA::BlockVector & /*x*/, const LA::BlockVector & /*rhs*/) const
     {}
@@ -31,27 +32,28 @@ namespace Signorini
     virtual void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const = 0;
 
-    /// Symmetric and positive definite on saddle point systems too, as MINRES needs it. (On
-    /// condensed systems all are.)
+    /// True if the preconditioner is symmetric and positive definite on saddle point systems too,
+    /// as MINRES requires. (On condensed systems all are.)
     virtual bool
     is_positive_definite() const = 0;
 
-    /// True: applied to residuals that satisfy the constraints of a saddle point system it yields
-    /// vectors that do too, and is symmetric and positive definite among them: CG is for it.
+    /// True if CG can be used on saddle points: applied to residuals that satisfy the constraints,
+    /// the preconditioner yields vectors that satisfy them, and is symmetric and positive definite
+    /// among these.
     virtual bool
     preserves_constraints() const
     {
       return false;
     }
 
-    /// Multigrid cycles so far.
+    /// Number of multigrid cycles so far.
     virtual unsigned int
     multigrid_cycles() const
     {
       return 0;
     }
 
-    /// True: one application solves the system.
+    /// True if one application solves the system.
     virtual bool
     is_exact() const
     {

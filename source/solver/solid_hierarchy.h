@@ -10,13 +10,13 @@
 
 namespace Signorini
 {
-  /// The multigrid hierarchy of the bodies' stiffness, made when it is first asked for. Outlives
-  /// contact that is looked for again. Where the stiffness changes, its finest level follows; the
-  /// others do when iterations say that they no longer know what is smooth.
+  /// The multigrid hierarchy of the solids' stiffness, made on demand and kept when contact is
+  /// searched for again. When the stiffness changes, its finest level follows at once; the coarser
+  /// levels are rebuilt when the iterations per digit show that they no longer fit.
   class SolidHierarchy
   {
   public:
-    /// Refers to stiffness and elasticity.
+    /// Keeps references to stiffness and elasticity.
     template <int d>
     SolidHierarchy(const LinearSolverSettings &settings,
                    const Stiffness            &stiffness,
@@ -28,15 +28,17 @@ namespace Signorini
                    unsigned int                                      dim,
                    std::function<std::shared_ptr<const Hierarchy>()> make = {});
 
-    /// Of the stiffness as it is now, or was; null where the preconditioner needs none. Collective.
+    /// The hierarchy of the present stiffness or of a former one; null if the preconditioner needs
+    /// none. Collective.
     std::shared_ptr<const Hierarchy>
     get();
 
-    /// What an iterative solution with it took, to be compared with what that was at first.
+    /// Record the iterations per digit of a solution, to be compared with those of the first one.
     void
     record_iterations(double iterations_per_digit);
 
-    /// It is not of the stiffness as it is now. If so, it will be, when it is asked for again.
+    /// If the hierarchy is not that of the present stiffness, have get() rebuild it, and return
+    /// true.
     bool
     request_rebuild();
 
@@ -46,8 +48,8 @@ namespace Signorini
       return my_dim;
     }
 
-    /// Do zones of contact know of forces that turn (see InterfaceSolver)? Only where that saves
-    /// more iterations than it costs.
+    /// True if interface solves include the contact geometric stiffness (see InterfaceSolver),
+    /// which pays only if it saves more iterations than it costs.
     bool
     interface_includes_geometric_stiffness() const
     {

@@ -11,43 +11,43 @@
 
 namespace Signorini
 {
-  /// The bodies without contact, at a time, as Newton's method sees them: what is out of balance at
-  /// a displacement, and the linearisation there. Displacements satisfy the constraints.
+  /// The solids without contact, at a given time: the residual of their equilibrium and its
+  /// linearisation. Displacements satisfy the constraints.
   class SolidResidual
   {
   public:
     virtual ~SolidResidual() = default;
 
-    /// What acts on the bodies from now on. @param f as Elasticity has it for this kind of bodies
+    /// Set the external forces. @param f as Elasticity provides it for this kind of solids
     virtual void
     set_load(LA::Vector f) = 0;
 
-    /// The next displacement differs from this one, which was a solution, by new values of
-    /// constraints: where that is too far for Newton's method, residual() and linearise() extend it
-    /// by the linearisation there, once.
+    /// Announce that the next displacement differs from the solution u by new values of
+    /// constraints. Where that is too far for Newton's method, residual() and linearise() use the
+    /// linearisation at u for the next displacement, once.
     virtual void
     extrapolate_from(const LA::Vector & /*u*/)
     {}
 
-    /// f - F(u): the loads of now minus the forces of deformation. Constrained components mean
-    /// nothing.
+    /// The residual f - F(u): external minus internal forces. Constrained components are undefined.
+    /// Collective.
     virtual LA::Vector
     residual(const LA::Vector &u) const = 0;
 
-    /// Size of the loads, those of prescribed displacements included: residuals are small beside
-    /// that.
+    /// The norm of the external forces, including those due to prescribed displacements: residuals
+    /// are measured against it.
     virtual double
     load_size() const = 0;
 
-    /// The largest load_size() so far where that tells what is rounding of later ones, else 0; not
-    /// collective.
+    /// The largest load_size() so far, if the rounding error of later ones is relative to it; else
+    /// 0. Not collective.
     virtual double
     largest_load() const
     {
       return 0;
     }
 
-    /// Does residual() differ from its linearisation at u? Not where it extends one, see
+    /// True if residual() is not linear about u. False while it uses a linearisation, see
     /// extrapolate_from().
     virtual bool
     is_nonlinear() const
@@ -55,12 +55,12 @@ namespace Signorini
       return false;
     }
 
-    /// Linearise at u: stiffness() is that of u from then on. Its version tells whether anything
-    /// has changed. Collective.
+    /// Linearise at u: stiffness() is that at u from then on. Its version changes if its values
+    /// have changed. Collective.
     virtual void
     linearise(const LA::Vector &u) = 0;
 
-    /// The largest share, up to 1, of a step du from u that Newton's method may take. Throws
+    /// The largest admissible step length in (0, 1] for the increment du from u. Throws
     /// SolverFailure if there is none. Collective.
     virtual double
     largest_admissible_step(const LA::Vector & /*u*/, const LA::Vector & /*du*/) const
@@ -68,19 +68,20 @@ namespace Signorini
       return 1;
     }
 
-    /// dF/du, with springs against unconstrained rigid-body modes (see UnconstrainedModes), which F
-    /// has not.
+    /// The tangent dF/du, with a stabilisation of unconstrained rigid-body modes (see
+    /// UnconstrainedModes) that F does not contain.
     virtual const Stiffness &
     stiffness() const = 0;
 
-    /// False: dF/du is not symmetric.
+    /// True if dF/du is symmetric.
     virtual bool
     is_symmetric() const
     {
       return true;
     }
 
-    /// Of mixed bodies, at the displacement of linearise(); null if there are none.
+    /// The equations of the volumetric stress, linearised by linearise(); null if no body is in
+    /// displacement-pressure form.
     virtual VolumetricEquations *
     volumetric() const
     {
@@ -97,18 +98,19 @@ namespace Signorini
     virtual const dealii::AffineConstraints<double> &
     constraints() const = 0;
 
-    /// The number of the body of each degree of freedom of this rank.
+    /// The body of each locally owned degree of freedom.
     virtual const std::vector<unsigned int> &
     body_of_dof() const = 0;
   };
 
-  /// Linear elasticity: F = K u + B^T m, whose version never changes.
+  /// Linear elasticity: F = K u + B^T m. The version of the stiffness never changes.
   class LinearElasticSolid : public SolidResidual
   {
   public:
-    /// Refers to the constraints.
-    /// @param stabilisation those that K has against unconstrained rigid-body modes; empty: none
-    /// @param volumetric null: no body is mixed
+    /// Keeps a reference to the constraints.
+    /// @param stabilisation the diagonal that K contains to stabilise unconstrained rigid-body
+    /// modes; empty: none
+    /// @param volumetric null: no body is in displacement-pressure form
     LinearElasticSolid(std::unique_ptr<const Stiffness>         K,
                        const LA::Vector                        &stabilisation,
                        const dealii::AffineConstraints<double> &constraints,

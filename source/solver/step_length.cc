@@ -12,11 +12,12 @@ namespace Signorini
 
   namespace
   {
-    /// The derivative of the energy along u + a du where bodies deform by any amount.
+    /// The derivative of the energy along u + a du at finite strain: minus the residual in the
+    /// direction du.
     class Resistance
     {
     public:
-      /// Refers to both.
+      /// Keeps references to both.
       Resistance(const LineSearchStart &start, const LA::BlockVector &step)
         : start(start)
         , contact(start.law.gap_operator())
@@ -24,20 +25,21 @@ namespace Signorini
         , du(step.block(0))
       {}
 
-      /// At a. Collective, as the next one.
+      /// The derivative at step length a; costs one evaluation of the residual. Collective.
       double
       operator()(double a) const;
 
-      /// At 0, by what is known there.
+      /// The derivative at step length 0, from the residual at hand. Collective.
       double
       at_start() const;
 
     private:
-      /// What the law says; unknown pressures as of the augmented Lagrangian, (p - c g)+.
+      /// The tractions of the law at u; pressures that are independent unknowns take the value of
+      /// the augmented Lagrangian, max(0, p - c g).
       PointVectors
       traction(const LA::Vector &u, const PointVectors &unknown) const;
 
-      /// Normal ones, of the bodies.
+      /// The normal stress of the bodies at the points.
       LA::Vector
       stress(const LA::Vector &u) const
       {
@@ -130,8 +132,11 @@ namespace Signorini
       return longest;
     double low = 0, high = longest;
     double at_low = -first, at_high = last;
-    // Stretches beside a turn resist with the third power.
+    // First trial: the stretch due to a linearised rotation grows with the square of the step
+    // length, its forces along the step with the third power.
     double a = longest * std::cbrt(first / (first + last));
+    // Regula falsi on the slope, safeguarded to stay inside of the bracket. A slope reduced to 80 %
+    // suffices: the aim is a decrease of the energy, not its exact minimum.
     for (unsigned int i = 0; i < most; ++i)
       {
         const double here = slope(a);

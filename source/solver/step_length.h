@@ -7,7 +7,7 @@
 
 namespace Signorini
 {
-  /// Where a step starts; refers to all.
+  /// The iterate at which a line search starts; refers to all.
   struct LineSearchStart
   {
     const SolidResidual &bodies; ///< their volumetric stress is that which the step leads to
@@ -15,19 +15,20 @@ namespace Signorini
     const ContactLaw    &law;
     const LA::Vector    &u;
     const ContactState  &contact;
-    const LA::Vector    &r; ///< forces out of balance
+    const LA::Vector    &r; ///< residual at u
   };
 
-  /// An a up to the longest for which u + a du has about the least energy, or the longest if the
-  /// energy falls all the way, or hardly rises at its end. Where contact pressures are unknowns,
-  /// it is that of the augmented Lagrangian, with the multipliers that go along, p + a dp, and
-  /// the stiffness by which the active set is decided; mixed bodies have the volumetric stress that
-  /// the step leads to; and where forces have no energy, it is the work that is done against them.
+  /// A step length a up to `longest` at which the energy of u + a du is about minimal; or `longest`
+  /// if the energy decreases all along the step, or hardly increases at its end. Where contact
+  /// pressures are unknowns, the energy is that of the augmented Lagrangian with the multipliers p
+  /// + a dp and the penalty by which the active set is decided; bodies in displacement-pressure
+  /// form have the volumetric stress that the step leads to; and where forces have no potential,
+  /// their work along the step takes the place of the energy.
   ///
-  /// Of slender bodies Newton's method leads far off otherwise: what turns stretches as well, with
-  /// far more stiffness than bending has. A slope costs a residual, some percent of a step.
-  /// Matthies, Strang, Int. J. Numer. Meth. Eng. 14 (1979) 1613; Crisfield, ibid. 19 (1983) 1269.
-  /// Throws SolverFailure where cells are folded. Collective.
+  /// Newton's method needs this for slender bodies: a linearised rotation also stretches, with far
+  /// more stiffness than bending has. A slope costs one residual, some percent of a step. Matthies,
+  /// Strang, Int. J. Numer. Meth. Eng. 14 (1979) 1613; Crisfield, ibid. 19 (1983) 1269. Throws
+  /// SolverFailure where cells are inverted. Collective.
   /// @param step (u, q) or (u, q, m) as of the system
   double
   energy_descending_step(const LineSearchStart &start, const LA::BlockVector &step, double longest);

@@ -34,7 +34,8 @@ namespace Signorini
         }
     }
 
-    /// Sum over points of spring (B z_a) (B z_b).
+    /// The matrix sum over points of spring (B z_a) (B z_b), the stiffness of point springs against
+    /// the modes.
     Eigen::MatrixXd
     stiffness_against(const std::vector<LA::Vector> &gap_rates, const LA::Vector &spring)
     {
@@ -102,9 +103,10 @@ namespace Signorini
   void
   UnconstrainedModes::set_status(const LA::Vector &status)
   {
-    // Contact stops a motion if it is not along the surface everywhere: of discretised round bodies
-    // that turn, normals are a little off. The square of the angle, or of the width of the contact
-    // zone over the size of the body.
+    // A combination of modes is unconstrained if its eigenvalue vanishes, that is, if it moves
+    // along the surface at all closed points. Discretised round bodies that rotate have normals
+    // slightly off: the bound is the square of that angle, or of the width of the contact area over
+    // the size of the body.
     constexpr double negligible = 1e-6;
     my_unconstrained.clear();
     const unsigned int n = motions.size();
@@ -196,12 +198,12 @@ namespace Signorini
 
   namespace
   {
-    /// Of forces on nodes that move. The degrees of freedom of a node follow each other, dim by
-    /// dim.
+    /// Sums of the forces on the nodes that a mode moves. The degrees of freedom of a node follow
+    /// each other, dim by dim.
     struct ForcesOnMovingParts
     {
-      double              sum = 0;   ///< of their sizes, whatever their direction
-      std::vector<double> resultant; ///< their sum, component by component
+      double              sum = 0;   ///< sum of absolute values
+      std::vector<double> resultant; ///< sum, component by component
 
       ForcesOnMovingParts(const LA::Vector &motion, const LA::Vector &force, const unsigned int dim)
         : resultant(dim, 0.)
@@ -237,7 +239,7 @@ namespace Signorini
     constexpr double little = 0.01;
     if (my_unconstrained.empty())
       return 0;
-    // The tractions of pairs that push, then those of each pair that never separates.
+    // The tractions of pairs with separation, then those of each pair without.
     std::vector<PointVectors> tractions = {p};
     for (LA::Vector &component : tractions[0])
       component -= product(component, contact->coefficients.bilateral);
@@ -295,6 +297,7 @@ namespace Signorini
     for (const auto i : gap.locally_owned_elements())
       if (speed(i) < -crawls && contact->coefficients.bilateral(i) == 0)
         first = std::min(first, std::max(0., gap(i)) / -speed(i));
+    // The first point that closes along the motion determines how far it goes.
     first = Utilities::MPI::min(first, speed.get_mpi_communicator());
     if (std::isinf(first))
       return false;

@@ -10,21 +10,22 @@
 
 namespace Signorini
 {
-  /// Motions without deformation that no support stops: contact has to. K has no stiffness against
-  /// them but springs S, which make it regular and have no part in the solution. What the active
-  /// points stop needs no springs, so that they are taken out of the linear systems again, up to
-  /// those along the motions z that are loose,
+  /// Rigid-body modes that no support constrains, so that contact has to. K is stabilised along
+  /// them by a diagonal S, which makes it regular and has no part in the solution. Modes that
+  /// active points constrain need no stabilisation; the linear systems therefore contain it only
+  /// along the unconstrained modes z,
   ///
   ///   K - S + sum_z S z (S z)^T   with z^T S z' = delta_zz',
   ///
-  /// and they are never in the residual. Along unconstrained modes, the forces at work push the
+  /// and the residual never contains it. Along unconstrained modes, the acting forces push the
   /// bodies until they touch something.
   class UnconstrainedModes
   {
   public:
     UnconstrainedModes() = default;
 
-    /// @param stabilisation S, a diagonal; positive wherever a motion is not zero
+    /// Keeps a reference to `contact`.
+    /// @param stabilisation the diagonal S; positive wherever a mode is not zero
     UnconstrainedModes(std::vector<UnconstrainedMode> motions,
                        const LA::Vector              &stabilisation,
                        const GapOperator             &contact);
@@ -35,8 +36,8 @@ namespace Signorini
       return motions.empty();
     }
 
-    /// Find out which motions contact leaves loose: closed points stop what opens or overlaps them,
-    /// those that stick stop slip too. Collective.
+    /// Determine which modes contact leaves unconstrained: closed points constrain the normal gap,
+    /// sticking ones also the slip. Collective.
     void
     set_status(const LA::Vector &status);
 
@@ -44,35 +45,36 @@ namespace Signorini
     void
     subtract_stabilisation(LA::Vector &dst, const LA::Vector &src) const;
 
-    /// dst += sum_z S z (S z).src, over unconstrained modes
+    /// dst += sum_z S z (S z).src over the unconstrained modes
     void
     add_unconstrained_stiffness(LA::Vector &dst, const LA::Vector &src) const;
 
-    /// Names of the motions that would be loose even if all contact points were closed, and stuck
-    /// if they can.
+    /// Names of the modes that would be unconstrained even if all contact points were closed, and
+    /// stuck if the law allows that.
     const std::vector<std::string> &
     unconstrainable() const
     {
       return my_unconstrainable;
     }
 
-    /// Names of the unconstrained modes along which the forces r are not in balance, relative to a
-    /// force (empty argument: of all). "ball: translation z"
+    /// Names of the unconstrained modes: all of them, or those along which the forces r are not in
+    /// equilibrium, relative to the force `scale`. "ball: translation z"
     std::vector<std::string>
     unconstrained() const;
     std::vector<std::string>
     loaded(const LA::Vector &r, double scale) const;
 
-    /// Take the part along unconstrained modes out of the forces r, as a support would, where it is
-    /// less than 1 % of what the contact forces on what moves add up to. Returns the largest such
-    /// force.
-    /// @param p tractions; of those of a pair that never separates, which may pull here and push
-    /// there, the resultant counts
+    /// Project the unconstrained modes out of the forces r, as a support would, where that part is
+    /// less than 1 % of the sum of the contact forces on the moving bodies. Returns the largest
+    /// force removed. Collective.
+    /// @param p tractions; for pairs without separation, which may pull at some points and push at
+    /// others, the resultant counts
     double
     project_out(LA::Vector &r, const PointVectors &p, const LA::Vector &stress) const;
 
-    /// Move u along the unconstrained modes, as r drives them, up to the first contact and a little
-    /// further. Returns false if nothing stands in the way.
+    /// Move u along the unconstrained modes, in the direction of the forces r, up to the first
+    /// contact and a little further. Returns false if there is no contact in that direction.
+    /// Collective.
     bool
     move_into_contact(LA::Vector &u, const LA::Vector &r) const;
 
@@ -85,8 +87,8 @@ namespace Signorini
 
     void
     orthonormalise_unconstrained();
-    /// Of points in the area of those of their pair that have at least that status: what is stiff
-    /// does not matter beside what is soft.
+    /// The share of each point in the area of those points of its pair that have at least the given
+    /// status, so that stiff pairs do not outweigh soft ones.
     LA::Vector
     shares_of_pairs(const LA::Vector &status, ContactStatus least) const;
 

@@ -10,12 +10,14 @@
 
 namespace Signorini
 {
-  /// The equations of Elasticity's volumetric stress, of small and large deformation.
+  /// The equations of the volumetric stress in displacement-pressure form, at small and finite
+  /// strain (doc/theory, 6.6).
   template <int dim>
   class VolumeConstraint : public VolumetricEquations
   {
   public:
-    /// Null if no body is mixed. Refers to elasticity. Collective.
+    /// Make the equations; null if no body is in displacement-pressure form. Keeps a reference to
+    /// elasticity. Collective.
     static std::unique_ptr<VolumeConstraint<dim>>
     create(Elasticity<dim> &elasticity);
 
@@ -54,14 +56,14 @@ namespace Signorini
   private:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    /// Calls visit(cell) for the locally owned cells of mixed bodies, which tells whether it is
-    /// folded. Throws SolverFailure then. Collective.
+    /// Call visit(cell) for the locally owned cells of bodies in displacement-pressure form; it
+    /// returns whether the cell is inverted. Throws SolverFailure then. Collective.
     void
     for_cells(const std::function<bool(const Cell &cell)> &visit) const;
     void
     make_pattern();
-    /// The pressure of an incompressible body is known up to a constant only where supports leave
-    /// its surface nowhere free to move outwards.
+    /// Throws SceneError if an incompressible body is constrained on its whole surface, so that its
+    /// pressure is determined only up to a constant.
     void
     check_determined() const;
 

@@ -5,8 +5,8 @@
 
 namespace Signorini
 {
-  /// The linearised equations of the volumetric stress m of mixed bodies, which join those of their
-  /// displacement u:
+  /// The linearised equations of the volumetric stress m of bodies in displacement-pressure form,
+  /// which are coupled with those of the displacement u:
   ///
   ///     [ K   B^T ] [du]
   ///     [ B   -C  ] [dm]
@@ -15,11 +15,11 @@ namespace Signorini
   struct VolumetricCoupling
   {
     LA::SparseMatrix B;          ///< zero in the columns of constrained degrees of freedom
-    LA::Vector       compliance; ///< the diagonal of C, which is all that it has
-    LA::Vector       schur;      ///< about that of C + B K^-1 B^T, whatever lambda is
+    LA::Vector       compliance; ///< the diagonal of the diagonal matrix C
+    LA::Vector       schur; ///< approximation of the diagonal of C + B K^-1 B^T, for any lambda
   };
 
-  /// What Newton's method asks of the volumetric stress, which it moves as it moves the
+  /// The equations of the volumetric stress, which Newton's method updates together with the
   /// displacement.
   class VolumetricEquations
   {
@@ -30,8 +30,8 @@ namespace Signorini
     virtual void
     extrapolate_from(const LA::Vector &u) = 0;
 
-    /// The right-hand side of a step, C m - int phi theta(u) [force]. Displacements that do not
-    /// obey constraints are made to. Throws SolverFailure where cells are folded. Collective.
+    /// The right-hand side of a step, C m - int phi theta(u) [force]. Constraints are applied to u
+    /// where it does not satisfy them. Throws SolverFailure where cells are inverted. Collective.
     virtual LA::Vector
     residual(const LA::Vector &u) const = 0;
 
@@ -43,7 +43,7 @@ namespace Signorini
     virtual LA::Vector
     coefficients() const = 0;
 
-    /// Add a step of them. Collective.
+    /// Add factor dm to m. Collective.
     virtual void
     add(double factor, const LA::Vector &dm) = 0;
 
@@ -51,11 +51,11 @@ namespace Signorini
     virtual void
     subtract_forces(LA::Vector &r) const = 0;
 
-    /// As linearise() has left it; the place stays.
+    /// The coupling as of the last linearise(); the reference stays valid.
     virtual const VolumetricCoupling &
     coupling() const = 0;
 
-    /// Another one after each add().
+    /// Changes with each add().
     virtual unsigned int
     version() const = 0;
   };

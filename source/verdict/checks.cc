@@ -93,7 +93,7 @@ namespace Signorini
       return check_results;
     }
 
-    /// Of the largest pressures, see sharpness_of_peak().
+    /// Checks of pressure peaks, see sharpness_of_peak().
     std::vector<CheckResult>
     check_peaks(const nlohmann::ordered_json &results, const double scale)
     {
@@ -185,7 +185,8 @@ namespace Signorini
 
 
 
-    /// Of a square as large as the scene, or of a line where forces are those of a plane.
+    /// The area of a square as large as the model; the length of a line where forces are per
+    /// thickness.
     template <int dim>
     double
     area_of_size(const Snapshot<dim> &s)
@@ -238,7 +239,7 @@ namespace Signorini
       return check_result;
     }
 
-    /// Of the stress that the largest strains would be over the whole scene.
+    /// The force of the largest strain times Young's modulus over the size of the model.
     template <int dim>
     double
     elastic_force(const Snapshot<dim> &s, const std::vector<Extremes> &extremes)

@@ -18,7 +18,7 @@ namespace Signorini
                  const nlohmann::ordered_json &results,
                  double                        largest_force);
 
-  /// Of one body.
+  /// Extreme values of one body.
   struct Extremes
   {
     double motion           = 0; ///< largest displacement, in the middle of cells

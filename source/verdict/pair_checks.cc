@@ -20,7 +20,7 @@ namespace Signorini
 
   namespace
   {
-    /// Areas of one pair.
+    /// Areas and extreme values of one pair's contact.
     struct ContactExtent
     {
       double active = 0, candidates = 0;       ///< of all faces that were looked at
@@ -390,7 +390,7 @@ namespace Signorini
         "exchange Slave and Master, refine the master, or choose another method");
     }
 
-    /// Of methods whose pressure is the gap times a stiffness.
+    /// The rounding error of the pressure, for methods whose pressure is the gap times a stiffness.
     template <int dim>
     CheckResult
     check_penalty_roundoff(const Snapshot<dim> &s,
@@ -409,8 +409,8 @@ namespace Signorini
         "set a smaller Factor");
     }
 
-    /// Of methods that let bodies go through each other: beside what the strain changes over the
-    /// width of the contact zone. Bodies that are strained by so much give way by as much.
+    /// The penetration, for methods that allow one, compared with the deformation by the strain
+    /// over the width of the contact area: bodies that are strained by so much give way by as much.
     template <int dim>
     CheckResult
     check_penetration(const Snapshot<dim>         &s,

@@ -20,11 +20,11 @@ namespace Signorini
                           const Configuration<dim>     &configuration,
                           const MonitoredSurfaces<dim> &watched);
 
-    /// The face may be in something.
+    /// True if the face may be inside of another body or of an obstacle.
     bool
     may_penetrate(const CellIterator<dim> &cell, unsigned int face) const;
 
-    /// It may, or is near one of another body that may.
+    /// True if the face may penetrate something, or is near a face of another body that may.
     bool
     counts(const CellIterator<dim> &cell, unsigned int face) const;
 

@@ -19,8 +19,8 @@ namespace Signorini
     dealii::Tensor<1, dim> normal; ///< out of the body
   };
 
-  /// Those that supports may stand for: of Type symmetry, or plane boundaries that are held along
-  /// their normal alone. Collective.
+  /// The symmetry planes that supports may represent: of Type symmetry, or plane boundaries
+  /// constrained along their normal alone. Collective.
   template <int dim>
   std::vector<SymmetryPlane<dim>>
   symmetry_planes(const Scene<dim> &scene, const Elasticity<dim> &elasticity);

@@ -427,7 +427,7 @@ namespace Signorini
         true);
     }
 
-    /// Of all ranks.
+    /// The largest penetration of all ranks. Collective.
     Overlap
     largest_of(const Overlap &own, const MPI_Comm comm)
     {

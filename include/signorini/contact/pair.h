@@ -31,40 +31,41 @@ namespace Signorini
     bool   can_separate = true;          ///< no: the law is g = 0, whatever the pressure's sign
     Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
     double          search_distance = 0; ///< 0: automatic
-    std::vector<dealii::Point<dim>> directions; ///< along which its extents are told
+    /// Along which the extents of its contact area are reported.
+    std::vector<dealii::Point<dim>> directions;
     SideChoice                      sides     = SideChoice::automatic;
     bool                            exchanged = false; ///< the scene names the master as slave
-    bool found = false; ///< by the program: the scene does not say that it will act
-    /// Of a surface that touches itself: the slave is where it looks along that many times the
-    /// direction of SelfContact, the master where it looks the other way.
+    bool found = false; ///< found by the program, so that it need not come into contact
+    /// Self-contact: sign of the direction of SelfContact along which the slave faces; the master
+    /// faces the other way.
     double self_side = 1;
 
     void
     declare(Section &section);
 
-    /// Not where the bodies are tells the gap at rest, but the scene.
+    /// True if the reference gap is given by the input, not by the positions of the bodies.
     bool
     gap_is_given() const
     {
       return initial_gap.text != "from geometry";
     }
 
-    /// It is another at another time.
+    /// True if the prescribed gap depends on time.
     bool
     gap_depends_on_time() const;
 
-    /// Slave and master are the same surface of a body.
+    /// True if slave and master are the same surface, in self-contact.
     bool
     is_self() const
     {
       return slave == master;
     }
 
-    /// Slave and master.
+    /// Exchange slave and master.
     void
     exchange();
 
-    /// As the scene names them.
+    /// The slave as the input names it, before any exchange.
     const std::string &
     named_slave() const
     {

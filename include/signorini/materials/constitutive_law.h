@@ -30,7 +30,7 @@ namespace Signorini
     /// Internal variables at the end of the last load step, n_internal() of them.
     const double *internal = nullptr;
     double        duration = 0; ///< of this load step [time]
-    /// Of the temperature, above that of a body free of stress.
+    /// The temperature minus that at which the body is free of stress.
     double temperature_rise = 0;
   };
 

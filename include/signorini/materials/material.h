@@ -11,7 +11,7 @@ namespace Signorini
 {
   class Section;
 
-  /// The unknowns of a body.
+  /// The unknowns of the elastic equations of a body.
   enum class Formulation
   {
     automatic,    ///< mixed where Poisson's ratio asks for it, and nothing is against it
@@ -27,22 +27,22 @@ namespace Signorini
     std::string         law = "neo-Hooke"; ///< of large deformation: one of material_laws()
     std::vector<double> coefficients = {}; ///< of the law; empty: it needs none but E and nu
 
-    /// Null: linear elasticity of small strain.
+    /// The constitutive law; null: linear elasticity at small strain.
     std::shared_ptr<const ConstitutiveLaw> constitutive_law = {};
     StrainMeasure                          strain_measure   = StrainMeasure::finite; ///< of the law
 
-    Formulation formulation       = Formulation::automatic; ///< what the user wants
-    bool        is_up_formulation = false;                  ///< what it is
+    Formulation formulation       = Formulation::automatic; ///< as the user chose it
+    bool        is_up_formulation = false; ///< the body is in displacement-pressure form
 
-    /// That of stresses that follow from the displacement: none in a mixed body, whose displacement
-    /// alone does not feel how nearly incompressible it is.
+    /// Lame's lambda in stresses that follow from the displacement: zero in displacement-pressure
+    /// form, where the volumetric stress takes its place.
     double
     lambda() const
     {
       return is_up_formulation ? 0. : full_lambda();
     }
 
-    /// Infinite for nu = 1/2.
+    /// Lame's lambda of the material; infinite for nu = 1/2.
     double
     full_lambda() const
     {
@@ -55,14 +55,15 @@ namespace Signorini
       return youngs_modulus / (2 * (1 + poissons_ratio));
     }
 
-    /// Of that lambda.
+    /// The bulk modulus that belongs to lambda(): K of the material, or 2 mu/3 in
+    /// displacement-pressure form.
     double
     bulk_modulus() const
     {
       return is_up_formulation ? 2 * mu() / 3 : youngs_modulus / (3 * (1 - 2 * poissons_ratio));
     }
 
-    /// By how much what is mixed gives way: 1/lambda, zero for nu = 1/2.
+    /// The compliance 1/lambda of the volumetric stress; zero for nu = 1/2.
     double
     bulk_compliance() const
     {

@@ -54,7 +54,8 @@ namespace Signorini
     double                   from  = 0; ///< holds at later times; 0: also at the start
     double                   until = 0; ///< and up to this one; 0: to the end
 
-    /// Does it hold at time t? A time as close to an end of its span as rounding is that end.
+    /// True if the support acts at time t. A time that equals an end of its span up to rounding
+    /// counts as that end.
     bool
     acts(double t) const;
 

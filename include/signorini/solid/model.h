@@ -53,8 +53,8 @@ namespace Signorini
          const dealii::Tensor<1, dim> &u,
          const dealii::Point<dim>     &x);
 
-  /// The same without the thermal strain, which is given along the axes (axisymmetric: z is the
-  /// hoop): what stress() takes.
+  /// The strain without the thermal strain, which is given along the axes (axisymmetric: z is the
+  /// hoop direction): the argument of stress().
   template <int dim>
   dealii::SymmetricTensor<2, 3>
   elastic_strain(Model                         model,

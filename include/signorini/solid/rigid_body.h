@@ -33,7 +33,7 @@ namespace Signorini
     void
     declare(Section &section);
 
-    /// True if it needs degrees of freedom.
+    /// True if the body can move, so that it has degrees of freedom.
     bool
     can_move() const
     {
@@ -47,7 +47,8 @@ namespace Signorini
     double
     prescribed(unsigned int i, double t, double rotation_length_scale) const;
 
-    /// What drives degree of freedom i, a force.
+    /// The generalised force on degree of freedom i [force]; moments are divided by the rotation
+    /// length scale.
     double
     load(unsigned int i, double t, double rotation_length_scale) const;
 
@@ -55,7 +56,7 @@ namespace Signorini
     double
     arm(const dealii::BoundingBox<dim> &box) const;
 
-    /// "translation y"
+    /// The name of degree of freedom i, as in "translation y".
     static std::string
     name_of(unsigned int i);
   };

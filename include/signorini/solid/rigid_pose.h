@@ -31,11 +31,11 @@ namespace Signorini
               const std::array<double, n_dofs> &motion,
               double                            rotation_length_scale);
 
-    /// Where the body's point that is now at x was at rest.
+    /// The reference position of the body's point that is now at x.
     dealii::Point<dim>
     to_body(const dealii::Point<dim> &x) const;
 
-    /// A direction of the body, turned.
+    /// A direction of the body, rotated to the current configuration.
     Vector
     to_space(const Vector &direction) const
     {
@@ -48,7 +48,7 @@ namespace Signorini
       return turn * tensor * transpose(turn);
     }
 
-    /// r of the point now at x.
+    /// The arm r of the point that is now at x, from the center of rotation.
     Vector
     arm(const dealii::Point<dim> &x) const
     {
@@ -60,7 +60,8 @@ namespace Signorini
     std::array<double, n_dofs>
     row(const dealii::Point<dim> &x, const Vector &n) const;
 
-    /// The same of the spin J dw about axis i [radian] (2D: about z).
+    /// The derivative of the spin J dw about axis i [radian] by the degrees of freedom (2D: about
+    /// z).
     std::array<double, n_dofs>
     spin(unsigned int i) const;
 

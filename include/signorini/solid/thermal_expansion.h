@@ -15,8 +15,8 @@ namespace Signorini
   class CompiledFormula;
   class Section;
 
-  /// What the scene says of the thermal expansion of a body: strains alpha (T - T_0) along the
-  /// axes, at any place and time.
+  /// The thermal expansion of a body as the input defines it: strains alpha (T - T_0) along the
+  /// axes, at any position and time.
   template <int dim>
   struct ThermalExpansion
   {
@@ -32,7 +32,7 @@ namespace Signorini
     void
     declare(Section &section, bool mesh_has_field);
 
-    /// True if the body expands at all.
+    /// True if the body has a thermal expansion.
     bool
     given() const
     {
@@ -49,7 +49,7 @@ namespace Signorini
     bool
     depends_on_time() const;
 
-    /// False if it is the same in the whole body.
+    /// True if temperature or expansion depend on the position.
     bool
     depends_on_place() const;
 

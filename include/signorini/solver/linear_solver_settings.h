@@ -19,7 +19,7 @@ namespace Signorini
     FGMRES
   };
 
-  /// Of elasticity: what the multigrid method represents on all levels.
+  /// The near-null space of elasticity that the multigrid method represents on all levels.
   enum class NearNullSpace
   {
     rigid_body_modes,
@@ -60,7 +60,7 @@ namespace Signorini
     void
     declare(Section &section);
 
-    /// True if the preconditioner asks for the whole matrix.
+    /// True if the preconditioner needs the assembled matrix.
     bool
     needs_matrix() const
     {

@@ -7,7 +7,8 @@ namespace Signorini
 {
   class Section;
 
-  /// What is done about motions that neither supports nor contact hold, and no force drives.
+  /// What is done about rigid-body modes that neither supports nor contact constrain and no force
+  /// drives.
   enum class UnconstrainedModeTreatment
   {
     refuse,
@@ -23,7 +24,7 @@ namespace Signorini
     double                     stabilisation      = 0.25;
     UnconstrainedModeTreatment undetermined_modes = UnconstrainedModeTreatment::refuse;
 
-    /// What to do about motions that nothing determines, for messages.
+    /// Advice about unconstrained modes, for messages.
     static std::string
     stabilisation_advice();
 

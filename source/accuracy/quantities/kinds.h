@@ -7,7 +7,7 @@ namespace Signorini
 {
   // What quantity.cc lists. All collective.
 
-  /// Of a pair: sum of pressure times area times normal, its size or a component.
+  /// The contact force of a pair: sum of pressure times area times normal, its norm or a component.
   template <int dim>
   Functional
   pair_force(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
@@ -27,7 +27,7 @@ namespace Signorini
   Functional
   largest_pressure(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// Of the contact zone. Regularised: the integral of p/(p + a quarter of its mean).
+  /// The contact area, regularised: the integral of p/(p + a quarter of its mean).
   template <int dim>
   Functional
   contact_area(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
@@ -37,7 +37,7 @@ namespace Signorini
   Functional
   half_width(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);
 
-  /// Of the circle with the area of the zone.
+  /// The radius of the circle with the area of contact.
   template <int dim>
   Functional
   contact_radius(const QuantityName &name, const Snapshot<dim> &s, const Probes<dim> &);

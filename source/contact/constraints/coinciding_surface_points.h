@@ -5,9 +5,10 @@
 
 namespace Signorini
 {
-  /// Do two of the surfaces have contact points at the same places of a slave face? Where one of
-  /// them has a pressure, the bodies have a normal stress of which the other one knows nothing.
-  /// Local: of the faces of this rank.
+  /// True if two of the surfaces have contact points at the same positions of a slave face of this
+  /// rank. Where one of them carries pressure, the normal stress of the bodies is not that of the
+  /// other's constraint, so that the term theta S^T of Nitsche's method would be inconsistent. Not
+  /// collective.
   template <int dim>
   bool
   have_coinciding_points(const std::vector<ContactSurface<dim>> &surfaces);

@@ -33,7 +33,8 @@ namespace Signorini
       return {{xi[0], dim == 3 ? xi[dim - 2] : 0.}};
     }
 
-    /// Of segment edges, where points are rows: all of that of the closest point of the face.
+    /// Contributions to segment edge points with Sampling::quadrature_points: all of the pressure
+    /// of the closest integration point on the face.
     template <int dim>
     std::vector<std::vector<Share>>
     shares_of_closest(const ContactSurface<dim> &surface, const types::global_dof_index first_row)
@@ -91,7 +92,7 @@ namespace Signorini
 
     using Index = types::global_dof_index;
 
-    /// What a rank knows of a slave node of a pair; and what its owner makes of it.
+    /// The areas of a slave node of a pair on one rank, and their sums on the owner.
     struct NodeOfPair
     {
       unsigned int pair;
@@ -155,7 +156,7 @@ namespace Signorini
       return result;
     }
 
-    /// The nodes of slave faces as places.
+    /// The nodes of slave faces as surface points.
     template <int dim>
     std::vector<SurfacePoints>
     node_surface_points(const Elasticity<dim>                  &elasticity,

@@ -9,20 +9,22 @@
 
 namespace Signorini
 {
-  /// A share of a contact point that goes to a row of the gap operator.
+  /// The contribution of an integration point to a row of the gap operator.
   struct Share
   {
     dealii::types::global_dof_index row;
     double                          weight;
   };
 
-  /// Which rows there are, and which shares of each contact point they take.
+  /// The rows of the gap operator and how integration points contribute to them. With
+  /// Sampling::quadrature_points each point has a row of its own; with Sampling::nodes a slave node
+  /// collects the points around it, weighted by its multiplier shape function.
   struct ContactRows
   {
     dealii::IndexSet owned;
     dealii::IndexSet writable; ///< owned, and those that points of this rank contribute to
     std::vector<std::vector<std::vector<Share>>> shares; ///< [pair][point]
-    /// Those that segment edges have in the pressures of rows: [pair][segment edge].
+    /// Contributions of the rows' pressures to segment edge points: [pair][edge point].
     std::vector<std::vector<std::vector<Share>>> edge_point_shares;
     std::vector<unsigned int>                    pair;
     std::vector<dealii::types::global_dof_index> node;

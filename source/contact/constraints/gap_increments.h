@@ -8,18 +8,19 @@
 
 namespace Signorini
 {
-  /// Elements of a vector, which may be on other ranks.
+  /// Read access to some elements of a distributed vector, which are fetched once in the
+  /// constructor.
   class VectorValues
   {
   public:
     /// Collective. @param u without ghosts @param indices in any order, repeated or not
     VectorValues(const LA::Vector &u, std::vector<dealii::types::global_dof_index> indices);
 
-    /// Of one of the indices.
+    /// The element of one of the indices given to the constructor.
     double
     operator()(dealii::types::global_dof_index index) const;
 
-    /// row . u
+    /// The product row . u; all columns must be among the indices.
     double
     operator()(const SparseRow &row) const;
 
@@ -28,8 +29,10 @@ namespace Signorini
     std::vector<double>                          values;
   };
 
-  /// By which the gap of each point opens: row() . u. Collective.
+  /// The increments row() . u of the normal gaps of points due to a displacement [length].
+  /// Collective.
   /// @param u without ghosts
+  /// @return one value for each point, positive if the gap opens
   template <int dim>
   std::vector<double>
   gap_increments(const std::vector<const ContactPoint<dim> *> &points, const LA::Vector &u);

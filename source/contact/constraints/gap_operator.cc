@@ -95,8 +95,8 @@ namespace Signorini
         assemble_slip(contact, rows, surfaces, matrices, pattern, *tangents, comm);
       if (method.pressure_shift() != PressureShift::normal_stress)
         return;
-      // The term with theta S^T takes s = p for granted at each point, which another pair may
-      // spoil; without it all is consistent.
+      // The term with theta S^T is consistent if s = p at each point, which another pair at the
+      // same points may invalidate; the method with theta = 0 is always consistent.
       const bool are_shared =
         Utilities::MPI::max(have_coinciding_points(surfaces) ? 1 : 0, comm) > 0;
       contact.theta = are_shared ? 0. : method.theta();
@@ -162,8 +162,8 @@ namespace Signorini
           }
     }
 
-    /// Put the points of nodes where the nodes are, instead of the weighted mean of their
-    /// surroundings.
+    /// Set the positions of nodal points to those of the nodes, instead of the weighted mean of
+    /// their surroundings.
     template <int dim>
     void
     move_to_nodes(GapOperator &contact, const Elasticity<dim> &elasticity)
@@ -194,7 +194,7 @@ namespace Signorini
         v.compress(VectorOperation::insert);
     }
 
-    /// From sums over the points' weights to means.
+    /// Divide the sums over weighted points by the points' areas.
     void
     normalise(GapOperator &contact)
     {
@@ -270,7 +270,7 @@ namespace Signorini
     contact.coefficients.bilateral.compress(VectorOperation::insert);
     if (method.sampling() == Sampling::nodes)
       move_to_nodes(contact, elasticity);
-    // So that the slip is true where the surfaces are.
+    // The offset makes the slip exact in the displaced configuration.
     for (unsigned int a = 0; a < contact.tangential.B.size() && !configuration.is_reference(); ++a)
       {
         LA::Vector linear = contact.zero();

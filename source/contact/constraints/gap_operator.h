@@ -13,44 +13,48 @@ namespace Signorini
 {
   class ContactMethod;
 
-  /// A vector a component at all contact points: [0] along the normal, then along the tangents, if
-  /// there are any; or one an internal variable of the contact law.
+  /// One vector over the contact points for each component: [0] normal, then the tangential ones if
+  /// the law has any. Also used with one vector for each internal variable of the contact law.
   using PointVectors = std::vector<LA::Vector>;
 
-  /// What the contact law needs to know of each point.
+  /// Coefficients of the contact law, one value for each contact point.
   struct ContactCoefficients
   {
-    LA::Vector bilateral; ///< 1 at points of pairs that never separate, else 0
+    LA::Vector bilateral; ///< 1 at points of pairs without separation, else 0
     LA::Vector stiffness; ///< E/h [force/length^3]
-    LA::Vector epsilon;   ///< of the contact law, ContactMethod::penalty(), likewise
+    /// Penalty of the contact law, ContactMethod::epsilon() [force/length^3].
+    LA::Vector epsilon;
   };
 
-  /// Where the points are, for moments and for reports: a vector a component.
+  /// Positions and normals of the contact points, one vector for each space component; for moments
+  /// of contact forces and for output.
   struct PointGeometry
   {
     std::vector<LA::Vector> position;
-    std::vector<LA::Vector> normal; ///< mean, not of unit length on curved faces
-    std::vector<LA::Vector> moment; ///< of a unit force along the normal: x cross n; 1 (2D), 3 (3D)
-    /// The same about the origin of the reaction on the master, whose places at rest may be others;
-    /// empty at rest.
+    /// Weighted mean of the normals; not of unit length on curved faces.
+    std::vector<LA::Vector> normal;
+    /// Moment x cross n of a unit force along the normal; 1 component in 2D, 3 in 3D.
+    std::vector<LA::Vector> moment;
+    /// The moment of the reaction on the master, whose point of application differs in displaced
+    /// configurations; empty in the reference configuration.
     std::vector<LA::Vector> master_moment;
   };
 
-  /// To what the points of this rank belong.
+  /// Which pairs, nodes and faces the contact points of this rank belong to.
   struct PointOrigin
   {
-    std::vector<unsigned int> pair; ///< contact pair of each
+    std::vector<unsigned int> pair; ///< contact pair of each owned point
     /// Degree of freedom (first component) of the slave node of each; empty for quadrature points.
     std::vector<dealii::types::global_dof_index> node;
-    /// Where on the slave faces of this rank the rows are, and these rows, with those of other
-    /// ranks.
+    /// The positions of the contact points on the slave faces of this rank, and the indices of the
+    /// points at these positions, including those of other ranks.
     std::vector<SurfacePoints> places;
     dealii::IndexSet           readable;
     ContactRegions             regions;
   };
 
-  /// How the forces of the pressures at the contact points change as surfaces move, see
-  /// geometric_stiffness().
+  /// The contact geometric stiffness G: the derivative of the contact forces with respect to the
+  /// displacement at fixed tractions, see geometric_stiffness().
   class GeometricStiffness
   {
   public:
@@ -60,68 +64,74 @@ namespace Signorini
     virtual void
     vmult_add(LA::Vector &dst, const LA::Vector &v, double factor) const = 0;
 
-    /// Calls add(number of a row, of a column, value) for what is between numbered degrees of
-    /// freedom, piece by piece. Collective.
-    /// @param numbers of those of this rank; negative: none
+    /// Call add(row number, column number, value) for the entries of G between numbered degrees of
+    /// freedom, summand by summand. Collective.
+    /// @param numbers the number of each degree of freedom of this rank; negative: not numbered
     virtual void
     for_each_entry(const LA::Vector                                  &numbers,
                    const std::function<void(double, double, double)> &add) const = 0;
 
-    /// Bytes on this rank.
+    /// @return bytes on this rank
     virtual std::size_t
     memory_consumption() const = 0;
   };
 
   /// The slip of the slave relative to the master along dim - 1 tangents of each point, B_a u +
-  /// offset_a; empty unless the contact law asks for it.
+  /// offset_a; empty unless the contact law depends on the slip.
   struct TangentialRows
   {
-    std::vector<LA::SparseMatrix> B, B_free; ///< a matrix a tangent, as those of the gap
-    PointVectors                  offset;    ///< a vector a tangent, see GapOperator::set_start()
-    /// Unit tangents at rest, [a][d]: component d of tangent a at all points.
+    /// One matrix for each tangent, with the columns of GapOperator::B and B_free.
+    std::vector<LA::SparseMatrix> B, B_free;
+    PointVectors offset; ///< one vector for each tangent, see GapOperator::set_start()
+    /// Unit tangents in the reference configuration, [a][d]: component d of tangent a at all
+    /// points.
     std::vector<std::vector<LA::Vector>> at_rest;
   };
 
-  /// Contact on surfaces that have moved by u_k, to first order about that place; empty at rest.
+  /// The linearisation of contact about a displaced configuration u_k; empty in the reference
+  /// configuration.
   struct MovedContact
   {
-    LA::Vector gap_offset;          ///< what the true gap at u_k is beyond B u_k + reference_gap
-    LA::Vector linearisation_point; ///< u_k
+    LA::Vector gap_offset;                 ///< true gap at u_k minus (B u_k + reference_gap)
+    LA::Vector linearisation_point;        ///< u_k
     std::unique_ptr<GeometricStiffness> G; ///< null: zero
   };
 
-  /// The discrete gap g = B u + g_0 at the points where the method imposes contact, one row a
-  /// point: a quadrature point, or a slave node A with g_A = int psi_A g dA / int psi_A dA. A
-  /// pressure p on the points exerts the force B^T W p, where W are the points' areas. Positive
-  /// pressure is compression. Knows nothing of the dimension, so that what uses it is compiled
-  /// once.
+  /// The discrete gap g = B u + g_0 at the contact points, where the method imposes contact:
+  /// quadrature points, or slave nodes A with the weighted gap g_A = int psi_A g dA / int psi_A dA.
+  /// A contact pressure p (positive in compression) exerts the force B^T W p on the bodies, where W
+  /// is the diagonal matrix of the points' areas. Does not depend on the space dimension, so that
+  /// solvers are compiled only once.
   ///
-  /// With Nitsche's method there is also the normal stress s = S u + s_0 of the bodies at the
-  /// points, positive in compression, less what loads exert on the surfaces there, since
-  /// sigma n = - p n + t, and p exerts B^T W p + theta S^T W (s - p)/eps. s_0 comes
-  /// with such loads, with thermal strain, and with large deformation, where S is the derivative of
-  /// the stress where the surfaces are; of mixed bodies, with their volumetric stress m, s has T m
-  /// beside, and p exerts theta T^T W (s - p)/eps on m.
+  /// Nitsche's method also needs the normal stress s = S u + s_0 of the bodies at the points,
+  /// positive in compression, less the surface loads there, since sigma n = - p n + t. Its forces
+  /// are B^T W p + theta S^T W (s - p)/eps. s_0 collects surface loads, thermal strain and, at
+  /// finite strain, the offset of the linearisation, S being the derivative of the stress. Bodies
+  /// in displacement-pressure form add T m to s, with their volumetric stress m, and get the force
+  /// theta T^T W (s - p)/eps on m.
   struct GapOperator
   {
     dealii::IndexSet dofs; ///< locally owned degrees of freedom
     LA::SparseMatrix B;    ///< columns: all degrees of freedom (hanging nodes condensed)
-    /// The same for changes of free degrees of freedom: without the columns of prescribed
-    /// displacements, those of tied components added to the ones that move them.
+    /// B for changes of free degrees of freedom: columns of prescribed ones are dropped, and those
+    /// that inclined supports eliminate are added to the ones that determine them.
     LA::SparseMatrix B_free;
     LA::SparseMatrix S, S_free; ///< likewise; same entries as B; empty if no method asks for them
     LA::SparseMatrix S_thermal; ///< of s_0, by ThermalStrain::coefficients(); empty: none expands
-    LA::Vector       thermal_stress; ///< what that is now; empty: zero
-    LA::Vector       fixed_stress;   ///< what else there is of s_0; empty: zero
+    LA::Vector thermal_stress;  ///< S_thermal times the present temperature changes; empty: zero
+    LA::Vector fixed_stress;    ///< the remaining part of s_0; empty: zero
     LA::SparseMatrix
            S_volumetric; ///< T, by VolumetricStress::coefficients(); empty: no body is mixed
-    double theta = 0;    ///< see above
+    double theta = 0;    ///< 1, 0 or -1: variant of Nitsche's method; 0 for other methods
     bool   has_condensed_constraints =
-      false;           ///< B refers to components that supports tie to others, see B_free
-    LA::Vector weight; ///< area of each point; sums up to the slave area that has a projection
-    LA::Vector reference_gap;         ///< from the geometry
-    LA::Vector initial_gap;           ///< g_0: the same with the share of overlaps that counts now
-    std::vector<double> interference; ///< that share of each pair; empty: all
+      false; ///< B refers to components that supports tie to others, see B_free
+    /// Area of each point; their sum is the slave area that has a projection.
+    LA::Vector weight;
+    LA::Vector reference_gap; ///< reference gap of each point, from the geometry [length]
+    /// G_0: reference_gap with the present share of initial penetrations.
+    LA::Vector initial_gap;
+    /// Present share of initial penetrations, for each pair; empty: 1.
+    std::vector<double> interference;
 
     TangentialRows      tangential;
     MovedContact        moved;
@@ -133,8 +143,9 @@ namespace Signorini
     void
     set_interference(const std::vector<double> &shares);
 
-    /// The slip counts from there on: the displacement at the end of the last load step. Where
-    /// surfaces have moved, it counts from Configuration::start() of that place.
+    /// Set the displacement from which the slip is measured, that at the end of the last load step.
+    /// In displaced configurations it has no effect: there the slip is measured from
+    /// Configuration::start().
     void
     set_start(const LA::Vector &u);
 
@@ -142,33 +153,37 @@ namespace Signorini
     void
     set_temperature_change(const LA::Vector &temperature_change);
 
-    /// B u + g_0; u must satisfy its constraints.
+    /// The gaps B u + g_0 [length], positive if open. @param u must satisfy its constraints
     LA::Vector
     gap(const LA::Vector &u) const;
 
-    /// gap(), and the slip along the tangents.
+    /// gap(), followed by the slip along each tangent [length].
     PointVectors
     gaps(const LA::Vector &u) const;
 
-    /// S u + s_0 + T m, the normal stress of the bodies; zero if there is no S.
+    /// The normal stress of the bodies S u + s_0 + T m, positive in compression [force/length^2];
+    /// zero if no method needs it.
     /// @param m VolumetricStress::coefficients(); ignored without T
     LA::Vector
     stress(const LA::Vector &u, const LA::Vector &m = LA::Vector()) const;
 
-    /// The force of the tractions p on the free degrees of freedom.
-    /// @param s normal stress; ignored without theta
+    /// The contact forces of the tractions on free degrees of freedom, zero on all others.
+    /// @param p normal pressure (positive in compression) and tangential tractions [force/length^2]
+    /// @param s normal stress; ignored if theta is 0
     LA::Vector
     force(const PointVectors &p, const LA::Vector &s) const;
 
-    /// The one on the volumetric stress of mixed bodies, which must be there.
+    /// The contact forces on the volumetric stress, theta T^T W (s - p)/eps. Requires
+    /// has_volumetric_stress().
     LA::Vector
     force_on_volumetric_stress(const PointVectors &p, const LA::Vector &s) const;
 
-    /// The same as force() on prescribed degrees of freedom too.
+    /// The contact forces as of force(), on prescribed degrees of freedom too: for reactions.
     LA::Vector
     total_force(const PointVectors &p, const LA::Vector &s) const;
 
-    /// dst += G (u - u_k): what B^T W p lacks where surfaces have moved on from u_k.
+    /// dst += G (u - u_k): the change of the contact forces since the linearisation at u_k that B^T
+    /// W p does not contain.
     void
     add_moved_force(LA::Vector &dst, const LA::Vector &u) const;
 
@@ -176,7 +191,7 @@ namespace Signorini
     void
     subtract_geometric(LA::Vector &dst, const LA::Vector &v) const;
 
-    /// See GeometricStiffness.
+    /// GeometricStiffness::for_each_entry() of G; no calls if G is zero.
     void
     for_each_geometric_entry(const LA::Vector                                  &numbers,
                              const std::function<void(double, double, double)> &add) const;
@@ -195,14 +210,16 @@ namespace Signorini
       return weight.size() == 0;
     }
 
-    /// Rows a point: 1, or with those of the slip as many as the dimension.
+    /// Components of a contact point: 1, or as many as the dimension if the law depends on the
+    /// slip.
     unsigned int
     n_components() const
     {
       return 1 + tangential.B.size();
     }
 
-    /// The rows of component a, see B and B_free: all of them have the same columns.
+    /// The matrix of component a of the points, 0 being normal. All components have the same
+    /// columns.
     const LA::SparseMatrix &
     rows(const unsigned int a) const
     {
@@ -220,15 +237,15 @@ namespace Signorini
       return PointVectors(n_components(), zero());
     }
 
-    /// One more than the largest number of a pair that has points, on any rank. Collective.
+    /// One more than the largest number of a pair that has contact points on any rank. Collective.
     unsigned int
     n_pairs() const;
 
-    /// Bytes of its matrices and vectors on this rank.
+    /// @return bytes of the matrices and vectors on this rank
     std::size_t
     memory_consumption() const;
 
-    /// False: contact was looked for on surfaces that have moved.
+    /// True if contact was searched for in the reference configuration, false in a displaced one.
     bool
     at_rest() const
     {
@@ -241,7 +258,8 @@ namespace Signorini
       return S.m() > 0;
     }
 
-    /// It depends on the volumetric stress of mixed bodies.
+    /// True if the normal stress depends on the volumetric stress of bodies in
+    /// displacement-pressure form.
     bool
     has_volumetric_stress() const
     {
@@ -249,14 +267,17 @@ namespace Signorini
     }
 
   private:
-    /// What S^T is applied to: theta W (s - p)/eps. @param p pressure
+    /// The residual term of Nitsche's method to which S^T is applied: theta W (s - p)/eps.
+    /// @param p pressure @param s normal stress
     LA::Vector
     nitsche_residual(const LA::Vector &p, const LA::Vector &s) const;
     LA::Vector
     transposed(bool is_free, const PointVectors &p, const LA::Vector &s) const;
   };
 
-  /// @param rows make_contact_rows() of the surfaces, which are those of the configuration
+  /// Assemble the gap operator. Collective.
+  /// @param surfaces one for each contact pair, made in `configuration`
+  /// @param rows make_contact_rows() of the surfaces
   template <int dim>
   std::unique_ptr<GapOperator>
   make_gap_operator(const Configuration<dim>               &configuration,
@@ -264,7 +285,7 @@ namespace Signorini
                     const ContactRows                      &rows,
                     const ContactMethod                    &method);
 
-  /// At rest.
+  /// The same in the reference configuration. Collective.
   template <int dim>
   std::unique_ptr<GapOperator>
   make_gap_operator(const Elasticity<dim>                  &elasticity,

@@ -11,7 +11,7 @@ namespace Signorini
 
   namespace
   {
-    /// C of a bend with n rows.
+    /// The coefficients C of a second variation with n rows.
     class Factors
     {
     public:
@@ -30,7 +30,7 @@ namespace Signorini
       std::vector<double> values;
     };
 
-    /// n . (s cross t) for a spin about axis i.
+    /// n . (s cross t) for the unit spin s about axis i.
     template <int dim>
     double
     rotated(const unsigned int i, const Tensor<1, dim> &t, const Tensor<1, dim> &n)

@@ -145,15 +145,16 @@ namespace Signorini
         }
       };
 
-      /// Of degrees of freedom here.
+      /// Numbers of the degrees of freedom on this rank, directly and through inclined supports.
       struct Names
       {
         std::vector<double> numbers; ///< negative: none
-        /// That one has of another one of its node, which is so many places farther, less dim - 1.
+        /// The weight of degree of freedom i in degree of freedom i + k + 1 - dim of the same node,
+        /// which inclined supports condense: [k][i].
         std::array<std::vector<double>, 2 * dim - 1> shares;
       };
 
-      /// Those of a point.
+      /// Collect the numbered degrees of freedom of a point, with their weights.
       void
       name_dofs(const LoadedPoint<dim> &point, const Names &names, std::vector<Named> &named) const
       {
@@ -181,7 +182,7 @@ namespace Signorini
         std::for_each(rigid.begin(), rigid.end(), take);
       }
 
-      /// All that points refer to.
+      /// All degrees of freedom that points refer to.
       IndexSet
       dofs(const types::global_dof_index n_dofs) const
       {

@@ -7,8 +7,8 @@
 
 namespace Signorini
 {
-  /// Pairs without any pressure, of which all of the initial overlap counts: surfaces of theirs
-  /// that go through each other have not seen it. Collective.
+  /// Flags of pairs that carry no pressure though their initial penetrations count in full: where
+  /// their surfaces penetrate each other, the contact search has missed it. Collective.
   /// @param pressure at the rows
   std::vector<bool>
   inactive_pairs(const GapOperator &contact, const LA::Vector &pressure, unsigned int n_pairs);

@@ -116,7 +116,7 @@ namespace Signorini
 
   namespace
   {
-    /// Of a pressure.
+    /// The loaded point of a contact pressure. @param force pressure times area
     template <int dim>
     LoadedPoint<dim>
     pressed(const FaceShapeFunctions<dim> &slave,
@@ -223,7 +223,7 @@ namespace Signorini
     class TractionsAtPoints
     {
     public:
-      /// Collective.
+      /// Keeps copies of the tractions with ghost values. Collective.
       TractionsAtPoints(const ContactRows                      &rows,
                         const std::vector<ContactSurface<dim>> &surfaces,
                         const PointVectors                     &traction,
@@ -238,7 +238,7 @@ namespace Signorini
           tangents.emplace(rows, surfaces, comm);
       }
 
-      /// Times the area.
+      /// The normal force at a point: pressure times area.
       double
       pressure(const std::vector<Share> &shares) const
       {
@@ -248,7 +248,7 @@ namespace Signorini
         return sum;
       }
 
-      /// Likewise. @param n contact normal
+      /// The tangential force at a point: traction times area. @param n contact normal
       Tensor<1, dim>
       tangential(const std::vector<Share> &shares,
                  const SurfaceFrame<dim>  &frame,

@@ -40,8 +40,9 @@ namespace Signorini
     add_rows(const std::vector<double> &s, double *dst) const;
   };
 
-  /// Those of all contact points and segment edges of this rank that have tractions: their sum is
-  /// G, see geometric_stiffness(). Nodes are named by degrees of freedom. Collective.
+  /// The loaded points of all contact points and segment edge points of this rank that carry
+  /// tractions: the sum of their products is G, see geometric_stiffness(). Nodes are identified by
+  /// degrees of freedom. Collective.
   /// @param traction at the rows
   template <int dim>
   std::vector<LoadedPoint<dim>>

@@ -30,7 +30,7 @@ namespace Signorini
       return values;
     }
 
-    /// Of functions: int f f^T dA and int f dA.
+    /// The integrals M = int f f^T dA and D = int f dA of a set of functions f.
     struct Integrals
     {
       Eigen::MatrixXd M;
@@ -52,7 +52,9 @@ namespace Signorini
         return Eigen::MatrixXd(scale.asDiagonal() * M * scale.asDiagonal());
       }
 
-      /// On whole faces the smallest eigenvalue is 1/9 for degree 1 and 0.16 for degree 2.
+      /// True if the functions are linearly independent beyond rounding: the smallest eigenvalue of
+      /// the scaled mass matrix is at least 0.01. On whole faces it is 1/9 for degree 1 and 0.16
+      /// for degree 2.
       bool
       are_independent() const
       {
@@ -114,8 +116,8 @@ namespace Signorini
       return L;
     }
 
-    /// Which of the functions depends most on the others: the last pivot of a Cholesky
-    /// factorisation.
+    /// The number of the function that depends most on the others: the last pivot of a pivoted
+    /// Cholesky factorisation.
     unsigned int
     most_dependent(const Integrals &functions)
     {

@@ -9,30 +9,34 @@
 
 namespace Signorini
 {
-  /// A node of a slave face.
+  /// A node of a slave face, as the multiplier basis needs it.
   struct FaceNode
   {
     dealii::types::global_dof_index index;      ///< first degree of freedom
     std::array<double, 2>           xi;         ///< parameters on the face; 2D: the first alone
-    bool                            prescribed; ///< it cannot move along the normal
-    double                          share; ///< of the area of a whole face that its function has
+    bool                            prescribed; ///< its displacement along the normal is prescribed
+    /// Share of the area of the whole face that the integral of its shape function has.
+    double share;
   };
 
-  /// The basis on one slave face, from the shape functions there. Both bases sum up to one.
+  /// The multiplier basis psi on one slave face (doc/theory, 3.4), either the shape functions
+  /// themselves or their dual functions, int psi_A phi_B dA = delta_AB int phi_B dA. Both bases sum
+  /// up to one.
   ///
-  /// Duality holds on that part of the face that has a projection (Cichosz, Bischoff, Comput.
-  /// Methods Appl. Mech. Engrg. 200 (2011) 1317-1332). A node that has less than a quarter of its
-  /// area there has no pressure of its own: the force that holds it where the master would go on,
-  /// over so small an area, is no pressure of that place (Popp, Wohlmuth, Gee, Wall, SIAM J. Sci.
-  /// Comput. 34 (2012) B421-B446, have the same trouble). The nearest node with more of its area
-  /// takes its function over, so that the functions sum up to one also there; and so it is where
-  /// functions hardly differ on the covered part, until the pressure of the face is constant.
+  /// Duality holds on the part of the face that has a projection (Cichosz, Bischoff, Comput.
+  /// Methods Appl. Mech. Engrg. 200 (2011) 1317-1332). A node with less than a quarter of its area
+  /// there has no multiplier of its own: a force over so small an area would not be a meaningful
+  /// pressure (Popp, Wohlmuth, Gee, Wall, SIAM J. Sci. Comput. 34 (2012) B421-B446, discuss the
+  /// same problem). Its function is added to that of the nearest node with more area, so that the
+  /// functions still sum up to one. The same is done where functions are nearly linearly dependent
+  /// on the covered part, until the pressure on the face is constant.
   ///
-  /// A node whose displacement along the normal is prescribed has no pressure of its own: nothing
-  /// would balance it, and the system may be singular. It takes the pressure of the nearest other
-  /// node of the face, as in mortar methods where Dirichlet boundaries begin (Wohlmuth, Lect. Notes
-  /// Comput. Sci. Eng. 17 (2001), sec. 1.2); extrapolation of higher order would have weights that
-  /// change their sign, which makes open gaps look closed. The error is one of L2 norm h^(3/2).
+  /// A node whose normal displacement is prescribed has no multiplier either, since no displacement
+  /// could balance it and the system might be singular. It takes the pressure of the nearest other
+  /// node of the face, as in mortar methods at the boundary of Dirichlet conditions (Wohlmuth,
+  /// Lect. Notes Comput. Sci. Eng. 17 (2001), sec. 1.2). Extrapolation of higher order would have
+  /// weights of both signs, by which open gaps could look closed. The error is of order h^(3/2) in
+  /// the L2 norm.
   class PressureBasis
   {
   public:
@@ -45,11 +49,12 @@ namespace Signorini
                   double                        area,
                   Basis                         basis);
 
-    /// The node has a function of its own.
+    /// True if the node has a multiplier of its own on this face.
     bool
     has(dealii::types::global_dof_index node) const;
 
-    /// psi at a point where phi is `shape`.
+    /// The multiplier shape functions at a point. @param shape the displacement shape functions
+    /// there
     SparseRow
     at(const SparseRow &shape) const;
 
@@ -61,7 +66,7 @@ namespace Signorini
     }
 
   private:
-    /// Each basis function as a combination of shape functions.
+    /// (node, coefficients of the displacement shape functions) of each basis function.
     std::vector<std::pair<dealii::types::global_dof_index, SparseRow>> functions;
   };
 } // namespace Signorini

@@ -6,9 +6,10 @@
 
 namespace Signorini
 {
-  /// False for a node of a slave face whose displacement along the normal is prescribed, or nearly
-  /// so, and for one of degree 2 on the axis, whose function has no area (int N r dr = 0).
-  /// @param first degree of freedom of the node
+  /// True if a node of a slave face can carry a multiplier. False where its displacement along the
+  /// normal is prescribed, or nearly so, and for nodes of degree 2 on the axis of axisymmetric
+  /// models, whose functions have no area (int N r dr = 0).
+  /// @param first first degree of freedom of the node
   template <int dim>
   bool
   carries_pressure(const Elasticity<dim>          &elasticity,
@@ -17,21 +18,23 @@ namespace Signorini
                    const FacePatch<dim>           &face,
                    const dealii::Point<dim - 1>   &xi);
 
-  /// On a slave face: the nodes with functions of their own, by their first degrees of freedom, and
-  /// the share of its area that has a projection.
+  /// The nodes of a slave face with multipliers of their own, by their first degrees of freedom,
+  /// and the share of its area that has a projection.
   struct PressureNodes
   {
     std::vector<dealii::types::global_dof_index> own;
     double                                       covered = 0;
   };
 
-  /// Sets the functions of the pressure at the points of a surface (`shape` and `interpolation`).
-  /// Nodes that cannot move along the normal carry none if the pressure is an unknown of its own,
-  /// nor do those whose area the master hardly covers; their neighbours take over. Those of segment
-  /// edges
-  /// (`shape`) likewise, on faces that have points. Returns what each face of the slave has: no
-  /// nodes where all are prescribed, or where there are no points.
-  /// @param paired_points and points: the same ones, face by face; and so are segment edges
+  /// Set the multiplier shape functions at the points of a surface (`multiplier_shape` and
+  /// `interpolation`) and at its segment edge points, on faces that have contact points. If the
+  /// pressure is an independent unknown, nodes whose normal displacement is prescribed or whose
+  /// area the master hardly covers have no multipliers, and their neighbours take over, see
+  /// PressureBasis.
+  /// @param paired_points the paired points of `points`, in the same order, sorted by faces
+  /// @param paired_edge_points those of `edge_points`, likewise
+  /// @return one entry for each slave face; without nodes where all are prescribed, or where there
+  /// are no points
   template <int dim>
   std::vector<PressureNodes>
   set_pressure_functions(const Elasticity<dim>               &elasticity,

@@ -12,8 +12,9 @@
 
 namespace Signorini
 {
-  /// Which contact points hang together: two do if they lie on the same slave face, of points of
-  /// integration also on faces that share a node. Nothing is stored but numbers of surface nodes.
+  /// The connectivity of contact points. Two points are connected if they lie on the same slave
+  /// face; integration points also if their faces share a node. Stores numbers of surface nodes
+  /// only.
   class ContactRegions
   {
   public:
@@ -32,18 +33,18 @@ namespace Signorini
       return !layout;
     }
 
-    /// At each point with in > 0 the sum of `values` over all points with in > 0 that are connected
-    /// with it by such points; elsewhere 0. Collective.
+    /// At each point with in > 0, the sum of `values` over the connected region of such points that
+    /// contains it; elsewhere 0. Collective.
     LA::Vector
     sums(const LA::Vector &in, const LA::Vector &values) const;
 
-    /// Of points that are nodes, where in > 0: the mean of the values at the neighbours, the other
-    /// nodes of the faces around, as often as they share a face. `complete` becomes 1 where all
-    /// neighbours have in > 0, else 0. Collective.
+    /// For nodal contact points with in > 0: the mean of `values` at the neighbours, the other
+    /// nodes of the faces around, each as often as they share a face. Collective.
+    /// @param complete set to 1 where all neighbours have in > 0, else to 0
     LA::Vector
     means_of_neighbours(const LA::Vector &in, const LA::Vector &values, LA::Vector &complete) const;
 
-    /// Points are nodes.
+    /// True if the contact points are slave nodes, false if they are integration points.
     bool
     has_nodes() const
     {
@@ -54,15 +55,16 @@ namespace Signorini
     using Index   = dealii::types::global_dof_index;
     using Numbers = std::vector<unsigned int>; ///< of nodes on this rank, ghosts last
 
-    /// Of each node on this rank the number of its region, 0 outside.
+    /// The number of the region of each node on this rank; 0 outside. Collective.
     std::vector<Index>
     regions(const LA::Vector &in) const;
 
-    /// The largest of the numbers that ranks have of a node. Collective.
+    /// Replace each number by the largest one that any rank has for the node. Collective.
     void
     maximise_over_ranks(std::vector<Index> &number) const;
 
-    /// @param sum_of points of this rank, by numbers of regions; out: of all ranks
+    /// Sum over ranks. @param sum_of in: sums of this rank's points, by region number; out: those
+    /// of all ranks
     void
     add_other_ranks(std::map<Index, double> &sum_of) const;
 

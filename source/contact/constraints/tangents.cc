@@ -74,7 +74,8 @@ namespace Signorini
       return images * invert(columns);
     }
 
-    /// Of the vectors E_j across the normal at rest, by the tangents.
+    /// The components of the vectors E_j, orthonormal and perpendicular to the reference normal, in
+    /// terms of the parametric tangents.
     template <int dim>
     std::array<Tensor<1, dim - 1>, dim - 1>
     parameters_of(const FacePatch<dim> &rest, const Point<dim - 1> &xi)

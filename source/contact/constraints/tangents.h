@@ -16,9 +16,9 @@ namespace Signorini
   std::vector<SurfaceFrame<dim>>
   surface_frames(const BoundaryFaces<dim> &slave, const std::vector<PairedPoint<dim>> &points);
 
-  /// Where the vectors vectors_across(N) of a slave surface at rest have got to: the rotation R of
-  /// the polar decomposition P F = R U is applied to them, with the projection P across the contact
-  /// normal.
+  /// The tangent vectors vectors_across(N) of the slave in the reference configuration, convected
+  /// to the current one: they are rotated by R of the polar decomposition P F = R U, where P
+  /// projects onto the plane normal to the contact normal.
   template <int dim>
   struct ConvectedFrame
   {
@@ -47,26 +47,27 @@ namespace Signorini
   public:
     using Frame = std::array<dealii::Tensor<1, dim>, dim - 1>;
 
-    /// Refers to the rows. Collective.
+    /// Average the normals of the slave around each row. Keeps a reference to the rows. Collective.
     Tangents(const ContactRows                      &rows,
              const std::vector<ContactSurface<dim>> &surfaces,
              MPI_Comm                                comm);
 
-    /// Of a row that points of this rank contribute to, or that it owns.
+    /// The reference tangents of a row that this rank owns or contributes to.
     Frame
     at_rest(dealii::types::global_dof_index row) const;
 
-    /// Those of the row at a point.
+    /// The tangents of a row, rotated to the surface at one of its points.
+    /// @param frame of the point
     /// @param direction unit contact normal there
     Frame
     at(dealii::types::global_dof_index row,
        const SurfaceFrame<dim>        &frame,
        const dealii::Tensor<1, dim>   &direction) const;
 
-    /// Where surfaces have moved, the slip of this load step at a point along the tangents of the
-    /// row: with x and y the slave's point and its projection, and with the tangents t, the change
-    /// of t.(x - y) since the start of the load step, of the points that are projections now. A
-    /// rigid motion of both surfaces does not change it.
+    /// The slip of the present load step at a point along the tangents of a row [length], in
+    /// displaced configurations: the change of t.(x - y) since the start of the load step, where x
+    /// is the slave's point, y its present projection as a material point, and t the tangents. It
+    /// is invariant under a common rigid motion of both surfaces.
     dealii::Tensor<1, dim - 1>
     slip(dealii::types::global_dof_index row,
          const SurfaceFrame<dim>        &frame,

@@ -12,11 +12,12 @@
 
 namespace Signorini
 {
-  /// Sum entries of the same index.
+  /// Sort the entries of a row by index and sum those of the same index.
   void
   sum_duplicates(SparseRow &row);
 
-  /// Replace hanging nodes by the nodes that they hang on. Sorts and unites a row that has any.
+  /// Replace hanging nodes by the nodes that constrain them. If the row contains any, its entries
+  /// are sorted and duplicates are summed.
   void
   condense_hanging_nodes(const dealii::AffineConstraints<double> &hanging, SparseRow &row);
 
@@ -34,7 +35,8 @@ namespace Signorini
     void
     reinit(const Cell &cell, unsigned int face);
 
-    /// Hanging nodes condensed.
+    /// The shape functions at a point of the face, with derivatives in the face parameters, hanging
+    /// nodes condensed. @param xi face parameters in [0,1]
     FaceShapeFunctions<dim>
     functions(const Parameter &xi) const;
 
@@ -42,7 +44,7 @@ namespace Signorini
     SparseRow
     shape(const Parameter &xi) const;
 
-    /// The same with hanging nodes as they are.
+    /// The values of the shape functions at a point, of hanging nodes themselves, without zeros.
     SparseRow
     unresolved_shape(const Parameter &xi) const;
 
@@ -55,7 +57,7 @@ namespace Signorini
       std::array<unsigned int, dim - 1> place;
     };
 
-    /// What is the same on all cells with an element.
+    /// Data of a finite element that all its cells share.
     struct Element
     {
       std::vector<dealii::Polynomials::Polynomial<double>> line;  ///< the shape functions in 1D

@@ -11,15 +11,15 @@
 
 namespace Signorini
 {
-  /// What is known of contact at a place.
+  /// The contact values at a point of a slave face.
   struct SurfacePointValue
   {
     SurfacePoint place{};
     double       pressure = 0; ///< positive in compression [force/length^2]
     double       status   = 0; ///< value of a ContactStatus
-    /// Vectors along the surface, turned and stretched back to where it is at rest, three
-    /// components each: the tangential traction on the slave, if the law has one, and internal
-    /// vectors. Then internal scalars.
+    /// Tangential vectors, mapped back to the reference configuration of the surface, three
+    /// components each: the tangential traction on the slave, if the law has one, and the internal
+    /// vectors. Then the internal scalars.
     std::vector<double> history;
 
     template <class Archive>
@@ -30,8 +30,9 @@ namespace Signorini
     }
   };
 
-  /// Pressure, status and history by slave face and place on it. It refers to no mesh, to no rows
-  /// and no degrees of freedom: it outlives them. Each rank has the faces of some cells.
+  /// Contact pressure, status and history by slave face and point on it. It refers to no mesh, no
+  /// rows and no degrees of freedom, so that it outlives them. Each rank stores the faces of some
+  /// cells.
   class SurfaceField
   {
   public:
@@ -52,22 +53,22 @@ namespace Signorini
       faces[face] = std::move(values);
     }
 
-    /// Of this rank.
+    /// The values on this rank, by face.
     const std::map<FaceId, std::vector<SurfacePointValue>> &
     values() const
     {
       return faces;
     }
 
-    /// What ranks have to know to ask at() for the faces that they want, whoever knew it before:
-    /// these faces, and those of their cells' parents and children. Collective.
+    /// The part of the field that at() needs for the given faces: these faces, and those of their
+    /// cells' parents and children, from whichever rank has them. Collective.
     SurfaceField
     gathered_at(const std::vector<FaceId> &wanted, MPI_Comm comm) const;
 
-    /// The values at a place: as they were set, if they were set there; else the polynomial through
-    /// those of the face (where they are on a lattice), or a plane that weighs them by their
-    /// distance. Of a face that is not known, those of its parent or of its children. Empty if they
-    /// are not known either.
+    /// The values at a point of a face: as they were set, if there was a value at that point; else
+    /// the polynomial through those of the face (where they are on a lattice), or a plane fitted
+    /// with weights that decrease with the distance. A face without values takes those of its
+    /// parent or of its children. Empty if they have none either.
     std::optional<SurfacePointValue>
     at(const FaceId &face, const SurfacePoint &place) const;
 

@@ -8,13 +8,14 @@
 
 namespace Signorini
 {
-  /// Segments that touch a face in a line only have no area, and their points no say.
+  /// Drop points of negligible weight: segments that only share a line with a face have no area.
   template <int dim>
   void
   drop_empty_points(const std::vector<FacePatch<dim>> &slave,
                     std::vector<PairedPoint<dim>>     &points);
 
-  /// Faces that are farther away than the reach are no candidates; overlapping ones always are.
+  /// Keep the points of candidate faces, those with a point whose gap is at most `candidate_gap`
+  /// (so penetrating ones in any case), and drop all others.
   template <int dim>
   void
   keep_candidates(double                          candidate_gap,
@@ -22,8 +23,9 @@ namespace Signorini
                   std::vector<PairedPoint<dim>>  &paired,
                   std::vector<ContactPoint<dim>> &points);
 
-  /// Of surfaces that are never to separate, what touches at the start up to the error of the
-  /// mesh, or what is within the search distance. Their gaps stay, their overlaps do not.
+  /// For pairs without separation: keep the points that touch in the reference configuration up to
+  /// the discretisation error of the mesh, or that are within the search distance of the pair.
+  /// Positive gaps stay as they are, penetrations are set to zero.
   template <int dim>
   void
   keep_zero_gap_points(const ContactPair<dim>         &pair,

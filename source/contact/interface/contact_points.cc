@@ -18,7 +18,7 @@ namespace Signorini
 
   namespace
   {
-    /// What a pair says of its gap at rest.
+    /// The reference gap that the settings of a pair prescribe.
     template <int dim>
     class InitialGap
     {
@@ -107,8 +107,8 @@ namespace Signorini
       point.bound             = share * own_bound;
     }
 
-    /// The same of Cauchy's stresses, times the area now per area at rest of the slave, since
-    /// pressures act on areas at rest.
+    /// Set the stress rows of a point from Cauchy stresses, multiplied by the current area per
+    /// reference area of the slave, since contact pressures act on reference areas.
     template <int dim>
     void
     set_cauchy_stress(const CauchyStress          &own,
@@ -137,7 +137,7 @@ namespace Signorini
         value * (own.ratio_offset - own.ratio);
     }
 
-    /// Area now per area at rest.
+    /// The current area per reference area at a point of the slave.
     template <int dim>
     double
     stretch(const Model           model,
@@ -151,8 +151,9 @@ namespace Signorini
                along;
     }
 
-    /// Of the circle that a point stands for, or 1. That of a node is the mean over its shape
-    /// function, of degree k: on the axis, too, it stands for an area.
+    /// The circumference 2 pi r at a point in axisymmetric models, otherwise 1. For nodes it is the
+    /// mean weighted by the shape function, of degree k, so that a node on the axis has an area
+    /// too.
     template <int dim>
     double
     circumference(const Elasticity<dim> &elasticity,

@@ -6,9 +6,10 @@
 
 namespace Signorini
 {
-  /// The contact points of paired points, which are sorted by faces; all but the functions of the
-  /// pressure.
-  /// @param reference_gaps of the points, if they are needed (see reference_gaps()); else empty
+  /// Make contact points of paired points, complete but for the multiplier shape functions.
+  /// @param paired sorted by slave faces
+  /// @param reference_gaps the reference gap of each point (see reference_gaps()); empty: the
+  /// present gaps are the reference ones
   template <int dim>
   std::vector<ContactPoint<dim>>
   contact_points(const Configuration<dim>            &configuration,
@@ -19,13 +20,15 @@ namespace Signorini
                  const std::vector<PairedPoint<dim>> &paired,
                  const std::vector<double>           &reference_gaps);
 
-  /// The gap between a point and its projection. What touches up to the rounding of the coordinates
-  /// touches: otherwise that rounding were all that drives a body without loads.
+  /// The gap between a point and its projection [length], positive if open. Values within the
+  /// rounding of the coordinates are set to zero: in models without loads they would be all that
+  /// drives the solution.
   template <int dim>
   double
   gap_of(const dealii::Point<dim> &x, const MasterProjection<dim> &master_point);
 
-  /// From areas where the slave is now to areas at rest, which contact is integrated over.
+  /// Convert the weights of paired points from current to reference areas, over which contact is
+  /// integrated.
   template <int dim>
   void
   weigh_by_reference_area(const BoundaryFaces<dim> &slave, std::vector<PairedPoint<dim>> &paired);

@@ -6,9 +6,9 @@
 
 namespace Signorini
 {
-  /// The ends of segments as geometric_stiffness() wants them, all but the functions of the
-  /// pressure.
-  /// @param paired their weights are those of areas at rest
+  /// Make the segment edge points for geometric_stiffness(), complete but for the multiplier shape
+  /// functions.
+  /// @param paired with weights of reference areas
   template <int dim>
   std::vector<EdgeContactPoint<dim>>
   make_edge_points(const Elasticity<dim>               &elasticity,

@@ -26,7 +26,7 @@ namespace Signorini
       Tensor<1, dim> normal;
     };
 
-    /// @param slave where it is now
+    /// The projections of loaded points on an obstacle. @param slave in the current configuration
     template <int dim>
     std::vector<std::optional<Facing<dim>>>
     on_obstacle(const Configuration<dim>       &now,
@@ -45,7 +45,7 @@ namespace Signorini
       return result;
     }
 
-    /// Collective.
+    /// The projections of loaded points on the master body. Collective.
     template <int dim>
     std::vector<std::optional<Facing<dim>>>
     on_body(const Configuration<dim>       &now,

@@ -5,23 +5,25 @@
 
 namespace Signorini
 {
-  /// What a solution with contact on surfaces at rest neglects: where bodies are pressed together,
-  /// gaps and normals are others once they have moved. Means over the contact force.
+  /// The error of a small-sliding solution, which evaluates contact in the reference configuration:
+  /// how much gaps and normals in the displaced configuration differ from it. Means weighted by the
+  /// contact force.
   struct GeometryChange
   {
     double gap      = 0; ///< true gap minus the linear one, root of the mean square [length]
-    double angle    = 0; ///< between the normals, likewise [radian]
-    double pressure = 0; ///< what that may change of it, relative to its mean
+    double angle    = 0; ///< angle between the normals, root of the mean square [radian]
+    double pressure = 0; ///< estimated change of the contact pressure, relative to its mean
   };
 
-  /// Of one pair. A gap that is wrong by d over a contact of width a is closed by a pressure of
-  /// about E d/a (the half space). A normal that is wrong by an angle turns that part of the force
-  /// into the surface, where it moves the half space out or in at most by half of what a pressure
-  /// would: (1 - 2 nu)/(2 - 2 nu), Johnson, Contact Mechanics (1985) 3.6. Collective.
+  /// Estimate the geometry error of one pair. A gap error d over a contact of width a is closed by
+  /// a pressure of about E d/a (half space). A normal that is wrong by an angle rotates that part
+  /// of the force into the surface, where it displaces the half space normally by at most (1 - 2
+  /// nu)/(2 - 2 nu), or half, of what a pressure would (Johnson, Contact Mechanics (1985) 3.6).
+  /// Collective.
+  /// @param now the displaced configuration
   /// @param obstacle null if the master is a boundary of a body
-  /// @param surface at rest
-  /// @param forces of its points
-  /// @param now where the bodies are
+  /// @param surface in the reference configuration
+  /// @param forces the contact force at each of its points
   template <int dim>
   GeometryChange
   geometry_change(const Configuration<dim>  &now,

@@ -12,7 +12,7 @@ namespace Signorini
 
   namespace
   {
-    /// What projections on the faces of a body tell of it.
+    /// Completes projections on the faces of a body by its shape functions, stiffness and stress.
     template <int dim>
     class BodyBehind
     {

@@ -6,9 +6,10 @@
 
 namespace Signorini
 {
-  /// The master side of a pair: faces with what a projection on them has to tell of their body.
-  /// Where surfaces have moved, also how the gap bends, all but the factors.
-  /// @param with_stress also its normal stress
+  /// The master side of a pair: its faces, and a function that completes a projection by what
+  /// depends on the body: shape functions, stiffness, and in displaced configurations the second
+  /// variation of the gap (without its factors).
+  /// @param with_stress also the normal stress, for Nitsche's method
   template <int dim>
   MasterFaces<dim>
   master_faces(const Configuration<dim> &configuration,

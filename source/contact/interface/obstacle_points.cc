@@ -26,7 +26,7 @@ namespace Signorini
              bodies.begin();
     }
 
-    /// Its first degree of freedom; invalid if it is at rest.
+    /// The first degree of freedom of an obstacle; invalid if it is fixed.
     template <int dim>
     types::global_dof_index
     first_dof(const Elasticity<dim> &elasticity, const Obstacle<dim> &obstacle)
@@ -36,7 +36,7 @@ namespace Signorini
                                                        numbers::invalid_dof_index;
     }
 
-    /// n . u of an obstacle at x.
+    /// The row n . u of an obstacle at x over its rigid-body degrees of freedom.
     template <int dim>
     SparseRow
     rigid_row(const RigidPose<dim>         &pose,

@@ -9,10 +9,11 @@
 
 namespace Signorini
 {
-  /// The points of slave faces that have a projection on a rigid obstacle: no mesh, no search, no
-  /// segments.
-  /// @param slave where it is now
-  /// @param limit farther projections than that are none
+  /// Project the quadrature points of slave faces onto a rigid obstacle. That needs no mesh, no
+  /// search and no segments.
+  /// @param slave faces in the current configuration
+  /// @param limit search radius [length]
+  /// @return the points with a projection, sorted by slave faces
   template <int dim>
   std::vector<PairedPoint<dim>>
   obstacle_points(const Configuration<dim>          &configuration,

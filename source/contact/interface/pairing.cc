@@ -165,7 +165,7 @@ namespace Signorini
       return faces;
     }
 
-    // Take the points of these faces out of the list that are farther away than `most` of the face.
+    // Remove the points of these faces that are farther away than `most` of their face.
     template <int dim>
     void
     remove_points(const std::vector<unsigned int> &faces,
@@ -184,9 +184,9 @@ namespace Signorini
                    points.end());
     }
 
-    // Of faces that are covered more than once, take the points out of the list that are farther
-    // away by a face than others: a layer behind the first one. If that is not enough, all of
-    // their points. Returns those faces.
+    // Faces that segments cover more than once: remove the points that are farther away by a face
+    // than the nearest one, a layer behind the first one; if that is not enough, all of their
+    // points. Returns the latter faces, which have to be paired by projection.
     template <int dim>
     std::vector<unsigned int>
     remove_overcovered(const std::vector<FacePatch<dim>> &slave,
@@ -253,8 +253,7 @@ namespace Signorini
       drop_spurious_penetrations(slave.patches, master, comm, statistics, points);
     keep_near_faces(slave.patches, limit, points);
     points = sorted_by_faces(std::move(points));
-    // Of faces without points, and of those that are not paired by segments, they are not asked
-    // for.
+    // Faces without points, and those that are not paired by segments, have no segment edges.
     std::vector<bool> has_segments(slave.patches.size(), true);
     for (const unsigned int face : faces)
       has_segments[face] = false;

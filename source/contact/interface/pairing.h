@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-  /// The points on a whole slave face (no segments).
+  /// The quadrature rule on a whole slave face, for integration without segments.
   template <int dim>
   dealii::Quadrature<dim - 1>
   face_rule(const Integration &integration);
@@ -21,9 +21,10 @@ namespace Signorini
   {
     unsigned int           face;   ///< number of the slave face on this rank
     dealii::Point<dim - 1> xi;     ///< its parameter there
-    double                 weight; ///< area of the slave that it stands for
+    double                 weight; ///< quadrature weight times area of the slave [area]
     MasterProjection<dim>  master_point;
-    bool is_beside = false; ///< of the projection: not above it, but above another face
+    /// The point does not lie above the face of its projection, but above another one.
+    bool is_beside = false;
 
     template <class Archive>
     void
@@ -37,13 +38,14 @@ namespace Signorini
     }
   };
 
-  /// The points of a surface that have a projection, face by face.
+  /// The paired points of a surface, sorted by slave faces.
   template <int dim>
   struct Pairing
   {
     std::vector<PairedPoint<dim>> points;
-    /// Points where segments end with their master face, see second_variation_of_edge(); their
-    /// weight is the area that an outward step of 1 adds. Where surfaces have moved, by segments.
+    /// Points of segment edges, see second_variation_of_edge(). Their weight is the area that an
+    /// outward shift of the edge by 1 adds. Set only in displaced configurations and with
+    /// integration by segments.
     std::vector<PairedPoint<dim>> edge_points;
 
     template <class Archive>
@@ -54,22 +56,24 @@ namespace Signorini
     }
   };
 
-  /// A point of integration on a slave face, without a projection.
+  /// An integration point on a slave face that is kept from an earlier search, with the master face
+  /// that its projection was on.
   template <int dim>
   struct FixedIntegrationPoint
   {
     unsigned int            face; ///< number of the slave face on this rank
     dealii::Point<dim - 1>  xi;
-    double                  weight; ///< area of the slave at rest
-    PreviousMasterFace<dim> former; ///< of the master
+    double                  weight; ///< quadrature weight times reference area of the slave
+    PreviousMasterFace<dim> former; ///< the master face of the earlier projection
   };
 
-  /// Faces of a slave on this rank. Converts from faces alone.
+  /// The slave faces of this rank. Refers to its arguments. Converts implicitly from faces alone.
   template <int dim>
   struct SlaveSide
   {
     const std::vector<FacePatch<dim>> &patches;
-    /// Where they were, if the master is the same surface; null: it is another.
+    /// The faces in the reference configuration if slave and master are the same surface; null if
+    /// they are two.
     const std::vector<FacePatch<dim>> *rest = nullptr;
 
     SlaveSide(const std::vector<FacePatch<dim>> &patches,
@@ -79,18 +83,23 @@ namespace Signorini
     {}
   };
 
-  /// The points of quadrature on slave faces that have a projection. `nodes`: Gauss-Lobatto points,
-  /// which are the nodes of the finite element; `quadrature`: Gauss points; `segments`: Gauss
-  /// points on each segment (see segment_points()), with the projection on the segment's master
-  /// face. Where surfaces are curved and far from each other, the closest place may be on the next
-  /// face: it is the projection then, for the rim of the first one would be that of many points.
+  /// Find the quadrature points on slave faces that have a projection on the master. Rule `nodes`:
+  /// Gauss-Lobatto points, which are the nodes of the finite element. Rule `quadrature`: Gauss
+  /// points. Rule `segments`: Gauss points on each segment (see segment_points()), projected onto
+  /// the master face of the segment. Where surfaces are curved and far from each other, the closest
+  /// point of such a point may be on the next face; then that is its projection, since the edge of
+  /// the first face would otherwise be the projection of many points.
   ///
-  /// A slave face that more than one layer of master faces lies opposite to, within the limit, is
-  /// covered more than once by segments: those farther away by a face than the nearest are left
-  /// out; if that is not enough, it is paired by Gauss points, which take the nearest layer.
+  /// If several layers of master faces lie opposite a slave face within the limit, segments cover
+  /// it more than once. Segments that are farther than the nearest one by more than a face are then
+  /// dropped; if the face is still covered more than once, it is paired by Gauss points, each of
+  /// which takes the nearest layer.
   ///
-  /// Points come face by face. Faces take part as a whole, or not at all, see keep_near_faces().
-  /// Collective.
+  /// Points are sorted by slave faces. Faces take part as a whole or not at all, see
+  /// keep_near_faces(). Collective.
+  /// @param limit search radius [length]
+  /// @param statistics counters to be added to
+  /// @return the paired points of the slave faces of this rank
   template <int dim>
   Pairing<dim>
   pair_points(const SlaveSide<dim>   &slave,
@@ -100,9 +109,11 @@ namespace Signorini
               MPI_Comm                comm,
               SearchStatistics       &statistics);
 
-  /// The closest projections of points that are laid already, on the faces that they had before if
-  /// these are as good: so the rule stays as it is while Newton's method moves the surfaces to
-  /// where they balance. Collective.
+  /// Project given integration points again, preferably onto the master faces that they had before:
+  /// so the quadrature rule does not change while the geometry update converges. Collective.
+  /// @param fixed_points points of an earlier search
+  /// @param limit search radius [length]
+  /// @return those of the points that have a projection
   template <int dim>
   std::vector<PairedPoint<dim>>
   reproject_points(const SlaveSide<dim>                          &slave,
@@ -112,8 +123,9 @@ namespace Signorini
                    MPI_Comm                                       comm,
                    SearchStatistics                              &statistics);
 
-  /// Distances change by no more than its diameter on a face: this finds all points of a face that
-  /// has one within the limit.
+  /// A search radius for the points of a slave face [length]. The distance to the master changes
+  /// over a face by no more than the diameter of the face, so this radius finds all points of a
+  /// face of which one is within the limit.
   template <int dim>
   double
   search_radius(const FacePatch<dim> &slave, const double limit)
@@ -121,9 +133,9 @@ namespace Signorini
     return limit + slave.diameter();
   }
 
-  /// Drop the points of faces whose nearest projection is beyond the limit. A shape function on a
-  /// part of a face would be a weight that changes its sign. Points that lie behind their
-  /// projection's face are near, however deep: an overlap is contact, whatever is expected to move.
+  /// Drop the points of faces whose nearest projection is farther than the limit. Faces are kept or
+  /// dropped as a whole, since a shape function weighted over part of its face would change its
+  /// sign. Penetrating points always count as near, however deep.
   template <int dim>
   void
   keep_near_faces(const std::vector<FacePatch<dim>> &slave,

@@ -7,15 +7,16 @@
 
 namespace Signorini
 {
-  /// True if what a pair says of its gap is said of the gap at rest: of a given one, of overlaps
-  /// that count in part, and of what is never to separate.
+  /// True if the settings of a pair refer to gaps in the reference configuration: a prescribed
+  /// initial gap, an interference whose share changes, or a pair without separation.
   template <int dim>
   bool
   needs_reference_gaps(const ContactPair<dim> &pair);
 
-  /// The gaps that paired points had before anything moved; points that had no projection then are
-  /// dropped. Collective.
+  /// The reference gaps of paired points [length]. Points that had no projection in the reference
+  /// configuration are removed from `paired`. Collective.
   /// @param obstacle null if the master is a boundary of a body
+  /// @param limit search radius [length]
   template <int dim>
   std::vector<double>
   reference_gaps(const Elasticity<dim>         &elasticity,

@@ -7,11 +7,12 @@
 
 namespace Signorini
 {
-  /// Points of integration on the common parts of slave and master faces: slave faces travel to the
-  /// ranks whose master faces may be near, points come back. Those of a face may be far from each
-  /// other in the list, and faces may be covered more than once. Collective.
+  /// Make integration points on the segments, the common parts of slave and master faces. Slave
+  /// faces are sent to the ranks whose master faces may be near, and points are sent back. In the
+  /// result, the points of one slave face need not be adjacent, and faces may be covered more than
+  /// once. Collective.
   /// @param slave faces of this rank
-  /// @param limit up to which distance projections are looked for
+  /// @param limit search radius [length]
   template <int dim>
   Pairing<dim>
   pair_by_segments(const SlaveSide<dim>   &slave,

@@ -3,8 +3,8 @@
 
 namespace Signorini
 {
-  /// How the slave compares with the master where they face each other: geometric means over the
-  /// area, the same on all ranks.
+  /// Comparison of slave and master where they face each other: geometric means over the contact
+  /// area, the same on all ranks. It decides which surface should be slave.
   struct Sides
   {
     double modulus = 1; ///< E of the slave / E of the master
@@ -22,14 +22,15 @@ namespace Signorini
     double
     pressure_error() const;
 
-    /// The same if the master were the slave.
+    /// The comparison with the roles of slave and master exchanged.
     Sides
     exchanged() const
     {
       return {1 / modulus, 1 / size};
     }
 
-    /// So clearly that the program does it.
+    /// True if exchanging slave and master is so clearly better that the program does it where it
+    /// is free to choose.
     bool
     should_be_exchanged() const;
   };

@@ -76,7 +76,8 @@ namespace Signorini
       return Utilities::MPI::max(deepest, comm);
     }
 
-    /// Throws SceneError if surfaces that stand still overlap by more than that.
+    /// Throws SceneError if surfaces penetrate each other in the reference configuration by more
+    /// than their search distance.
     template <int dim>
     void
     check_search_distance(const double overlap, const ContactPair<dim> &pair)
@@ -111,7 +112,8 @@ namespace Signorini
           "x^2/20 for Normal = 0, 1, or set Contact method/Contact geometry = reference");
     }
 
-    /// So that the gap is true where the surfaces are: less row() . u.
+    /// Set the offset that makes the linearised gap exact in the displaced configuration: minus the
+    /// decrease of the gap, minus row() . u.
     template <int dim>
     void
     set_gap_offset(const LA::Vector &u, std::vector<ContactPoint<dim>> &points)
@@ -220,7 +222,8 @@ namespace Signorini
         return faces;
       }
 
-      /// Points that are laid already say which faces are slaves.
+      /// The partition of a self-contact surface; fixed integration points determine which faces
+      /// are slaves.
       SelfContact<dim>
       split() const
       {
@@ -266,7 +269,8 @@ namespace Signorini
         drop_empty_points(slave.patches, paired);
       }
 
-      /// Slaves alone look for projections; they are numbered as the faces of the whole surface.
+      /// Pair the slave faces of a self-contact surface with its master faces; faces are numbered
+      /// as those of the whole surface.
       Pairing<dim>
       make_self_pair()
       {
@@ -308,7 +312,7 @@ namespace Signorini
         surface.has_no_projection = !is_far && Utilities::MPI::sum(paired.size(), comm) == 0;
       }
 
-      /// To be taken again where surfaces move on.
+      /// Store the integration points, to be projected again after an update of the configuration.
       void
       make_integration_points()
       {

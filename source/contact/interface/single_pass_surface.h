@@ -7,10 +7,10 @@
 
 namespace Signorini
 {
-  /// make_contact_surface() with the pair's slave and master as they are. Throws SceneError where
-  /// gaps are not numbers, overlaps are beyond the search distance, obstacles have no closest
-  /// points, or the displacement of slave faces is prescribed. Collective.
-  /// @param fixed_points points of integration, or none on any rank: then they are chosen here
+  /// make_contact_surface() in a single pass, with slave and master as given. Throws SceneError
+  /// where gaps are not numbers, initial penetrations exceed the search distance, an obstacle has
+  /// no closest-point projection, or the displacement of slave faces is prescribed. Collective.
+  /// @param fixed_points integration points to be projected again; empty on all ranks: new points
   template <int dim>
   ContactSurface<dim>
   single_pass_surface(const Configuration<dim>                      &configuration,

@@ -9,8 +9,8 @@
 
 namespace Signorini
 {
-  /// The nodes of the faces that have contact points; the others are left empty.
-  /// @param functions set_pressure_functions()
+  /// The nodes of the slave faces that have contact points; the entries of other faces are empty.
+  /// @param functions result of set_pressure_functions()
   template <int dim>
   std::vector<SlaveFace<dim>>
   slave_faces(const Elasticity<dim>                &elasticity,
@@ -22,7 +22,8 @@ namespace Signorini
   bool
   any_dirichlet_node(const std::vector<SlaveFace<dim>> &faces);
 
-  /// (shape functions, area) at Gauss points of all faces at rest, see ContactSurface::whole.
+  /// (shape functions, area) at Gauss points of all slave faces in the reference configuration, see
+  /// ContactSurface::full_face_shapes.
   template <int dim>
   std::vector<std::pair<SparseRow, double>>
   full_face_shape_functions(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave);

@@ -7,15 +7,14 @@
 
 namespace Signorini
 {
-  /// Takes points out of the list that lie behind their projection without overlapping with its
-  /// body.
+  /// Remove points that lie behind their projection without penetrating its body.
   ///
-  /// A point behind a face that faces it overlaps with the body if it is inside, and if that is
-  /// the way out: an overlap is resolved along its least depth. Beyond a plate, points are behind
-  /// the plate's other side; of two blocks that overlap a little, the left side of the one is
-  /// behind the right side of the other, as far as these are broad. The way out is where points
-  /// are about as far from the closest place of the surface as from their projection; near edges
-  /// they are not, and follow those of the same direction.
+  /// A point behind a face that faces it penetrates the body if it is inside, and if that face is
+  /// on the shortest way out: a penetration is resolved along its smallest depth. Counter-examples:
+  /// beyond a plate, points lie behind its other side; of two blocks with a small overlap, the left
+  /// side of one lies behind the right side of the other, by the width of both. The criterion is
+  /// that the distance to the closest point of the surface is about that to the projection. Near
+  /// edges that fails, and points follow the others of the same direction.
   ///
   /// Collective.
   template <int dim>

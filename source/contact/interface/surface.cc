@@ -12,7 +12,8 @@ namespace Signorini
 
   namespace
   {
-    /// Adds the points of the master as slave.
+    /// Add the points that an unbiased method has on the master, with normals out of the pair's
+    /// master.
     template <int dim>
     void
     add_other_side(ContactSurface<dim> &surface, const ContactSurface<dim> &other)

@@ -19,44 +19,64 @@ namespace Signorini
 {
   class ContactMethod;
 
-  /// A point of integration on a slave face with its projection on the master, ready for assembly.
+  /// A contact point: a point of integration on a slave face, with its projection on the master and
+  /// all that the gap operator needs to assemble its rows. Owned by the ContactSurface of its pair,
+  /// on the rank that owns the slave cell.
   template <int dim>
   struct ContactPoint
   {
-    dealii::Point<dim>     position;         ///< at rest
-    dealii::Tensor<1, dim> normal;           ///< unit, out of the master, where it is now
-    double                 weight;           ///< area at rest that the point stands for
-    double                 stretch = 1;      ///< area now per area at rest, of large deformation
-    double                 normal_alignment; ///< minus the product of both surfaces' unit normals
-    double                 gap;              ///< at rest: g = (u^S - u^M).n + g_0
-    double gap_decrease   = 0; ///< by which it is less where the surfaces are now; at rest 0
-    double prescribed_gap = 0; ///< gap beyond that of the geometry, by Initial gap
-    double gap_offset     = 0; ///< to be added there: g = row . d + gap + gap offset about it
-    dealii::Point<dim> master_position; ///< of the projection at rest; not of obstacles
-    /// Where forces act on slave and master: at rest, or, of large deformation, now.
+    dealii::Point<dim> position; ///< in the reference configuration
+    /// Unit contact normal, out of the master, in the current configuration.
+    dealii::Tensor<1, dim> normal;
+    double                 weight; ///< quadrature weight times area, in the reference configuration
+    double                 stretch = 1; ///< current area per reference area; 1 at small strain
+    /// Minus the product of the unit normals of both surfaces; 1: opposite.
+    double normal_alignment;
+    double gap; ///< reference gap g_0, positive if open: g = (u^S - u^M).n + g_0
+    /// Decrease of the gap from `gap` to the current one; 0 in the reference configuration.
+    double gap_decrease = 0;
+    /// Part of the gap that Initial gap prescribes beyond the geometry.
+    double prescribed_gap = 0;
+    /// Offset of the linearised gap: g = row . u + gap + gap_offset near the current configuration.
+    double gap_offset = 0;
+    /// Position of the projection in the reference configuration; unset for obstacles.
+    dealii::Point<dim> master_position;
+    /// The points of application of the contact force on slave and master: in the reference
+    /// configuration at small strain, in the current one at finite strain.
     dealii::Point<dim> slave_force_point, master_force_point;
     double             stiffness; ///< E/h of slave and master in series [force/length^3]
-    double             depth;     ///< of the slave's cell behind the face: h
-    /// Along which the gap opens: the normal, out of the face that is the master of this point,
-    /// which is the pair's slave at some points of unbiased methods.
+    double             depth;     ///< size h of the slave cell normal to the face [length]
+    /// Unit vector along which the gap opens: the normal out of the face that is the master of this
+    /// point. Where an unbiased method exchanges the roles of the surfaces, that face belongs to
+    /// the slave of the pair.
     dealii::Tensor<1, dim>  direction;
     FaceShapeFunctions<dim> slave, master; ///< of displacements; obstacles have none
-    SparseRow               rigid;         ///< direction.u of an obstacle
-    /// The functions of the pressure at the point: (first degree of freedom of the node, value),
-    /// hanging nodes condensed. For point-wise methods the trace shape functions.
+    /// For obstacles: the displacement along `direction`, over rigid-body degrees of freedom.
+    SparseRow rigid;
+    /// The multiplier shape functions at the point: (first degree of freedom of the node, value),
+    /// hanging nodes condensed. For pointwise methods these are the trace shape functions of the
+    /// slave.
     SparseRow    multiplier_shape;
     SparseRow    interpolation; ///< of a pressure in the dual basis; empty: `multiplier_shape`
     unsigned int face;          ///< number of the slave face on this rank
-    dealii::Point<dim - 1> xi;  ///< the parameter there
+    dealii::Point<dim - 1> xi;  ///< parameters of the point on the slave face, in [0,1]
 
     // For methods that predict the pressure by the stress of the bodies:
-    SparseRow stress; ///< normal stress by area at rest of both bodies, positive in compression
-    SparseRow thermal_stress;    ///< likewise that of rises, of ThermalStrain::coefficients()
-    SparseRow volumetric_stress; ///< likewise that of VolumetricStress::coefficients()
-    double    stress_offset = 0; ///< what it is beyond: of loads there, and of large deformation
-    double    bound         = 0; ///< of its square by the energy of the cells [force/length^3]
+    /// Weighted normal stress of both bodies per reference area, positive in compression.
+    SparseRow stress;
+    /// The part of the normal stress due to temperature changes, over
+    /// ThermalStrain::coefficients().
+    SparseRow thermal_stress;
+    /// The part of the normal stress due to the volumetric stress, over
+    /// VolumetricStress::coefficients().
+    SparseRow volumetric_stress;
+    /// The part of the normal stress that depends on no unknown: surface loads, and the offset of
+    /// the linearisation at finite strain.
+    double stress_offset = 0;
+    /// Bound of the square of the normal stress by the strain energy of the cells [force/length^3].
+    double bound = 0;
 
-    GapSecondVariation<dim> second_variation; ///< where surfaces have moved
+    GapSecondVariation<dim> second_variation; ///< set in displaced configurations only
 
     double
     current_gap() const
@@ -64,44 +84,51 @@ namespace Signorini
       return gap - gap_decrease;
     }
 
-    /// (u^S - u^M).direction = sum row . d, of all components. The degrees of freedom may be on
-    /// other ranks.
+    /// The row of the point in the gap operator, (u^S - u^M).direction = row . u, with the entries
+    /// of all components of displacement. Columns may be degrees of freedom of other ranks.
     SparseRow
     row() const;
   };
 
-  /// The slave surface at a contact point, for laws that ask for the slip.
+  /// The local geometry of the slave surface at a contact point, for contact laws that depend on
+  /// the slip. Set only if ContactMethod::uses_slip().
   template <int dim>
   struct SurfaceFrame
   {
-    dealii::Tensor<1, dim> normal; ///< N, outward unit normal of the slave at rest
-    /// F: what vectors along the slave at rest have become, and its normal.
+    /// N, outward unit normal of the slave in the reference configuration.
+    dealii::Tensor<1, dim> normal;
+    /// Deformation gradient F of the slave's surface: maps tangential vectors and the normal of the
+    /// reference configuration to those of the current one.
     dealii::Tensor<2, dim> deformation;
-    dealii::Tensor<1, dim> apart; ///< the slave's point less its projection
-    /// Both at the start of the load step, where surfaces have moved from there; else as now.
+    dealii::Tensor<1, dim> apart; ///< vector from the projection to the slave's point [length]
+    /// `deformation` and `apart` at the start of the load step; equal to the present ones in the
+    /// reference configuration.
     dealii::Tensor<2, dim> deformation_at_start;
     dealii::Tensor<1, dim> apart_at_start;
     /// E_j = sum_a parameters[j][a] dX/dxi_a: orthonormal vectors along the slave at rest.
     std::array<dealii::Tensor<1, dim - 1>, dim - 1> parameters;
   };
 
-  /// A point where a segment ends with its master face, see second_variation_of_edge(). It has no
-  /// share in gaps.
+  /// A quadrature point of a segment edge, where the contact segment ends because its master face
+  /// ends. It contributes to the geometric stiffness alone, not to gaps, see
+  /// second_variation_of_edge().
   template <int dim>
   struct EdgeContactPoint
   {
-    double                  weight; ///< area at rest that an outward step of 1 adds
+    double                  weight; ///< reference area that an outward shift of the edge by 1 adds
     FaceShapeFunctions<dim> slave, master;
     GapSecondVariation<dim> second_variation;
-    SparseRow               multiplier_shape; ///< as that of contact points
-    unsigned int            face;             ///< likewise
-    dealii::Point<dim - 1>  xi;
+    /// Multiplier shape functions at the point, as of a ContactPoint.
+    SparseRow              multiplier_shape;
+    unsigned int           face; ///< number of the slave face on this rank
+    dealii::Point<dim - 1> xi;
   };
 
-  /// Components of displacements, by number.
+  /// Which components of the displacement take part.
   using Components = std::array<bool, 3>;
 
-  /// Calls add(column, value) for what the row of a point has in these components.
+  /// Call add(column, value) for the entries of the row of a contact point in the given components.
+  /// Entries of one column may come in several calls.
   template <int dim, typename Add>
   void
   for_each_entry(const ContactPoint<dim> &point, const Components &components, const Add &add)
@@ -116,8 +143,9 @@ namespace Signorini
       add(column, -value);
   }
 
-  /// Are their functions those of the same nodes? Points one after the other are between the same
-  /// two faces, most of the time.
+  /// True if the shape functions of two points belong to the same nodes in the same order.
+  /// Successive points mostly lie between the same two faces, so that work for the nodes can be
+  /// reused.
   template <typename Point>
   bool
   same_nodes(const Point &a, const Point &b)
@@ -132,7 +160,8 @@ namespace Signorini
     return same(a.slave, b.slave) && same(a.master, b.master);
   }
 
-  /// The nodes of a slave face, lexicographic in its parameter; hanging ones as they are.
+  /// The nodes of a slave face, in lexicographic order of the face parameters; hanging nodes are
+  /// listed themselves.
   template <int dim>
   struct SlaveFace
   {
@@ -140,65 +169,81 @@ namespace Signorini
     unsigned int                                 face   = 0; ///< of the cell
     unsigned int                                 degree = 0; ///< 0: the face has no points
     std::vector<dealii::types::global_dof_index> nodes;      ///< first degrees of freedom
-    std::vector<dealii::Point<dim>> positions; ///< at rest; of large deformation as they are now
-    /// Nodes without a pressure of their own on this face, see PressureBasis; and those of them of
-    /// whose area here the master covers too little.
+    /// Positions of the nodes: reference at small strain, current at finite strain.
+    std::vector<dealii::Point<dim>> positions;
+    /// Flags of the nodes, in their order: nodes without a multiplier of their own on this face
+    /// (see PressureBasis), and those among them that have none because the master covers too
+    /// little of their area.
     std::vector<bool> without_pressure, under_covered;
-    double            covered = 0; ///< share of the area that has a projection
+    /// Share of the face's area that has a projection on the master, in [0,1].
+    double covered = 0;
   };
 
-  /// The contact points of one pair on this rank (of locally owned slave faces) that have a
-  /// projection.
+  /// The discretised contact surface of one pair: the contact points of locally owned slave faces
+  /// that have a projection on the master.
   template <int dim>
   struct ContactSurface
   {
     std::vector<ContactPoint<dim>> points; ///< face by face
-    /// Of the points and of the segment edges, if the law asks for the slip.
+    /// The frames of the points and of the segment edge points, in their order. Empty unless
+    /// ContactMethod::uses_slip().
     std::vector<SurfaceFrame<dim>>     frames, edge_point_frames;
     std::vector<EdgeContactPoint<dim>> edge_points;
-    /// (shape, weight) at points of whole slave faces, with or without projections: what the nodes
-    /// would have if the master were everywhere.
+    /// (multiplier shape functions, weight) at quadrature points of whole slave faces, with or
+    /// without projection: the integrals that the nodes would have if the master covered every
+    /// slave face.
     std::vector<std::pair<SparseRow, double>> full_face_shapes;
     std::vector<SlaveFace<dim>>               slave_faces; ///< by their numbers
-    bool             has_dirichlet_nodes = false;          ///< any node, on any rank
+    /// True if any node on any rank has no multiplier because its normal displacement is
+    /// prescribed.
+    bool             has_dirichlet_nodes = false;
     SearchStatistics statistics;
-    unsigned int     faces         = 0;
-    unsigned int     own_faces     = 0;     ///< without those of the master of unbiased methods
-    bool             can_separate  = true;  ///< as its pair says
-    double           candidate_gap = 0;     ///< faces with larger gaps are no candidates
-    double           overlap       = 0;     ///< the deepest one, on any rank
-    bool             is_apart      = false; ///< none is one
-    bool   has_no_projection  = false; ///< no point has a projection within the search distance
-    double face_size          = 0;     ///< of slave faces with points, the mean over their areas
-    double non_matching_share = 0; ///< share of the area whose projections are not at master nodes
-    Sides  sides;                  ///< alike if the master is an obstacle
-    /// Where surfaces have moved, the points of integration, before candidates were chosen.
+    unsigned int     faces = 0;
+    /// Without the faces that unbiased methods add from the pair's master.
+    unsigned int own_faces     = 0;
+    bool         can_separate  = true; ///< as its pair says
+    double       candidate_gap = 0;    ///< faces with larger gaps are no candidates
+    double       overlap       = 0; ///< largest penetration at any point, over all ranks [length]
+    bool         is_apart      = false; ///< true if no face is a candidate for contact, on any rank
+    /// True if no point has a projection within the search radius.
+    bool has_no_projection = false;
+    /// Mean diameter of the slave faces with points, weighted by their areas.
+    double face_size = 0;
+    /// Share of the area whose projections do not coincide with master nodes.
+    double non_matching_share = 0;
+    Sides  sides; ///< comparison of slave and master; both alike if the master is an obstacle
+    /// In displaced configurations: all integration points, before candidates were selected, so
+    /// that a later update of the configuration can project the same ones again.
     std::vector<FixedIntegrationPoint<dim>> fixed_points, fixed_points_on_master;
   };
 
-  /// How far contact is looked for.
+  /// Tolerances of the contact search of one pair.
   struct SearchTolerance
   {
-    /// The gap up to which faces are candidates; at least twice the deepest overlap, and at rest no
-    /// more than the search distance of the pair, if there is one.
+    /// Gap up to which faces are candidates for contact [length]. The surface uses at least twice
+    /// the largest penetration, and in the reference configuration at most the search distance of
+    /// the pair, if it has one.
     double candidate_gap = 0;
-    /// At least so far projections are looked for: as deep as surfaces may overlap.
+    /// Lower bound of the search radius [length]: the largest penetration to be found.
     double limit = 0;
-    /// At rest: nothing has to be looked for beyond these two, since displacements and overlaps are
-    /// known by now.
+    /// In the reference configuration: true if the displacements and penetrations are known from an
+    /// earlier solution, so that nothing has to be searched for beyond the two values above.
     bool is_final = false;
   };
 
-  /// Share of the slave's area that has a projection. Collective.
+  /// The share of the slave's area, in [0,1], that has a projection on the master. Collective.
   template <int dim>
   double
   covered_share(const ContactSurface<dim> &surface, MPI_Comm comm);
 
-  /// Integrate the slave and find the projections. Collective. Unbiased methods get both surfaces,
-  /// as slaves of each other with half their areas; all normals point out of the pair's master.
-  /// @param obstacle null if the master is a boundary of a body
-  /// @param former if the points of integration are to be those of a surface before, though the
-  /// bodies have moved since
+  /// Integrate over the slave and project its points onto the master. With an unbiased method
+  /// either surface is slave of the other with half of its area; all normals still point out of the
+  /// pair's master. Collective.
+  /// @param configuration where the surfaces are
+  /// @param obstacle the rigid master; null if the master is a boundary of a body
+  /// @param range how far to search
+  /// @param former an earlier surface whose integration points are to be projected again; null: new
+  /// points
   template <int dim>
   ContactSurface<dim>
   make_contact_surface(const Configuration<dim>  &configuration,
@@ -209,7 +254,7 @@ namespace Signorini
                        const SearchTolerance     &range,
                        const ContactSurface<dim> *former);
 
-  /// At rest.
+  /// The same in the reference configuration, with the search tolerances of the pair. Collective.
   template <int dim>
   ContactSurface<dim>
   make_contact_surface(const Elasticity<dim>  &elasticity,

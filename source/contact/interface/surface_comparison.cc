@@ -10,7 +10,8 @@ namespace Signorini
 
   namespace
   {
-    /// At a node of the master, one function is one and all others are zero.
+    /// True if a projection coincides with a master node: there one shape function is one and all
+    /// others are zero.
     template <int dim>
     bool
     is_at_node(const MasterProjection<dim> &master_point)

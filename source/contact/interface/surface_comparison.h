@@ -8,9 +8,9 @@
 
 namespace Signorini
 {
-  /// What slave and master are to each other at the points: sizes of faces, nodes that meet,
-  /// moduli; set in the surface. Collective.
-  /// @param is_obstacle then sides are alike, and no nodes meet
+  /// Compare slave and master at the paired points, and set the results in the surface: mean face
+  /// sizes, share of non-matching nodes, ratios of moduli and sizes. Collective.
+  /// @param is_obstacle the master is rigid: then both sides count as alike, and no nodes match
   template <int dim>
   void
   compare(const Elasticity<dim>               &elasticity,

@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-  /// A slave face of a contact pair, by a name that does not depend on ranks and partitions.
+  /// A slave face of a contact pair, identified independently of ranks and partitions.
   struct FaceId
   {
     unsigned int   pair = 0;
@@ -34,8 +34,9 @@ namespace Signorini
   /// The parameters of a point of a face, in [0,1]; those of a line have a zero behind.
   using SurfacePoint = std::array<double, 2>;
 
-  /// Which rows of the gap operator have their values where on a face: one, or those that a hanging
-  /// node depends on, with their weights; none where there is no projection.
+  /// The contact points on a slave face: each position, with the rows of the gap operator that
+  /// determine the value there: one row, or those that a hanging node is condensed to, with their
+  /// weights; none where there is no projection.
   struct SurfacePoints
   {
     FaceId id;

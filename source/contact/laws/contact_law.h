@@ -7,25 +7,27 @@
 
 namespace Signorini
 {
-  /// Components of a contact point: the normal one first, then those along the tangents, if the law
-  /// has any. What a law does not have stays zero.
+  /// The components of a vector at a contact point: normal, then tangential if the law has any.
+  /// Components that the law does not have are zero.
   using LawVector = dealii::Tensor<1, 3>;
   using LawMatrix = dealii::Tensor<2, 3>;
 
-  /// What a law remembers of a contact point from one load step to the next.
+  /// The internal variables of a contact law at a point, which carry its history from one load step
+  /// to the next.
   struct InternalVariables
   {
     std::vector<LawVector> vectors; ///< along the tangents: component 0 is zero
     std::vector<double>    scalars;
   };
 
-  /// What a law is asked with at a contact point.
+  /// The input of a contact law at a contact point.
   struct LawInput
   {
     /// The normal gap g, positive when open, then the slip of this load step, that of the slave
     /// relative to the master [length].
     LawVector gap;
-    /// Of the bodies, normal component positive in compression [force/length^2].
+    /// The traction of the bodies' stress, normal component positive in compression
+    /// [force/length^2]; for Nitsche's method.
     LawVector stress;
     /// The contact pressure p and the tangential traction on the slave, if they are unknowns
     /// [force/length^2].
@@ -33,25 +35,25 @@ namespace Signorini
     InternalVariables internal; ///< at the end of the last load step
   };
 
-  /// What the law says there. All is zero at an open point.
+  /// The response of a contact law at a point. All entries are zero at an open point.
   struct LawResponse
   {
     /// Pressure, positive in compression, and tangential traction on the slave.
     LawVector traction;
-    /// Derivatives of a traction that follows [a][b]: of component a by component b of the gap
-    /// [force/length^3], and of the stress [-].
+    /// Derivatives [a][b] of component a of the traction, if it follows from the law: by component
+    /// b of the gap [force/length^3] and of the stress [-].
     LawMatrix by_gap, by_stress;
-    /// Residual of the constraint [length]: what the gap lacks for the law to hold. Of laws with
-    /// multipliers it is zero at the solution.
+    /// Residual of the constraint [length]: the gap minus the gap at which the law holds. For laws
+    /// with multipliers it is zero at the solution.
     LawVector residual;
-    /// Its derivatives by the gap [-], and by the traction that is an unknown
+    /// Derivatives of the residual by the gap [-], and by the traction as an independent unknown
     /// [length^3/force].
     LawMatrix         residual_by_gap, residual_by_traction;
     InternalVariables internal; ///< at the end of this load step
   };
 
-  /// The inputs at all points; refers to them. Vectors have a component each, see PointVectors; of
-  /// the stress there may be the normal one alone.
+  /// The inputs of a law at all points; refers to the vectors. Each has one vector for each
+  /// component, see PointVectors; the stress may have the normal one alone.
   struct LawInputs
   {
     const PointVectors   &gap, &stress, &traction;
@@ -61,12 +63,12 @@ namespace Signorini
     at(dealii::types::global_dof_index point) const;
   };
 
-  /// The relation between gap, stress and traction at the contact points, with one component
-  /// (NormalContact), or with as many as the dimension. Newton's method, the linear system, line
-  /// searches, the active set and the dual problem ask this and nothing else.
+  /// A contact law: the relation between gap, stress and traction at the contact points, with one
+  /// component (NormalContact) or as many as the dimension. Newton's method, the linear system,
+  /// line searches, the active set and the dual problem use this interface and nothing else.
   ///
-  /// Points are asked one by one, and told the status that they are taken to have: that is the
-  /// choice of the strategy that looks for the set.
+  /// Each point is evaluated by itself, for a given status: the active-set strategy chooses the
+  /// statuses.
   class ContactLaw
   {
   public:
@@ -80,52 +82,55 @@ namespace Signorini
       return contact;
     }
 
-    /// 1, or as many as the dimension, of all points.
+    /// The number of components of all points: 1, or as many as the dimension.
     unsigned int
     n_components() const
     {
       return contact.n_components();
     }
 
-    /// True: the traction is an unknown.
+    /// True if the traction is an independent unknown (Lagrange multiplier), false if it follows
+    /// from the law.
     virtual bool
     has_multiplier() const = 0;
 
-    /// True: the linearisation is symmetric at all points, whatever their status.
+    /// True if the linearisation is symmetric at all points, whatever their status.
     virtual bool
     is_symmetric() const
     {
       return true;
     }
 
-    /// True: derivatives depend on the status of a point alone, not on what else it is asked with.
+    /// True if the derivatives depend on the status of a point alone, not on the other inputs.
     virtual bool
     has_constant_derivatives() const
     {
       return true;
     }
 
-    /// All zero, as of points that have never been closed: as many as the law needs.
+    /// The internal variables of a point that has never been closed: all zero, as many as the law
+    /// needs.
     virtual InternalVariables
     initial_variables() const
     {
       return {};
     }
 
-    /// True: the law refers to the traction of the last solution, see augment().
+    /// True if the law depends on the traction of the last solution, which augment() sets
+    /// (augmented Lagrangian method of Uzawa type).
     virtual bool
     augments() const
     {
       return false;
     }
 
-    /// Let that traction be this one from now on.
+    /// Set the traction of the last solution.
     virtual void
     augment(const PointVectors & /*traction*/)
     {}
 
-    /// Multiply stiff springs by that, for a start far from the solution. True if that changes the
-    /// law.
+    /// Multiply the penalty by a factor, for penalty continuation from a start far from the
+    /// solution. Returns true if that changes the law.
     virtual bool
     scale_penalty(double /*factor*/)
     {
@@ -138,34 +143,35 @@ namespace Signorini
       return false;
     }
 
-    /// The factor with which no spring is stiffer than E/h; 1 where nothing is gained by that.
-    /// Collective.
+    /// The factor that reduces all penalties to at most E/h; 1 if the law gains nothing from
+    /// continuation. Collective.
     virtual double
     minimal_penalty_scale() const
     {
       return 1;
     }
 
-    /// The traction that the status is decided by: what the law would answer if nothing bounded it.
-    /// Its normal component is positive where the point presses.
+    /// The trial traction, which determines the status: the traction without the bounds of the law.
+    /// Its normal component is positive where the point is in compression.
     virtual LawVector
     trial(Index point, const LawInput &in) const = 0;
 
-    /// The status that the point has by itself.
+    /// The status that the trial traction implies.
     virtual ContactStatus
     status(Index point, const LawVector &trial) const = 0;
 
     virtual LawResponse
     response(Index point, const LawInput &in, ContactStatus status) const = 0;
 
-    /// Of the trial tractions at all points, where the traction of a former mesh is known.
+    /// The trial tractions at all points if the traction is known from a former mesh or load step.
     virtual PointVectors
     trial_from_traction(const LawInputs &in) const
     {
       return trial(in);
     }
 
-    /// By what a residual is multiplied, beside the area, so that it becomes a force.
+    /// The stiffness that converts a residual [length] to a pressure; times the area it is a force
+    /// [force/length^3].
     virtual double
     residual_stiffness(const Index point) const
     {
@@ -177,15 +183,16 @@ namespace Signorini
     PointVectors
     trial(const LawInputs &in) const;
 
-    /// Values of ContactStatus.
+    /// The statuses that the trial tractions imply, values of ContactStatus.
     LA::Vector
     status(const PointVectors &trial) const;
 
-    /// An unknown one is left as it is where the point is not open.
+    /// The tractions at given statuses. One that is an independent unknown is kept where the point
+    /// is not open.
     PointVectors
     traction(const LawInputs &in, const LA::Vector &status) const;
 
-    /// As forces, see residual_stiffness().
+    /// The residuals of the constraints as forces, see residual_stiffness().
     PointVectors
     residual(const LawInputs &in, const LA::Vector &status) const;
 
@@ -198,12 +205,12 @@ namespace Signorini
     initial_fields() const;
 
   protected:
-    /// Refers to it.
+    /// Keeps a reference to the gap operator.
     explicit ContactLaw(const GapOperator &contact)
       : contact(contact)
     {}
 
-    /// What f(point) returns, a LawVector, at all points.
+    /// Evaluate f(point), which returns a LawVector, at all points of this rank.
     template <typename F>
     PointVectors
     at_all_points(const F &f) const;

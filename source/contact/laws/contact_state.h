@@ -18,7 +18,7 @@ namespace Signorini
       return vectors.empty() && scalars.empty();
     }
 
-    /// After entries were set.
+    /// To be called after entries were set. Collective.
     void
     compress()
     {
@@ -30,14 +30,14 @@ namespace Signorini
     }
   };
 
-  /// What is known of contact at the points of a gap operator.
+  /// The state of contact at the points of a gap operator.
   struct ContactState
   {
     /// Contact pressure, positive in compression, and tangential traction on the slave
     /// [force/length^2].
     PointVectors traction;
     LA::Vector   status; ///< values of ContactStatus
-    /// Those at the end of the last load step; empty if the contact law has none.
+    /// Internal variables at the end of the last load step; empty if the contact law has none.
     InternalFields internal;
 
     const LA::Vector &
@@ -54,7 +54,7 @@ namespace Signorini
     return {contact.zeros(), contact.zero(), {}};
   }
 
-  /// 1 at closed points, else 0.
+  /// Indicator of closed points: 1 at closed points, else 0.
   inline LA::Vector
   closed_points(const LA::Vector &status)
   {
@@ -65,8 +65,9 @@ namespace Signorini
     return result;
   }
 
-  /// From an unknown of the linear system, a length, to the traction: times E/h at closed points,
-  /// zero at open ones. So do derivatives by tractions become those by unknowns.
+  /// Convert an unknown q of the linear system [length] to the traction: multiply it by E/h at
+  /// closed points, and set it to zero at open ones. Derivatives by tractions become derivatives by
+  /// unknowns in the same way.
   inline void
   to_traction(const GapOperator &contact, const LA::Vector &status, LA::Vector &q)
   {

@@ -3,8 +3,8 @@
 
 namespace Signorini
 {
-  /// What a contact point does. Vectors at all points have these values. A closed point without
-  /// friction slips.
+  /// The status of a contact point. Vectors over all points have these values. Without friction,
+  /// closed points have the status slip.
   enum class ContactStatus
   {
     open  = 0,
@@ -12,7 +12,7 @@ namespace Signorini
     stick = 2
   };
 
-  /// @param status value of a ContactStatus
+  /// True unless the point is open. @param status value of a ContactStatus
   inline bool
   is_closed(const double status)
   {

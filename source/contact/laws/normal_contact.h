@@ -17,10 +17,11 @@ namespace Signorini
   class NormalContact : public ContactLaw
   {
   public:
-    /// Refers to the gap operator.
+    /// Keeps a reference to the gap operator.
     NormalContact(const ContactMethod &method, const GapOperator &contact);
 
-    /// Springs on active points, p = -factor E/h g, whatever the method.
+    /// A linear penalty law p = -factor E/h g on active points, whatever the method; for
+    /// preconditioners and estimates.
     static NormalContact
     springs(const GapOperator &contact, double factor);
 
@@ -30,7 +31,7 @@ namespace Signorini
       return multiplier;
     }
 
-    /// True: p^ is the pressure of the last solution.
+    /// True if p^ is the pressure of the last solution.
     bool
     augments() const override
     {
@@ -43,7 +44,8 @@ namespace Signorini
       last = traction[0];
     }
 
-    /// Only where p^ is zero.
+    /// The factor applies to the penalty of all points. Laws with multipliers and Nitsche's method
+    /// do not use it: their minimal_penalty_scale() is 1.
     bool
     scale_penalty(const double factor) override
     {
@@ -80,7 +82,8 @@ namespace Signorini
     PointVectors
     trial_from_traction(const LawInputs &in) const override;
 
-    /// E/h, or eps if it augments, which is what the next augmentation changes.
+    /// E/h; or eps if the law augments, since then the residual times eps is the change by the next
+    /// augmentation.
     double
     residual_stiffness(const Index point) const override
     {

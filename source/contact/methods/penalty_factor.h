@@ -7,7 +7,7 @@ namespace Signorini
 {
   class Section;
 
-  /// How stiff a penalty is: in units of E/h, or absolute.
+  /// A penalty, as a multiple of E/h or as an absolute value [force/length^3].
   struct PenaltyFactor
   {
     double factor    = 1000; ///< of E/h
@@ -23,7 +23,7 @@ namespace Signorini
       return stiffness > 0;
     }
 
-    /// eps
+    /// The penalty eps at a contact point [force/length^3].
     double
     of(const PenaltyScale &scale) const
     {

@@ -58,7 +58,7 @@ namespace Signorini
         return std::abs(gradient(x, length) * normal / normal.norm() - 1) < 1e-3;
       }
 
-      /// Of the surface where the formula is zero.
+      /// The closest point on the surface where the formula is zero.
       ObstaclePoint<dim>
       closest_point(const Point<dim> &x, const double length) const override
       {
@@ -130,7 +130,7 @@ namespace Signorini
         return result;
       }
 
-      /// The change of the normal along the surface.
+      /// The derivative of the normal along the surface, by finite differences.
       Tensor<2, dim>
       curvature(const Point<dim> &x, const double length) const
       {

@@ -82,8 +82,9 @@ namespace Signorini
         return result;
       }
 
-      /// Of the closest point of the parabola: f (1 + height/R) + f^3/(2 R^2) = s, whose left side
-      /// grows outside of the focus; inside, the largest solution is the closest.
+      /// The radius f of the closest point of the parabola, the solution of f (1 + height/R) +
+      /// f^3/(2 R^2) = s, by Newton's method; its left side increases with f outside of the focus,
+      /// and inside the largest solution is the closest point.
       double
       closest_radius(const double s, const double height) const
       {

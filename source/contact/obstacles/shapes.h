@@ -5,7 +5,7 @@
 
 namespace Signorini
 {
-  /// Of all shapes.
+  /// The names of all obstacle shapes.
   template <int dim>
   std::vector<std::string>
   obstacle_names();

@@ -100,7 +100,7 @@ namespace Signorini
 
   namespace
   {
-    /// What two faces share: a vertex (2D) or a line.
+    /// Counts the faces at each vertex (2D) or edge (3D), to find the sides that two faces share.
     template <int dim>
     class SharedSides
     {
@@ -125,7 +125,8 @@ namespace Signorini
       }
 
     private:
-      /// With its halves, which finer neighbours have.
+      /// The keys of a side of a face, together with those of its halves, which finer neighbours
+      /// have.
       static std::vector<unsigned int>
       with_parts(const Cell &cell, const unsigned int face, const unsigned int side)
       {

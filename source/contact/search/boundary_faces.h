@@ -11,39 +11,39 @@
 
 namespace Signorini
 {
-  /// Faces of a boundary on locally owned cells.
+  /// The faces of a boundary on locally owned cells, with their geometry.
   template <int dim>
   struct BoundaryFaces
   {
     std::vector<std::pair<CellIterator<dim>, unsigned int>> faces; ///< cell and number of the face
-    std::vector<FacePatch<dim>>                             patches; ///< where they are
-    std::vector<FacePatch<dim>>                             rest;    ///< where they were
-    /// Where they were when the load step started; empty: nobody asks for the slip.
+    std::vector<FacePatch<dim>> patches; ///< geometry in the configuration, one for each face
+    std::vector<FacePatch<dim>> rest;    ///< geometry in the reference configuration
+    /// Geometry at the start of the load step; empty unless the configuration has a start.
     std::vector<FacePatch<dim>> start;
 
-    /// At rest.
+    /// In the reference configuration.
     BoundaryFaces(const Elasticity<dim> &elasticity, const std::string &boundary);
 
     BoundaryFaces(const Configuration<dim> &configuration, const std::string &boundary);
 
-    /// Which faces they are, by cell and number.
+    /// A predicate that selects faces by cell and face number.
     using Choice = std::function<bool(const CellIterator<dim> &, unsigned int)>;
 
     BoundaryFaces(const Configuration<dim> &configuration, const Choice &choice);
 
-    /// Those for which that is true. @param chosen one a face
+    /// The faces for which `chosen` is true. @param chosen one flag for each face
     BoundaryFaces
     among(const std::vector<bool> &chosen) const;
 
-    /// Of the cell behind face i: h.
+    /// The size h of the cell behind face i, normal to the face [length].
     double
     depth(unsigned int i) const;
 
-    /// E of that cell.
+    /// Young's modulus E of the cell behind face i.
     double
     modulus(const Elasticity<dim> &elasticity, unsigned int i) const;
 
-    /// E/h of that cell.
+    /// E/h of the cell behind face i [force/length^3].
     double
     stiffness(const Elasticity<dim> &elasticity, unsigned int i) const;
 
@@ -51,11 +51,12 @@ namespace Signorini
     BoundaryFaces() = default;
   };
 
-  /// The sides of a face, by the parameter that is constant there: 2 d + (0 or 1).
+  /// Flags of the sides of a face, indexed by 2 d + (0 or 1) for the side where parameter d is 0 or
+  /// 1.
   template <int dim>
   using SidesOfFace = std::array<bool, 2 * (dim - 1)>;
 
-  /// The sides of each face behind which the boundary goes on, on this rank or another.
+  /// The sides of each face behind which the boundary continues, on this rank or another.
   template <int dim>
   std::vector<SidesOfFace<dim>>
   inner_sides(const Mesh<dim> &mesh, const std::string &boundary, const BoundaryFaces<dim> &faces);

@@ -12,7 +12,7 @@ namespace Signorini
 
   namespace
   {
-    /// The cells with a node on the boundary.
+    /// The locally owned cells with a node on the boundary.
     template <int dim>
     std::vector<CellIterator<dim>>
     cells_next_to_boundary(const Elasticity<dim> &elasticity)
@@ -35,9 +35,9 @@ namespace Signorini
       return result;
     }
 
-    /// Of the nodes on boundaries, at rest, as a field like displacements: hanging nodes are where
-    /// the shape functions of their neighbours put them, not on the curve between these, so that a
-    /// rigid motion of all others is one of them, too.
+    /// The reference positions of the nodes on boundaries, as a field in the space of
+    /// displacements: hanging nodes are where the shape functions of their neighbours put them, not
+    /// on the curve between these, so that a rigid motion of all nodes moves them rigidly too.
     template <int dim>
     LA::Vector
     positions_of_nodes(const Elasticity<dim> &elasticity)
@@ -58,14 +58,14 @@ namespace Signorini
       return elasticity.with_ghosts(places);
     }
 
-    /// A place of a face, and its tangents there.
+    /// A point of a face, and the tangents there.
     template <int dim>
     struct Frame
     {
       Point<dim>                          origin;
       std::array<Tensor<1, dim>, dim - 1> tangents;
 
-      /// Not of unit length.
+      /// The normal; not of unit length.
       Tensor<1, dim>
       normal() const
       {

@@ -16,23 +16,23 @@ namespace Signorini
   template <int dim>
   using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-  /// Where the surfaces are on which contact is looked for: at rest, where gaps and normals are
-  /// those of the undeformed bodies, or displaced by a u, where they are those of the displaced
-  /// bodies (doc/theory, 5.1). Keeps a reference to the elasticity, and a copy of u.
+  /// The configuration of the surfaces in which contact is searched for and linearised: the
+  /// reference configuration, with gaps and normals of the undeformed bodies (small sliding), or
+  /// one displaced by u (doc/theory, 5.1). Keeps a reference to the elasticity and a copy of u.
   template <int dim>
   class Configuration
   {
   public:
-    /// At rest.
+    /// The reference configuration.
     explicit Configuration(const Elasticity<dim> &elasticity);
 
-    /// Displaced by u. Collective.
+    /// The configuration displaced by u. Collective.
     Configuration(const Elasticity<dim> &elasticity, const LA::Vector &u);
 
-    /// Displaced by u, with the frames of another displacement in moved(). What the rows of a
-    /// contact point say of its gap is the derivative at frames that stay: how they turn with a
-    /// change of u is left out of the variation, and comes with the next placement of the surfaces.
-    /// Collective.
+    /// The configuration displaced by u, with the local frames of another displacement in moved().
+    /// The row of a contact point is the derivative of its gap at fixed frames: their rotation with
+    /// u is not part of the variation, and enters when the configuration is updated. For tests of
+    /// that derivative. Collective.
     Configuration(const Elasticity<dim> &elasticity,
                   const LA::Vector      &u,
                   const LA::Vector      &of_frames);
@@ -49,49 +49,52 @@ namespace Signorini
       return my_elasticity;
     }
 
-    /// u, without ghosts; empty at rest.
+    /// The displacement u, without ghosts; empty in the reference configuration.
     const LA::Vector &
     displacement() const
     {
       return u;
     }
 
-    /// The load step that has led here has started from another displacement, which slip counts
-    /// from. Collective.
+    /// Set the displacement at the start of the load step, from which the slip is measured.
+    /// Collective.
     void
     set_start(const LA::Vector &u)
     {
       my_start = std::make_shared<const Configuration<dim>>(my_elasticity, u);
     }
 
-    /// Null: nobody asks for the slip.
+    /// The configuration at the start of the load step; null if it was not set.
     const Configuration<dim> *
     start() const
     {
       return my_start.get();
     }
 
-    /// A face of a locally owned cell where its nodes have got to. What the surface has between
-    /// the nodes beyond the shape functions of the displacement, c at rest, turns and stretches
-    /// with them:
+    /// The geometry of a face of a locally owned cell in this configuration. The difference c
+    /// between the true surface and the shape functions of the displacement, in the reference
+    /// configuration, is convected with the surface:
     ///
     ///   x(xi) = sum_i N_i(xi) x_i + c^a t_a + h n,
     ///
-    /// c^a and h being the components of c by tangents and normal of the face of the shape
-    /// functions at rest, t_a and n those of it now. So a rigid motion of the nodes is one of
-    /// the face.
+    /// where c^a and h are the components of c along the tangents and the normal of the reference
+    /// face, and t_a and n those of the current one. So a rigid motion of the nodes is a rigid
+    /// motion of the face.
+    /// @param rest the face in the reference configuration
     FacePatch<dim>
     moved(const FacePatch<dim> &rest, const CellIterator<dim> &cell, unsigned int face) const;
 
-    /// Of an obstacle.
+    /// The pose of an obstacle in this configuration.
     RigidPose<dim>
     pose(const Obstacle<dim> &obstacle) const;
 
-    /// Where it would be. @param rigid_motion see Elasticity::rigid_motion()
+    /// The pose of an obstacle for another rigid motion. @param rigid_motion see
+    /// Elasticity::rigid_motion()
     RigidPose<dim>
     pose(const Obstacle<dim> &obstacle, const std::vector<double> &rigid_motion) const;
 
-    /// What belongs to a point: the closest point of the obstacle where it is now.
+    /// The closest point of an obstacle to x, with its gap and normal.
+    /// @param pose pose() of the obstacle
     ObstaclePoint<dim>
     closest(const Obstacle<dim>      &obstacle,
             const RigidPose<dim>     &pose,
@@ -106,7 +109,7 @@ namespace Signorini
       std::array<double, dim - 1> slopes; ///< by the parameters of the face
     };
 
-    /// Those that are not zero, by node.
+    /// The shape functions that are not zero at each node of the face's geometry.
     using ShapesAtNodes = std::vector<std::vector<Shape>>;
 
     const ShapesAtNodes &

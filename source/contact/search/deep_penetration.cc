@@ -12,7 +12,7 @@ namespace Signorini
 
   namespace
   {
-    /// Of the body that a boundary ("body.boundary") belongs to.
+    /// The bounding box of the body that a boundary ("body.boundary") belongs to.
     template <int dim>
     const BoundingBox<dim> &
     extent_of_body(const Mesh<dim> &mesh, const std::string &boundary)
@@ -23,7 +23,7 @@ namespace Signorini
       return mesh.extent();
     }
 
-    /// Nothing if there is none.
+    /// The intersection of two boxes; nothing if it is empty.
     template <int dim>
     std::optional<BoundingBox<dim>>
     common(const BoundingBox<dim> &a, const BoundingBox<dim> &b)
@@ -64,7 +64,7 @@ namespace Signorini
       return deepest;
     }
 
-    /// Of what lies in that box.
+    /// The largest depth of the slave faces whose middles lie in the box. Collective.
     template <int dim>
     double
     depth_in_body(const std::vector<FacePatch<dim>> &slave,

@@ -7,21 +7,23 @@
 
 namespace Signorini
 {
-  /// The smallest side of what two boxes have in common: bodies in them overlap no deeper than that
-  /// along an axis. 0 if they are apart.
+  /// The smallest side of the intersection of two boxes; bodies inside of them penetrate each other
+  /// no deeper than that along an axis. 0 if they are disjoint.
   template <int dim>
   double
   common_depth(const dealii::BoundingBox<dim> &a, const dealii::BoundingBox<dim> &b);
 
-  /// True if boxes of the bodies of a pair allow an overlap of its surfaces before anything moves.
+  /// True if the bounding boxes of the bodies of a pair allow their surfaces to penetrate each
+  /// other in the reference configuration.
   template <int dim>
   bool
   may_overlap(const Mesh<dim> &mesh, const ContactPair<dim> &pair);
 
-  /// How deep the slave of a pair lies in its master before anything moves, if some of it is deeper
-  /// than the distance within which projections are searched for; else 0. Overlaps are never too
-  /// far apart to be contact, however large. The middles of slave faces are asked, which are as
-  /// deep, and those of bodies only where boxes of both allow such an overlap. Collective.
+  /// The depth of the slave of a pair inside of its master in the reference configuration, if it
+  /// exceeds the search radius somewhere; else 0 [length]. A penetration is contact however deep it
+  /// is. Only the middles of slave faces are checked, since the depth changes little over a face;
+  /// with bodies only where the bounding boxes allow such a penetration. Collective.
+  /// @param distance search radius [length]
   /// @param obstacle null if the master is a boundary of a body
   template <int dim>
   double

@@ -22,8 +22,8 @@ namespace Signorini
       bool                                convex;  // f itself is, as far as xi is free to move
     };
 
-    // Where the gradient presses xi against its bound, the curvature in that direction (and its
-    // coupling) says nothing about the minimum, which is on the side.
+    // Where a bound of xi is active, the curvature in that direction (and its coupling) has no
+    // effect on the minimum, which is on that side.
     template <int n>
     Tensor<2, n>
     without_constrained(Tensor<2, n>        hessian,
@@ -65,8 +65,9 @@ namespace Signorini
       return m;
     }
 
-    // Minimiser s of the quadratic g.s + s.H.s/2 between the bounds. The bounds are the sides of
-    // the parameter square seen from xi, so an active one needs no bookkeeping.
+    // The minimiser s of the quadratic model g.s + s.H.s/2 between the bounds, the sides of the
+    // parameter square as seen from xi. It is found exactly, so that active bounds need no
+    // bookkeeping.
     Tensor<1, 1>
     constrained_minimiser(const Tensor<1, 1> &g,
                           const Tensor<2, 1> &H,
@@ -89,7 +90,8 @@ namespace Signorini
           newton[1] <= upper[1])
         return newton;
 
-      // A convex function whose minimum is outside takes its least value on one of the four sides.
+      // A convex function whose minimum is outside takes its smallest value on one of the four
+      // sides.
       Tensor<1, 2> best;
       double       best_value = std::numeric_limits<double>::max();
       for (unsigned int i = 0; i < 2; ++i)
@@ -119,7 +121,7 @@ namespace Signorini
       return result;
     }
 
-    // Length that rounding makes of the positions involved.
+    // The rounding error of the positions involved [length].
     template <int dim>
     double
     rounding(const Point<dim> &x, const FacePatch<dim> &face)
@@ -127,7 +129,8 @@ namespace Signorini
       return 8 * std::numeric_limits<double>::epsilon() * (x.norm() + face.diameter());
     }
 
-    // One damped step from xi; false if no damping makes f smaller (up to rounding).
+    // One step from xi, halved until f does not increase (up to rounding); false if no step length
+    // achieves that.
     template <int dim>
     bool
     descend(const Point<dim>          &x,

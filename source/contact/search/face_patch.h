@@ -17,7 +17,8 @@ namespace Signorini
 {
   /// The geometry of one face: x(xi) = sum_i L_i(xi) X_i with tensor product Lagrange polynomials
   /// of degree k on [0,1]^(dim-1), equidistant nodes, lexicographic order. It equals the face of a
-  /// MappingQ of the same degree, and knows no mesh, so that it can be tested and sent alone.
+  /// MappingQ of the same degree, and does not refer to a mesh, so that it can be tested and sent
+  /// to other ranks by itself.
   template <int dim>
   class FacePatch
   {
@@ -41,7 +42,7 @@ namespace Signorini
     dealii::Point<dim>
     position(const Parameter &xi) const;
 
-    /// Columns d x / d xi_i.
+    /// The tangents d x / d xi_i; not of unit length.
     std::array<dealii::Tensor<1, dim>, dim - 1>
     tangents(const Parameter &xi) const;
 
@@ -57,12 +58,12 @@ namespace Signorini
     double
     jacobian(const Parameter &xi) const;
 
-    /// 1 if the face is multilinear, whatever the degree that it came with: fewer nodes say the
-    /// same.
+    /// The degree k of the geometry; 1 if the face is multilinear, whatever degree it was made
+    /// with, since fewer nodes then suffice.
     unsigned int
     get_degree() const;
 
-    /// See the constructor.
+    /// The sign of the parametric normal, see the constructor.
     double
     get_outward() const
     {
@@ -77,7 +78,7 @@ namespace Signorini
     double
     diameter() const;
 
-    /// About the largest norm of second derivatives, a bit more rather than less.
+    /// Estimate of the largest norm of the second derivatives, rather too large than too small.
     double
     second_derivative_bound() const;
 
@@ -95,7 +96,7 @@ namespace Signorini
     }
 
   private:
-    /// Sets size, bounds and bend from the nodes.
+    /// Compute size, bounding box and bound of the second derivatives from the nodes.
     void
     measure();
     void

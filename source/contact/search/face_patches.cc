@@ -28,7 +28,7 @@ namespace Signorini
       return Quadrature<dim>(points);
     }
 
-    /// Every other node.
+    /// Every other node of a face of degree k, in each direction.
     template <int dim>
     std::vector<Point<dim>>
     halved(const std::vector<Point<dim>> &nodes, const unsigned int k)
@@ -40,7 +40,7 @@ namespace Signorini
       return result;
     }
 
-    /// From nodes of degree k to those of degree k/2, as long as the shape stays.
+    /// Halve the degree of a face's nodes as long as its shape does not change; returns the degree.
     template <int dim>
     unsigned int
     lower_degree(std::vector<Point<dim>> &nodes, unsigned int k)

@@ -19,14 +19,14 @@ namespace Signorini
   public:
     explicit FacePatches(const Mesh<dim> &mesh);
 
-    /// Of the lowest degree that has the shape up to 3e-6 of the face's diameter: what is evaluated
-    /// most in a search are patches.
+    /// The geometry of a boundary face, of the lowest degree that reproduces it to 3e-6 of the
+    /// face's diameter: a search spends most of its time in evaluating patches.
     FacePatch<dim>
     operator()(const typename dealii::Triangulation<dim>::cell_iterator &cell, unsigned int face);
 
   private:
     const unsigned int degree;
-    /// Of each face of a cell.
+    /// Evaluation of the mapping on each face of a cell.
     std::vector<std::unique_ptr<dealii::FEValues<dim>>> values;
   };
 } // namespace Signorini

@@ -96,7 +96,7 @@ namespace Signorini
              lateral <= (a.size + b.size) / 2;
     }
 
-    /// Neither face lies behind the other.
+    /// True if neither face lies behind the other.
     template <int dim>
     bool
     is_in_front(const Face<dim> &a, const Face<dim> &b)
@@ -121,8 +121,8 @@ namespace Signorini
 
     using BoundaryPair = std::pair<unsigned int, unsigned int>;
 
-    /// Of faces in front of a face, those that it sees: no other ones lie between the middles of
-    /// both.
+    /// The faces in front of a face that are visible from it: no other ones lie between the middles
+    /// of both.
     template <int dim>
     std::vector<const Face<dim> *>
     visible_from(const Face<dim> &face, const std::vector<const Face<dim> *> &front)
@@ -148,9 +148,9 @@ namespace Signorini
     /// A face of this rank and boundaries of another body, parts of which lie behind it.
     using BoundariesBehind = std::map<unsigned int, std::set<unsigned int>>;
 
-    /// Of faces that another body lies behind: what is behind may be on the far side of the face's
-    /// own body, or of the other one. It meets the face if that lies inside of the other body, an
-    /// overlap, or if the closest place of that body looks at the face. Collective.
+    /// Add pairs of faces that another body lies behind. What is behind may be on the far side of
+    /// the face's own body, or of the other one: it meets the face if the bodies overlap, or if the
+    /// closest point of that body faces the face. Collective.
     template <int dim>
     void
     add_overlapping(const std::vector<Face<dim>>      &own,
@@ -219,7 +219,7 @@ namespace Signorini
       return all;
     }
 
-    /// Boundaries that may meet an obstacle.
+    /// The boundaries that may come into contact with an obstacle.
     template <int dim>
     std::set<unsigned int>
     boundaries_at(const std::vector<Face<dim>> &faces,
@@ -237,7 +237,7 @@ namespace Signorini
       return result;
     }
 
-    /// Of each boundary.
+    /// How fine the mesh of a boundary is.
     struct Fineness
     {
       double       size = 0; ///< mean over its faces

@@ -9,12 +9,13 @@
 
 namespace Signorini
 {
-  /// The pairs of boundaries of different bodies, and of bodies and obstacles, whose faces see each
-  /// other at no more than a distance; not through the wall of a body. Slave is the side with the
-  /// finer mesh, or of two that are about as fine the softer one. Collective; all ranks get the
-  /// same.
+  /// Find the contact pairs of a model: boundaries of different bodies, and of bodies and
+  /// obstacles, whose faces are visible from each other, not through the wall of a body, at no more
+  /// than a distance. Slave is the side with the finer mesh, or the softer one if both are about as
+  /// fine. Collective; the result is the same on all ranks.
   /// @param moduli Young's modulus of each body
-  /// @param pattern what the pairs have beside their names and surfaces
+  /// @param pattern settings that the pairs get beside their names and surfaces
+  /// @param distance [length]
   template <int dim>
   std::vector<ContactPair<dim>>
   find_pairs(const Mesh<dim>                  &mesh,

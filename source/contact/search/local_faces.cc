@@ -155,9 +155,9 @@ namespace Signorini
     c.face      = face;
     c.xi        = projection.xi;
 
-    // In the interior of a face the offset is zero. At a convex edge of a faceted surface the
-    // points of the wedge above it belong to no face; they are ours. What is farther out is
-    // beside the body.
+    // In the interior of a face the offset is zero. At a convex edge of a faceted surface, points
+    // of the wedge above it project onto neither face; they count as above this one. A point
+    // farther out is beside the body.
     const double offset = projection.tangential_offset;
     const double above  = std::abs((query.point - projection.position) * c.master_point.normal);
     const double rim    = c.is_former ? query.staying : rim_tolerance * patch.diameter();
@@ -167,7 +167,8 @@ namespace Signorini
 
 
 
-  // The face that wins most often is the one with the nearest box, or its neighbour.
+  // The first search radius: the projection is mostly on the face with the nearest bounding box, or
+  // on its neighbour.
   template <int dim>
   double
   LocalFaces<dim>::first_radius(const Point<dim> &x) const
@@ -178,8 +179,9 @@ namespace Signorini
 
 
 
-  // Boost's own iteration in the order of distance keeps a sorted list of all that it has seen,
-  // which costs several times as much.
+  // The faces whose boxes are at a distance in (inner, outer], nearest first. Boost's own iteration
+  // in the order of distance keeps a sorted list of all visited faces, which costs several times as
+  // much.
   template <int dim>
   const std::vector<std::pair<double, unsigned int>> &
   LocalFaces<dim>::ring(const Point<dim> &x, const double inner, const double outer)
@@ -211,6 +213,9 @@ namespace Signorini
     double limit = query.limit;
     double inner = -1; // all faces whose box is not farther than this have been looked at
     double outer = first_radius(query.point);
+    // Search in rings of doubled radius. A projection found reduces the limit to its distance (plus
+    // the tolerance within which ties are broken), so the search ends once all nearer boxes were
+    // visited.
     while (inner < limit)
       {
         outer = std::min(outer, limit);

@@ -11,7 +11,8 @@
 
 namespace Signorini
 {
-  /// A slave point on its way to the faces. Copied bit by bit between ranks.
+  /// A slave point to be projected, as it is sent to the ranks of the master faces. Copied bit by
+  /// bit.
   template <int dim>
   struct Query
   {
@@ -31,7 +32,7 @@ namespace Signorini
     }
   };
 
-  /// A face that faces a point and is near enough.
+  /// A possible projection: a face that faces the point and is within the limit.
   template <int dim>
   struct Candidate
   {
@@ -50,7 +51,7 @@ namespace Signorini
     }
   };
 
-  /// What a rank announces of its faces.
+  /// The bounding box of the master faces of a rank, as it is announced to all ranks.
   template <int dim>
   struct RankBox
   {
@@ -72,15 +73,16 @@ namespace Signorini
   const Candidate<dim> *
   nearest(const std::vector<Candidate<dim>> &candidates);
 
-  /// The faces of this rank in an R-tree, ready to be asked. Keeps a reference to both arguments.
+  /// The master faces of this rank in an R-tree. Keeps references to both arguments of the
+  /// constructor.
   template <int dim>
   class LocalFaces
   {
   public:
     LocalFaces(const MasterFaces<dim> &master, SearchStatistics &statistics);
 
-    /// Candidates are the faces not beyond the limit that face the point. The best one, complete
-    /// if it can become a projection; nothing if there is none.
+    /// The best candidate among the faces within the limit that face the point, completed if it can
+    /// become the projection; nothing if there is none.
     std::optional<Candidate<dim>>
     find(const Query<dim> &query);
 
@@ -95,7 +97,8 @@ namespace Signorini
     }
 
   private:
-    /// Normals of a face: that in the middle, and by how much others may differ from it.
+    /// The normal in the middle of a face, and by how much the normals at its other points may
+    /// differ from it.
     struct Normals
     {
       dealii::Tensor<1, dim> middle;

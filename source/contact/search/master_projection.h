@@ -13,23 +13,26 @@
 
 namespace Signorini
 {
-  /// Coefficients of degrees of freedom.
+  /// A sparse row: (degree of freedom, coefficient).
   using SparseRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
   /// The shape function of a node at a point of a face.
   template <int dim>
   struct NodeShapeFunction
   {
-    dealii::types::global_dof_index node; ///< its first degree of freedom; the others follow
+    /// First degree of freedom of the node; the other components follow.
+    dealii::types::global_dof_index node;
     double                          value;
-    std::array<double, dim - 1>     slopes; ///< derivatives in the parameters of the face
+    std::array<double, dim - 1>     slopes; ///< derivatives with respect to the face parameters
   };
 
-  /// Those of all nodes of a face, hanging ones condensed: u = sum value u(node).
+  /// The shape functions of all nodes of a face at one point, hanging nodes condensed: u = sum
+  /// value u(node).
   template <int dim>
   using FaceShapeFunctions = std::vector<NodeShapeFunction<dim>>;
 
-  /// The displacement there. @param u its elements, u(dof)
+  /// The displacement at the point of the shape functions.
+  /// @param u gives the element u(dof) of the displacement vector
   template <int dim, typename Elements>
   dealii::Tensor<1, dim>
   value_at(const FaceShapeFunctions<dim> &functions, const Elements &u)
@@ -41,26 +44,27 @@ namespace Signorini
     return sum;
   }
 
-  /// A place on a master surface.
+  /// A point on a master surface.
   template <int dim>
   struct MasterPoint
   {
     dealii::Point<dim>     position;
     dealii::Tensor<1, dim> normal;   ///< outward unit normal of the master there
-    double                 distance; ///< closest point distance
-    dealii::Point<dim>
-           face_center;          ///< identity of the face: breaks ties alike on any number of ranks
-    double stiffness;            ///< E/h of the master cell (force / length^3)
-    double modulus = 0;          ///< E of the master cell; 0: rigid
-    double size    = 0;          ///< of the master's face
-    double bound   = 0;          ///< of the master cell's normal stress, see NormalStress::bound()
-    dealii::Point<dim> rest;     ///< the position before anything moved
-    dealii::Point<dim> start;    ///< that when the load step started, if anybody asks for the slip
-    unsigned int       kind = 0; ///< of its face, for who asked for the kinds of faces
+    double                 distance; ///< distance from the slave's point, >= 0 [length]
+    /// Center of the face, which identifies it: ties are broken alike on any number of ranks.
+    dealii::Point<dim> face_center;
+    double             stiffness;   ///< E/h of the master cell [force/length^3]
+    double             modulus = 0; ///< E of the master cell; 0: rigid
+    double             size    = 0; ///< diameter of the master's face [length]
+    double bound = 0; ///< bound of the master cell's normal stress, see NormalStress::bound()
+    dealii::Point<dim> rest; ///< position of the material point in the reference configuration
+    /// Its position at the start of the load step; set if the method uses the slip.
+    dealii::Point<dim> start;
+    unsigned int       kind = 0; ///< kind of its face, where the search distinguishes kinds
   };
 
-  /// How the gap bends: its second variation is sum_ij C_ij (T_i.d) (T_j.d') for changes d and d'
-  /// of the degrees of freedom. With n directions v, of which the first is number 0,
+  /// The second variation of the gap, sum_ij C_ij (T_i.d) (T_j.d') for changes d and d' of the
+  /// degrees of freedom. With n directions v, of which number 0 is the contact normal,
   ///
   ///   T_i.d     = v_i.(u^S - u^M) + (rigid_i).d,   i < n; no u^M of obstacles
   ///   T_(n+a).d = (rigid_(n+a)).d                  of obstacles
@@ -71,8 +75,10 @@ namespace Signorini
   struct GapSecondVariation
   {
     std::vector<dealii::Tensor<1, dim>> directions; ///< v
-    std::vector<SparseRow>              rigid;      ///< of an obstacle; empty: none
-    std::vector<double>                 factors;    ///< C; empty: it does not bend, or none knows
+    /// Rows of an obstacle's rigid-body degrees of freedom; empty for bodies.
+    std::vector<SparseRow> rigid;
+    /// C, row by row; empty: the second variation vanishes or is not known.
+    std::vector<double> factors;
 
     unsigned int
     n_rows() const
@@ -89,21 +95,27 @@ namespace Signorini
     }
   };
 
-  /// The place on a master surface that belongs to a slave point, and how it moves.
+  /// The projection of a slave point onto the master: the closest point, with the shape functions
+  /// and the normal stress of the master there.
   template <int dim>
   struct MasterProjection : public MasterPoint<dim>
   {
-    FaceShapeFunctions<dim> functions; ///< of its body there
-    SparseRow               rigid;     ///< normal.u of an obstacle there
-    /// The normal stress of the master there, positive in compression, by degrees of freedom with
-    /// hanging nodes condensed; for methods that ask for it.
+    /// Displacement shape functions of the master's body; empty for obstacles.
+    FaceShapeFunctions<dim> functions;
+    /// Normal.u of an obstacle at the point, by its rigid-body degrees of freedom.
+    SparseRow rigid;
+    /// Row of the normal stress of the master at the point, positive in compression, hanging nodes
+    /// condensed; for Nitsche's method only.
     SparseRow stress;
-    /// That of the rises of the temperature, in terms of ThermalStrain::coefficients().
+    /// Row of the part of the normal stress that depends on temperature changes, over
+    /// ThermalStrain::coefficients().
     SparseRow thermal_stress;
-    SparseRow
-      volumetric_stress; ///< that of mixed bodies, in terms of VolumetricStress::coefficients()
-    double stress_offset = 0; ///< what it is beyond these rows, with loads on the boundary
-    double stress_value  = 0; ///< of large deformation, where it is Cauchy's
+    /// Row of the part that depends on the volumetric stress, over
+    /// VolumetricStress::coefficients().
+    SparseRow volumetric_stress;
+    /// Constant part of the normal stress, with surface loads [force/length^2].
+    double stress_offset = 0;
+    double stress_value  = 0; ///< finite strain: present Cauchy normal stress [force/length^2]
     GapSecondVariation<dim> second_variation; ///< where surfaces have moved; its factors not yet,
                                               ///< see second_variation_of_bodies()
 

@@ -68,7 +68,8 @@ namespace Signorini
       return result;
     }
 
-    /// Those that it may come to, and that are not in it already and see nothing of it.
+    /// The sampled points that the obstacle may reach, without those that are inside already and do
+    /// not face its surface.
     template <int dim>
     std::vector<SampledPoint<dim>>
     reachable(const Configuration<dim> &from,
@@ -111,7 +112,8 @@ namespace Signorini
     thin                            = Utilities::MPI::min(thin, comm);
     const std::vector<double> first = elasticity.rigid_motion(from.displacement()),
                               last  = elasticity.rigid_motion(to);
-    // Nothing is met on a way that is shorter than what is left to the nearest place.
+    // Advance along the path by the distance to the nearest point, within which nothing can be met
+    // ("sphere tracing"), but at least by half of the thinnest cell; ends at the end of the path.
     for (double gone = 0;;)
       {
         std::vector<double> between = first;
@@ -119,7 +121,8 @@ namespace Signorini
           between[i] += gone / way * (last[i] - first[i]);
         const RigidPose<dim> pose = from.pose(obstacle, between);
         double               free = way;
-        // Places that are behind the obstacle; in it; and those of these that see its surface.
+        // Numbers of points behind the obstacle; inside of it; and of the latter those that face
+        // its surface.
         std::vector<unsigned int> n(3, 0);
         for (const SampledPoint<dim> &sample : samples)
           {

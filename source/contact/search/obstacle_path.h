@@ -8,12 +8,12 @@
 
 namespace Signorini
 {
-  /// Would an obstacle that moves at once go through a surface that stays where it is? Contact
-  /// would then be looked for on its other side: points of the surface are, on the way, inside of
-  /// the obstacle, and look as its own surface does there; or nowhere, if none of those inside sees
-  /// its surface, as where the middle of a ball has come to a plane. Collective.
-  /// @param from where surface and obstacle are
-  /// @param to the displacement that has the obstacle's motion
+  /// True if an obstacle that moves in one increment would tunnel through a surface that stays
+  /// where it is. Contact would then be detected on its far side, since points of the surface are
+  /// inside of the obstacle on the way and face its own surface there; or not at all, if no point
+  /// inside faces its surface, as where the middle of a ball has reached a plane. Collective.
+  /// @param from configuration of surface and obstacle before the increment
+  /// @param to displacement with the obstacle's rigid motion after the increment
   template <int dim>
   bool
   obstacle_tunnels(const Configuration<dim> &from,
@@ -21,9 +21,11 @@ namespace Signorini
                    const std::string        &surface,
                    const Obstacle<dim>      &obstacle);
 
-  /// Is the surface in the obstacle somewhere, by more than a fifth of a cell? Collective.
-  /// @param is_seen by the number of the face on this rank: contact is looked for there, which
-  /// knows better, and other parts count only if they were outside at rest; empty: nowhere
+  /// True if the surface lies inside of the obstacle somewhere, by more than a fifth of a cell.
+  /// Collective.
+  /// @param is_seen flags by the number of the face on this rank: where set, the contact search
+  /// covers the face and decides; the other faces count only if they were outside in the reference
+  /// configuration. Empty: no face is covered
   template <int dim>
   bool
   penetrates_obstacle(const Configuration<dim> &now,
@@ -31,9 +33,9 @@ namespace Signorini
                       const Obstacle<dim>      &obstacle,
                       const std::vector<bool>  &is_seen);
 
-  /// Is the obstacle in the body of the surface, by more than half a cell, where it is closest to
-  /// the surface? Where it is smaller than the faces, it may get there past all points of the
-  /// surface. Collective.
+  /// True if the obstacle lies inside of the body of the surface, by more than half a cell, where
+  /// it is closest to the surface. An obstacle that is smaller than the faces may get there past
+  /// all contact points. Collective.
   template <int dim>
   bool
   encloses_obstacle(const Configuration<dim> &now,

@@ -39,8 +39,8 @@ namespace Signorini
       return xi;
     }
 
-    // Needs nothing but values: for a point near the centre of curvature, where Newton has no
-    // Hessian.
+    // Shrinking grid search, which needs only values: for points near the centre of curvature,
+    // where the Hessian is singular.
     template <int dim>
     void
     grid_search(const Point<dim>     &x,
@@ -65,7 +65,8 @@ namespace Signorini
         }
     }
 
-    // Values alone tell a parameter to the root of the rounding error only.
+    // A Newton step after the grid search: values alone determine a parameter only up to the square
+    // root of the rounding error.
     template <int dim>
     void
     polish(const Point<dim> &x, const FacePatch<dim> &face, Point<dim - 1> &xi)
@@ -77,7 +78,7 @@ namespace Signorini
         xi = better;
     }
 
-    /// The least factor by which the parametrisation stretches at the middle.
+    /// The smallest singular value of the tangents in the middle of the face.
     template <int dim>
     double
     least_stretch(const FacePatch<dim> &face)
@@ -92,9 +93,10 @@ namespace Signorini
         }
     }
 
-    // A grid over the face and the squared distance at each of its points. A curved face can have
-    // several local minima; the density is what experiments with very bumpy faces asked for. Faces
-    // that turn by less than a radian have no bumps: as many points as nodes will do.
+    // A grid of parameters on the face, with the squared distance at each of them, from whose local
+    // minima Newton's method starts. A curved face can have several local minima; the density was
+    // determined by experiments with very bumpy faces. Faces whose normals differ by less than a
+    // radian have no bumps: as many points as nodes suffice.
     template <int dim>
     class Samples
     {
@@ -128,7 +130,7 @@ namespace Signorini
         return 1. / (per_line - 1);
       }
 
-      // Compared along the lines only: in a narrow diagonal valley this yields some starts more
+      // Compared along grid lines only: in a narrow diagonal valley this yields some starts more
       // than diagonal neighbours would allow. Of equal neighbours (a point on a plane of symmetry)
       // the first one counts.
       bool
@@ -150,14 +152,15 @@ namespace Signorini
       std::array<double, 169> values;
     };
 
-    /// The Hessian of |x(xi) - x|^2/2, J^T J + (x(xi) - x) . d^2x, is positive definite all over
-    /// the face: there is one minimum, which Newton's method finds from everywhere.
+    /// True if the Hessian of |x(xi) - x|^2/2, J^T J + (x(xi) - x) . d^2x, is positive definite on
+    /// the whole face: then there is one minimum, which Newton's method finds from any start.
     template <int dim>
     bool
     is_convex(const Point<dim> &x, const FacePatch<dim> &face, const double least_stretch)
     {
       const double farthest = x.distance(face.center()) + face.diameter();
-      // From the middle, tangents change by at most the bend times the half of a diagonal.
+      // From the middle, tangents change by at most the bound of the second derivatives times half
+      // of the diagonal.
       const double stretch = least_stretch - 0.71 * face.second_derivative_bound();
       return stretch > 0 && farthest * face.second_derivative_bound() < stretch * stretch;
     }

@@ -14,7 +14,7 @@
 
 namespace Signorini
 {
-  /// Of the normals of two surfaces where they may touch.
+  /// True if two surfaces with these outward unit normals are opposite enough to touch.
   template <int dim>
   bool
   faces_each_other(const dealii::Tensor<1, dim> &slave_normal,
@@ -23,34 +23,35 @@ namespace Signorini
     return slave_normal * master_normal < -0.1;
   }
 
-  /// The face of a master that a point had before, known by where it is.
+  /// The master face of a point's earlier projection, identified by its center.
   template <int dim>
   struct PreviousMasterFace
   {
     dealii::Point<dim> center;
-    double             size = 0; ///< 0: none
+    double             size = 0; ///< diameter of the face; 0: there was no projection
   };
 
-  /// The master side of one contact pair on this rank: the faces of locally owned cells. Supplies
-  /// what the search cannot know: a face's shape functions and its stiffness.
+  /// The master side of one contact pair on this rank: the faces of locally owned cells, and what
+  /// the geometric search does not know of them, their shape functions and stiffness.
   template <int dim>
   struct MasterFaces
   {
     std::vector<FacePatch<dim>> patches;
-    /// Fill the functions, rows, `stiffness` and `bound` of a projection on face i at parameter xi;
-    /// position and normal are set.
+    /// Completes a projection on face i at parameter xi, whose position and normal are set: fills
+    /// in shape functions, rows, `stiffness` and `bound`.
     std::function<
       void(unsigned int i, const dealii::Point<dim - 1> &xi, MasterProjection<dim> &master_point)>
       complete;
-    /// The sides of each face, by the parameter that is constant there (2 d + (0 or 1)), behind
-    /// which the surface goes on. Empty: nobody wants to know.
+    /// Flags of the sides of each face (2 d + (0 or 1): the side where parameter d is 0 or 1)
+    /// behind which the surface continues. Empty if not needed.
     std::vector<std::array<bool, 2 * (dim - 1)>> inner_sides = {};
-    /// Where the faces were at rest, if points that were there on the same surface must not take
-    /// what cannot_self_contact() for their projection. Empty: slave and master are two surfaces.
+    /// The faces in the reference configuration if slave and master are the same surface; then
+    /// projections that cannot_self_contact() are rejected. Empty if slave and master are two
+    /// surfaces.
     std::vector<FacePatch<dim>> rest = {};
   };
 
-  /// A place of a surface at rest.
+  /// A point of a surface in the reference configuration.
   template <int dim>
   struct ReferencePoint
   {
@@ -58,15 +59,15 @@ namespace Signorini
     dealii::Tensor<1, dim> normal; ///< outward
   };
 
-  /// Of two places of one surface: these cannot touch, since they are neighbours, or on two sides
-  /// of the body: what lies between them at rest is the body itself.
-  /// @param width of the faces there
+  /// True if two points of the same surface cannot touch each other: they are neighbours, or lie on
+  /// two sides of the body with nothing but the body itself between them in the reference
+  /// configuration.
+  /// @param width of the faces there [length]
   template <int dim>
   bool
   cannot_self_contact(const ReferencePoint<dim> &a, const ReferencePoint<dim> &b, double width);
 
-  /// What a search did on this rank; `projections` counts those for other ranks'
-  /// points as well.
+  /// Counters of a search on this rank. `projections` includes those for points of other ranks.
   struct SearchStatistics
   {
     unsigned long points = 0, points_sent = 0, projections = 0, fallbacks = 0;
@@ -82,23 +83,27 @@ namespace Signorini
     }
   };
 
-  /// For each slave point of this rank the closest place on the master surface of all ranks, if
-  /// there is one within `search_radius`, facing the point (see faces_each_other()) and not
-  /// beyond the rim of the surface. Collective.
+  /// For each slave point of this rank, find the closest point on the master surface of all ranks,
+  /// if there is one within `search_radius` that faces the point (see faces_each_other()) and does
+  /// not lie beyond the edge of the surface. Collective.
   ///
-  /// Points travel to the faces: every rank announces one bounding box of its master faces, points
-  /// inside the inflated box go there, are projected on the faces that an R-tree yields in the
-  /// order of distance, and the answers come back. No rank ever sees faces of another.
+  /// Points travel to the faces: every rank announces one bounding box of its master faces; points
+  /// inside the inflated box are sent there and are projected onto the faces that an R-tree yields
+  /// in the order of distance; the results are sent back. No rank ever receives faces of another.
   ///
-  /// Ties (a point that projects on the common edge of two faces) are broken by the face whose
-  /// center is lexicographically smaller, so that the result does not depend on the partition; but
-  /// a face that the point lies above goes before one whose rim it overhangs.
+  /// Ties (a point that projects onto the common edge of two faces) are broken in favour of the
+  /// face whose center is lexicographically smaller, so that the result does not depend on the
+  /// partition; but a face that the point lies above precedes one that it overhangs.
   ///
-  /// Points with a normal of zero take faces of any orientation. Those with a former place stay
-  /// with its face as long as that is no farther than 1e-3 of its size beyond the nearest: at an
-  /// edge between two faces, each may push a point onto the other for ever.
-  /// @param former empty, or one a point
-  /// @param rest one a point where `master` says where it was at rest, else empty
+  /// Points whose normal is zero accept faces of any orientation. Points with an earlier face keep
+  /// it as long as it is no farther than the nearest one plus 1e-3 of its size: at an edge between
+  /// two faces the projection could otherwise alternate between them for ever.
+  /// @param points positions of the slave points
+  /// @param slave_normals their outward unit normals, or zero
+  /// @param statistics counters to be added to; null: none
+  /// @param former the earlier master face of each point, or empty
+  /// @param rest the reference position of each point if `master` has reference faces, else empty
+  /// @return the projection of each point, if it has one
   template <int dim>
   std::vector<std::optional<MasterProjection<dim>>>
   find_master_projections(const std::vector<dealii::Point<dim>>      &points,
@@ -110,10 +115,10 @@ namespace Signorini
                           const std::vector<PreviousMasterFace<dim>> &former     = {},
                           const std::vector<ReferencePoint<dim>>     &rest       = {});
 
-  /// Of each point of this rank, how deep it lies inside of the master's body, as far as the
-  /// closest place of the surface tells, of whatever orientation; negative outside, infinity if
-  /// nothing is within reach. A point behind a face that faces it may also be beyond the whole
-  /// body: above a plate, whose lower side looks down as the point does not. Collective.
+  /// The depth of each point of this rank inside the master's body, measured from the closest point
+  /// of the surface of any orientation: positive inside, negative outside, infinity if nothing is
+  /// within the radius. A point behind a face that faces it may also be beyond the whole body, as
+  /// above a plate, whose lower side faces down as the point does. Collective.
   template <int dim>
   std::vector<double>
   depths(const std::vector<dealii::Point<dim>> &points,

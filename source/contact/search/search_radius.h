@@ -7,17 +7,18 @@
 
 namespace Signorini
 {
-  /// How far projections are searched for: the pair's search distance, or a tenth of the scene,
-  /// where initial overlaps may be found, and at least the reach, the gap up to which slave faces
-  /// are candidates for contact. The reach is guessed before the first solution and checked after
-  /// each.
+  /// The search radius of a pair [length]: its search distance if it has one; otherwise a tenth of
+  /// the size of the model, so that initial penetrations are found, and at least `candidate_gap`,
+  /// the gap up to which slave faces are candidates for contact. That gap is estimated before the
+  /// first solution and checked after each.
   template <int dim>
   double
   search_radius_of_pair(const Elasticity<dim>  &elasticity,
                         const ContactPair<dim> &pair,
                         double                  candidate_gap);
 
-  /// True if bounding boxes already tell that two surfaces are farther apart than that. Collective.
+  /// True if the bounding boxes of the two surfaces of a pair are farther apart than `distance`.
+  /// Collective.
   /// @param obstacle null if the master is a boundary of a body
   template <int dim>
   bool
@@ -27,24 +28,24 @@ namespace Signorini
            const BoundaryFaces<dim> &slave,
            double                    distance);
 
-  /// Of faces on all ranks. Collective.
+  /// The bounding box of the faces of all ranks. Collective.
   template <int dim>
   dealii::BoundingBox<dim>
   box_of(const std::vector<FacePatch<dim>> &patches, MPI_Comm comm);
 
-  /// Of a point of an obstacle in the scene, at most. Collective.
+  /// Upper bound of the displacement of an obstacle's points within the model [length]. Collective.
   template <int dim>
   double
   largest_displacement(const Elasticity<dim> &elasticity,
                        const Obstacle<dim>   &obstacle,
                        const LA::Vector      &u);
 
-  /// Of the nodes of each boundary, by its id. Collective.
+  /// The largest displacement of the nodes of each boundary [length], by boundary id. Collective.
   template <int dim>
   std::vector<double>
   largest_displacements(const Elasticity<dim> &elasticity, const LA::Vector &u);
 
-  /// By how much the surfaces of a pair can have come closer to each other with displacement u.
+  /// Upper bound of the approach of the surfaces of a pair due to the displacement u [length].
   /// Collective.
   /// @param of_boundaries largest_displacements()
   template <int dim>

@@ -10,17 +10,17 @@
 
 namespace Signorini
 {
-  /// A quadrature point of a contact segment: of the part of a slave face that lies opposite to one
+  /// A quadrature point of a contact segment, the part of a slave face that lies opposite to one
   /// master face.
   template <int dim>
   struct SegmentPoint
   {
     dealii::Point<dim - 1> slave, master; ///< parameters on the two faces
-    double                 weight;        ///< area of the slave face that it stands for
+    double                 weight;        ///< quadrature weight times area of the slave face
   };
 
-  /// A point of a segment edge: where a contact segment ends with its master face. As the master
-  /// moves, so does the end.
+  /// A quadrature point of a segment edge, where a contact segment ends because its master face
+  /// ends. As the master moves, so does the edge.
   template <int dim>
   struct SegmentEdgePoint
     : public SegmentPoint<dim> ///< weight: area that an outward step of 1 adds
@@ -41,15 +41,15 @@ namespace Signorini
     std::array<dealii::Tensor<1, dim>, dim - 1> axes; ///< orthonormal, in its mean plane
   };
 
-  /// A face with its facets, which all its segments share.
+  /// A face with its multilinear facets, computed once for all segments of the face.
   template <int dim>
   struct FacetedFace
   {
     FacetedFace() = default;
     FacetedFace(const FacePatch<dim> &patch);
 
-    /// The box of all that lies within `search_radius` along the normals of the facets, on both
-    /// sides: master faces outside have no segment with this slave face.
+    /// The bounding box of all points within `search_radius` along the normals of the facets, on
+    /// both sides. Master faces outside of it have no segment with this slave face.
     dealii::BoundingBox<dim>
     extruded_box(double search_radius) const;
 
@@ -77,8 +77,9 @@ namespace Signorini
                  const FacetedFace<dim>            &master,
                  const dealii::Quadrature<dim - 1> &rule);
 
-  /// The segment edges of the segments that segment_points() makes.
-  /// @param n_points of Gauss, on each straight piece; 2D: there is one
+  /// Quadrature points on the edges of the segments that segment_points() makes.
+  /// @param n_points number of Gauss points on each straight piece of an edge; 2D: there is one
+  /// point
   template <int dim>
   std::vector<SegmentEdgePoint<dim>>
   segment_edge_points(const FacetedFace<dim> &slave,

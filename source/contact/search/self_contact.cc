@@ -23,7 +23,7 @@ namespace Signorini
       return result;
     }
 
-    /// Along no edge of what people draw.
+    /// A direction that is unlikely to be along an edge or axis of any model.
     template <int dim>
     Tensor<1, dim>
     skew_direction()
@@ -34,8 +34,8 @@ namespace Signorini
       return result / result.norm();
     }
 
-    /// Which faces say where the surface looks at itself: the same on any number of ranks, about a
-    /// thousand, since some of them search far.
+    /// The sample of faces that are searched for opposite parts: about a thousand, the same on any
+    /// number of ranks, since some of them search far.
     template <int dim>
     std::vector<unsigned int>
     sample(const BoundaryFaces<dim> &faces, const MPI_Comm comm)
@@ -56,7 +56,8 @@ namespace Signorini
       return result;
     }
 
-    /// All, with their opposites: a degree apart (2D), some four degrees (3D).
+    /// The directions to choose from, with their opposites: a degree apart in 2D, some four degrees
+    /// in 3D.
     template <int dim>
     std::vector<Tensor<1, dim>>
     directions()
@@ -76,7 +77,7 @@ namespace Signorini
       return result;
     }
 
-    /// What parts of the surface that look at each other have in common.
+    /// The geometry of the parts of a surface that face each other.
     template <int dim>
     struct Facing
     {

@@ -24,7 +24,8 @@ namespace Signorini
       return std::lower_bound(indices.begin(), indices.end(), i) - indices.begin();
     }
 
-    /// Those along which gaps of some points open; all, if supports may tie them to others.
+    /// The components of displacement on which gaps of these points depend; all of them, if
+    /// inclined supports may couple components.
     template <int dim>
     Components
     components_of(const std::vector<ContactPoint<dim>> &points,

@@ -20,10 +20,11 @@ namespace Signorini
     std::vector<dealii::FullMatrix<double>>      slip;   ///< along each tangent
   };
 
-  /// Those of all points of this rank, times their areas.
-  /// @param tangents along which there is slip; null: nobody asks for it
-  /// @param all_components gaps may depend on all components, since supports may tie them to
-  /// others; else on those that normals have
+  /// The matrices of all contact points of this rank, multiplied by the points' areas.
+  /// @param tangents along which the slip is measured; null: the method does not use it
+  /// @param all_components true: keep columns of all displacement components, since inclined
+  /// supports may eliminate some in terms of others; false: only components along which normals are
+  /// not zero
   template <int dim>
   std::vector<FaceMatrix>
   face_matrices(const ContactRows                      &rows,

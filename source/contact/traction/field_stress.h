@@ -6,10 +6,10 @@
 
 namespace Signorini
 {
-  /// Assemble how the normal stress at the contact points depends on fields beside the
-  /// displacement, once the points' areas are known: GapOperator::S_thermal on the rises of the
-  /// temperature, nothing if no body expands; S_volumetric on the volumetric stress, nothing if no
-  /// body is mixed; fixed_stress, which depends on none.
+  /// Assemble the dependence of the normal stress at the contact points on fields other than the
+  /// displacement: GapOperator::S_thermal on temperature changes (empty if no body expands),
+  /// S_volumetric on the volumetric stress (empty if no body is in displacement-pressure form), and
+  /// the constant part fixed_stress. The areas of the points must be set before.
   template <int dim>
   void
   assemble_field_stress(const Elasticity<dim>                  &elasticity,

@@ -31,8 +31,8 @@ namespace Signorini
     double    stiffening   = 1;     ///< N.(dP/dF) along m over what it is at rest; 1 at least
   };
 
-  /// The stress of a body at its boundary, seen from the cell behind a face. Keeps a reference to
-  /// its arguments.
+  /// The stress of a body at its boundary, evaluated in the cell behind a face. Keeps a reference
+  /// to its arguments.
   template <int dim>
   class NormalStress
   {
@@ -41,7 +41,7 @@ namespace Signorini
 
     NormalStress(const Elasticity<dim> &elasticity);
 
-    /// Where bodies are, for cauchy(). Collective.
+    /// For cauchy(), in a displaced configuration. Collective.
     NormalStress(const Configuration<dim> &configuration);
 
     void
@@ -54,24 +54,24 @@ namespace Signorini
         const dealii::Tensor<1, dim> &n,
         const dealii::Tensor<1, dim> &m) const;
 
-    /// The same of the stress that belongs to the rises of the temperature alone, - n . (C : alpha)
-    /// m (T - T_0), in terms of ThermalStrain::coefficients(). Empty if the body does not expand.
+    /// The row of the part of the stress that depends on temperature changes, - n . (C : alpha) m
+    /// (T - T_0), over ThermalStrain::coefficients(). Empty if the body does not expand.
     SparseRow
     thermal_row(const dealii::Point<dim>     &unit_point,
                 const dealii::Tensor<1, dim> &n,
                 const dealii::Tensor<1, dim> &m) const;
 
-    /// The same of the volumetric stress, in terms of VolumetricStress::coefficients(). Empty if
-    /// the body is not mixed.
+    /// The row of the part of the stress that depends on the volumetric stress, over
+    /// VolumetricStress::coefficients(). Empty if the body is not in displacement-pressure form.
     SparseRow
     volumetric_row(const dealii::Point<dim>     &unit_point,
                    const dealii::Tensor<1, dim> &n,
                    const dealii::Tensor<1, dim> &m) const;
 
-    /// Of large deformation; not a number where the cell is folded.
-    /// @param N outward normal of the body at rest
-    /// @param n that of the other body, where it is
-    /// @param load on the boundary there
+    /// The Cauchy stress and the change of area at finite strain; not a number where the cell is
+    /// inverted.
+    /// @param N outward normal of the body in the reference configuration
+    /// @param n that of the other body, in the current configuration
     CauchyStress
     cauchy(const dealii::Point<dim>     &unit_point,
            const dealii::Tensor<1, dim> &n,
@@ -99,7 +99,9 @@ namespace Signorini
     double
     bound_of_volumetric_stress(unsigned int face) const;
 
-    /// In terms of degrees of freedom. @param values of those of the cell
+    /// Convert coefficients of the cell's shape functions to a row over degrees of freedom, hanging
+    /// nodes condensed.
+    /// @param values one for each degree of freedom of the cell
     SparseRow
     resolved(const std::vector<double> &values) const;
 

@@ -9,8 +9,8 @@
 
 namespace Signorini
 {
-  /// Bounds of the normal stress on faces, see NormalStress::bound(), each found when it is first
-  /// asked for. Faces of one cell share its energy.
+  /// Bounds of the normal stress on faces, see NormalStress::bound(), computed on demand. Faces of
+  /// one cell share its energy.
   template <int dim>
   class StressBounds
   {

@@ -18,8 +18,8 @@ namespace Signorini
   namespace
   {
     constexpr double largest_fit_share = 0.25; // of the sagitta, that corners may be off the fit
-    constexpr double kink          = 15;   // [degrees] between surfaces that meet in an edge
-    constexpr double straight      = 1e-4; // [radians] of normals, that make no difference
+    constexpr double kink              = 15;   // [degrees] between surfaces that meet in an edge
+    constexpr double straight          = 1e-4; // [radians] of normals, that make no difference
 
     template <int dim>
     class SmoothFaceFinder

@@ -160,7 +160,7 @@ namespace Signorini
 
 
 
-  /// right - K x. Valid until the next product.
+  /// The residual right - K x; the array is valid until the next product.
   float *
   AMG::residual(const Level &level) const
   {

@@ -10,16 +10,18 @@
 
 namespace Signorini
 {
-  /// A W-cycle for K + B^T D B with springs D that change: the levels are those of K, whose
-  /// aggregates do not join bodies, so that their nodes slide freely on all levels; but the springs
-  /// act on all of them. Levels are in single precision, the coarsest one is factorised in double.
+  /// A multigrid cycle for K + B^T D B with a contact stiffness D that changes. The levels are
+  /// those of K, whose aggregates do not join bodies, so that bodies can slide freely on all
+  /// levels; the contact stiffness acts on all of them (doc/theory, 7.1 and 7.2). Levels are in
+  /// single precision; the coarsest one is factorised in double precision.
   class AMG
   {
   public:
-    /// @param contact null: no springs; else set_contact_stiffness() comes before the first vmult()
+    /// @param contact null: no contact stiffness; else set_contact_stiffness() has to be called
+    /// before the first vmult()
     AMG(const Hierarchy &hierarchy, const GapOperator *contact);
 
-    /// The springs D have changed, see LevelContactStiffness::set. No level is made anew.
+    /// Set the contact stiffness D, see LevelContactStiffness::set(). No level is rebuilt.
     void
     set_contact_stiffness(const PointVectors &values);
 
@@ -71,7 +73,7 @@ namespace Signorini
     std::vector<std::unique_ptr<Level>>  levels;
     std::optional<LevelContactStiffness> contact_stiffness;
     const LA::SparseMatrix              &coarsest_K;
-    std::unique_ptr<LA::SparseMatrix>    coarsest; ///< with springs; null: there are none
+    std::unique_ptr<LA::SparseMatrix>    coarsest; ///< with contact stiffness; null: it is zero
     LA::DirectSolver                     direct;   ///< of the coarsest level
     mutable LA::Vector                   coarsest_x, coarsest_right;
     mutable unsigned int                 n_cycles = 0;

@@ -8,19 +8,19 @@
 namespace Signorini
 {
   /// Preconditioners of saddle points from an approximation of K^-1 and one of the Schur complement
-  /// S (Benzi, Golub, Liesen, Acta Numerica 14 (2005) 1-137, chapter 10):
+  /// S (Benzi, Golub, Liesen, Acta Numerica 14 (2005) 1-137, chapter 10; doc/theory, 7.5):
   ///
   ///   diagonal    diag(K, S), for MINRES;
-  ///   triangular  [K 0; -C B -S]: the second row sees what the first has found;
-  ///   simple      then also the displacement sees the multipliers, through diag(K)^-1
+  ///   triangular  [K 0; -C B -S]: the second row uses the result of the first;
+  ///   simple      in addition, the displacement is corrected by the multipliers through diag(K)^-1
   ///               (Patankar, Spalding, Int. J. Heat Mass Transfer 15 (1972) 1787-1806).
   ///
   /// K^-1 is a multigrid cycle. With an augmentation gamma, K is replaced by K + B^T gamma k W B,
-  /// which is solved by an interface multigrid, and S^-1 gains gamma/(k W) for the pressure: the
+  /// which is solved by interface multigrid, and S^-1 gains gamma/(k W) for the pressure: the
   /// larger gamma, the better is this diagonal alone (Golub, Greif, SIAM J. Sci. Comput. 24 (2003)
   /// 2076-2092).
   ///
-  /// On condensed systems all are AMG(K) alone.
+  /// On condensed systems all three are AMG(K) alone.
   class BlockPreconditioner : public Preconditioner
   {
   public:

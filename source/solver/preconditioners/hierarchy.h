@@ -19,9 +19,9 @@ namespace Signorini
   class Hierarchy
   {
   public:
-    /// Refers to the stiffness. Without spaces, asks for its matrix.
+    /// Keeps a reference to the stiffness. Without spaces, its matrix is assembled.
     /// @param spaces from finer to coarser, the last one with a matrix
-    /// @param modes rigid-body modes of the last of them, or of the stiffness, on the locally owned
+    /// @param modes rigid-body modes of the last space, or of the stiffness, on the locally owned
     /// degrees of freedom, mode by mode
     /// @param n_components unknowns of a node
     Hierarchy(const Stiffness                        &stiffness,
@@ -35,15 +35,15 @@ namespace Signorini
       return 1 + coarse.size();
     }
 
-    /// Level 0 is the finest, the stiffness itself as it is now, as a preconditioner needs it; the
-    /// others are of what it was when they were made.
+    /// The stiffness of a level for its smoother. Level 0 is the finest, the present stiffness
+    /// itself; the others are of the stiffness for which the hierarchy was made.
     const StiffnessOperator<float> &
     stiffness(const unsigned int level) const
     {
       return level == 0 ? fine.single_precision() : *coarse[level - 1].stiffness;
     }
 
-    /// Unknowns of a node.
+    /// The number of unknowns of a node.
     unsigned int
     n_components() const
     {
@@ -56,24 +56,25 @@ namespace Signorini
       return *coarsest;
     }
 
-    /// From level + 1 to level.
+    /// The prolongation from level + 1 to level.
     const Prolongation &
     prolongation(const unsigned int level) const
     {
       return *coarse[level].prolongation;
     }
 
-    /// Of polynomials that smooth a level. A space below knows less of what is smooth than
-    /// aggregates do: where the degree falls, CG takes 13, 9, 8 and 7 iterations with 2, 3, 4 and
-    /// 5, and 3 is the quickest.
+    /// The degree of the Chebyshev polynomials that smooth a level. A space of lower degree
+    /// approximates smooth error less well than aggregates do: where the degree falls, CG takes 13,
+    /// 9, 8 and 7 iterations with 2, 3, 4 and 5, and 3 is the fastest.
     unsigned int
     smoothing_degree(const unsigned int level) const
     {
       return level < n_spaces ? 3 : 2;
     }
 
-    /// Of each cycle above it: a W-cycle over aggregates, which are not as good, but there are few
-    /// levels of them; a V-cycle over meshes, where refinement may make many that hardly shrink.
+    /// The number of visits to a level in each cycle of the level above: a W-cycle over aggregates,
+    /// which are less accurate, but have few levels; a V-cycle over meshes, where refinement may
+    /// make many levels that hardly shrink.
     unsigned int
     n_visits(const unsigned int level) const
     {

@@ -9,7 +9,8 @@ namespace Signorini
 
   namespace
   {
-    /// Of closed points; those of multipliers that have a constraint are rigid.
+    /// The contact stiffness for the multigrid levels: that of the system at closed points,
+    /// unlimited where a multiplier enforces the constraint.
     PointVectors
     contact_stiffness(const ContactSystem &system)
     {
@@ -37,7 +38,8 @@ namespace Signorini
     , direct_solver(direct_solver)
     , interface_includes_geometric(interface_includes_geometric)
   {
-    // Those of any active set, once.
+    // Prepare the rows of K of the potential interface, which contains those of any active set,
+    // once.
     system.stiffness().rows(potential_interface_dofs(system));
   }
 
@@ -47,7 +49,7 @@ namespace Signorini
   InterfaceMultigrid::update()
   {
     amg.set_contact_stiffness(contact_stiffness(system));
-    // Forces that turn push nodes along all components.
+    // With the geometric stiffness, nodes are coupled in all components.
     interface = std::make_unique<InterfaceSolver>(system,
                                                   interface_includes_geometric ?
                                                     active_interface_dofs(system) :
@@ -83,7 +85,8 @@ namespace Signorini
   void
   InterfaceMultigrid::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
-    // The volumetric stress of mixed bodies leaves forces on the zone in each application.
+    // The residual on the interface does not vanish if F contains a stabilisation that the system
+    // does not, or if a volumetric stress changes it in each application.
     if (interface->size() > 0 && (!system.unconstrained_modes().empty() || system.volumetric()))
       correct_first(dst, src);
     else

@@ -7,20 +7,21 @@
 
 namespace Signorini
 {
-  /// F-V-F: an exact solve on the degrees of freedom that contact touches, and on all multipliers
-  /// (F), one cycle of the multigrid method for K and contact springs of a few E/h (V), F again.
-  /// The hierarchy is that of K; what is stiffer, or the constraints in a saddle point system, is
-  /// seen by F only, so that the iteration count depends neither on the penalty nor on the size of
-  /// the mesh.
+  /// Multigrid with exact interface correction (multiplicative Schwarz; doc/theory, 7.3), F-V-F: an
+  /// exact solve on the active interface and all multipliers (F), one cycle of the multigrid method
+  /// for K with a contact stiffness of a few E/h (V), and F again. The hierarchy is that of K.
+  /// Stiffer penalties and the constraints of a saddle point system enter through F only, so that
+  /// the number of iterations depends neither on the penalty nor on the mesh size.
   ///
-  /// After F the residual vanishes on the zone. It does so for the start value, hence for all
-  /// residuals of a Krylov method, for which the first F is void: what remains is one multigrid
-  /// cycle and one F an application. Springs against unconstrained rigid-body modes, which F has
-  /// and the system has not, leave a little on the zone, on meshes of a few cells not so little;
-  /// the volumetric stress of mixed bodies leaves much: then, the first F is made too.
+  /// After F the residual vanishes on the interface. It does so for the start value, hence for all
+  /// residuals of a Krylov method, for which the first F has no effect: one multigrid cycle and one
+  /// F for each application remain. Exceptions: the stabilisation of unconstrained modes, which F
+  /// contains and the system does not, leaves a small residual on the interface (not so small on
+  /// meshes of a few cells), and the volumetric stress leaves a large one; then the first F is
+  /// applied too.
   ///
-  /// On saddle points F keeps the constraints, A B du = A g from the start on: all that CG sees is
-  /// the energy on their null space, where F-V-F is symmetric and positive definite (a constraint
+  /// On saddle points F preserves the constraints, A B du = A g from the start on: CG only sees the
+  /// energy on their null space, where F-V-F is symmetric and positive definite (a constraint
   /// preconditioner: Gould, Hribar, Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376-1395).
   class InterfaceMultigrid : public Preconditioner
   {
@@ -37,7 +38,7 @@ namespace Signorini
     void
     start(LA::BlockVector &x, const LA::BlockVector &rhs) const override;
 
-    /// F-V-F as a whole, for any right-hand side of a condensed system.
+    /// Apply F-V-F to any right-hand side of a condensed system.
     void
     solve(LA::Vector &dst, const LA::Vector &src) const;
 
@@ -63,7 +64,7 @@ namespace Signorini
     }
 
   private:
-    /// F-V-F, and V-F for what has no part on the zone.
+    /// F-V-F, or V-F if the residual vanishes on the interface.
     void
     correct_first(LA::BlockVector &dst, const LA::BlockVector &src) const;
     void
@@ -74,6 +75,6 @@ namespace Signorini
     const unsigned int               n_components; ///< of a node
     const LA::DirectLibrary          direct_solver;
     const bool                       interface_includes_geometric;
-    std::unique_ptr<InterfaceSolver> interface; ///< what active contact touches
+    std::unique_ptr<InterfaceSolver> interface; ///< exact solver on the active interface
   };
 } // namespace Signorini

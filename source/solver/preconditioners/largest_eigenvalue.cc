@@ -13,7 +13,7 @@ namespace Signorini
 
   namespace
   {
-    /// Of symmetric tridiagonal matrices.
+    /// The largest eigenvalue of a symmetric tridiagonal matrix.
     double
     largest_eigenvalue(const std::vector<double> &diagonal, const std::vector<double> &beside)
     {

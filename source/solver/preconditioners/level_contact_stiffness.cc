@@ -15,8 +15,8 @@ namespace Signorini
 
   namespace
   {
-    /// Where each local row goes when those with the same columns, points between the same two
-    /// faces, become one.
+    /// The group of each local row: rows with the same columns, those of points between the same
+    /// two faces, form one group.
     std::vector<unsigned int>
     groups_of(const LA::SparseMatrix &B, const int n_rows)
     {
@@ -58,7 +58,7 @@ namespace Signorini
       return mean.finish();
     }
 
-    /// b^T D b on the columns of this rank.
+    /// The matrix b^T D b on the columns of this rank.
     FullMatrix<double>
     local_contact_stiffness(const LA::SparseMatrix &b,
                             const LA::Vector       &D,

@@ -9,33 +9,35 @@
 
 namespace Signorini
 {
-  /// The springs B^T D B between surfaces in contact, on all levels of a hierarchy: as
-  /// B P_1 P_2 ... to the left and right of D. Without them, the corrections of bodies that touch
-  /// would know nothing of each other. Points between the same two faces share a spring.
+  /// The contact (penalty) stiffness B^T D B between surfaces in contact, on all levels of a
+  /// hierarchy, with B P_1 P_2 ... in the place of B (doc/theory, 7.2). Without it, the coarse
+  /// corrections of bodies in contact would be independent of each other. Points between the same
+  /// two faces share one value.
   ///
-  /// Levels count from 0, the finest. Vectors are arrays of this
-  /// rank's degrees of freedom of a level.
+  /// Levels count from 0, the finest. Vectors are arrays of this rank's degrees of freedom of a
+  /// level.
   class LevelContactStiffness
   {
   public:
-    /// None at first. @param contact not empty
+    /// Initially zero. @param contact not empty
     LevelContactStiffness(const Hierarchy &hierarchy, const GapOperator &contact);
 
-    /// @param contact_stiffness a vector a component, by contact point. Those stiffer than 6 k W,
-    /// which between equal bodies is three times E/h, count as that: they couple the bodies well
-    /// enough, and larger ones would slow down the smoothers (of 1, 3, 10, 100 and 1000 times E/h
-    /// this took the fewest iterations).
+    /// Set the stiffness.
+    /// @param contact_stiffness one vector for each component, by contact point. Values above 6 k
+    /// W, which between equal bodies is three times E/h, are reduced to that: they couple the
+    /// bodies well enough, and larger ones would slow down the smoothers (of 1, 3, 10, 100 and 1000
+    /// times E/h this took the fewest iterations).
     void
     set(const PointVectors &contact_stiffness);
 
-    /// All as stiff as they can be.
+    /// Set all values to the upper bound.
     void
     stiffen();
 
     void
     remove();
 
-    /// Is there a spring on any rank?
+    /// True if the stiffness is not zero on some rank.
     bool
     any() const
     {
@@ -46,7 +48,7 @@ namespace Signorini
     void
     add_diagonal(unsigned int level, float *result) const;
 
-    /// Adds the sums of the entries of each row (no less than their absolute values).
+    /// Add the row sums of absolute values, or an upper bound of them.
     void
     add_row_sums(unsigned int level, float *result) const;
 
@@ -54,7 +56,7 @@ namespace Signorini
     void
     add_product(unsigned int level, float *dst, const float *src) const;
 
-    /// K + B^T D B, for the coarsest level, which has few columns.
+    /// K + B^T D B as a matrix, for the coarsest level, which has few columns.
     LA::SparseMatrix
     sum_with_contact_stiffness(const LA::SparseMatrix &K, unsigned int level) const;
 
@@ -81,7 +83,8 @@ namespace Signorini
     void
     update_levels();
 
-    /// Spring of each local contact point; those of component a come a * n_groups behind.
+    /// Index of the value of each local contact point; those of component a are a * n_groups
+    /// behind.
     std::vector<unsigned int>           groups;
     unsigned int                        n_groups;
     LA::Vector                          D, limit;

@@ -18,7 +18,7 @@ namespace Signorini
 
   namespace
   {
-    /// diag(B_a diag(K)^-1 B_a^T) of each component
+    /// The diagonal of B_a diag(K)^-1 B_a^T for each component a.
     PointVectors
     point_flexibility(const Stiffness &K, const GapOperator &contact)
     {
@@ -71,7 +71,7 @@ namespace Signorini
       }
 
     protected:
-      /// Of S, at a point.
+      /// The diagonal entry of the approximation of S at a point.
       virtual double
       diagonal(unsigned int component, types::global_dof_index point) const = 0;
 
@@ -83,7 +83,7 @@ namespace Signorini
 
 
 
-    /// diag(C B diag(K)^-1 B^T A) + I
+    /// The approximation S = diag(C B diag(K)^-1 B^T A) + I.
     class StiffnessDiagonal : public Diagonal
     {
     public:
@@ -213,7 +213,7 @@ namespace Signorini
       }
 
     private:
-      /// On vectors that are zero but for the multipliers.
+      /// The Schur complement as an operator on vectors that are zero but for the multipliers.
       struct Operator
       {
         const Multigrid &schur;

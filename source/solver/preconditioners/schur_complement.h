@@ -20,7 +20,7 @@ namespace Signorini
   public:
     virtual ~SchurComplement() = default;
 
-    /// The system has changed.
+    /// To be called when the system has changed. Collective.
     virtual void
     update() = 0;
 
@@ -28,7 +28,7 @@ namespace Signorini
     virtual void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const = 0;
 
-    /// A fixed symmetric positive definite operator, as MINRES needs it.
+    /// True if it is a fixed symmetric positive definite operator, as MINRES requires.
     virtual bool
     is_linear() const
     {

@@ -5,19 +5,19 @@
 
 namespace Signorini
 {
-  /// For systems with mixed bodies: the volumetric stress first, by the diagonal S of the Schur
-  /// complement, then displacement and multipliers with what it leaves, by another preconditioner P
-  /// that knows nothing of it,
+  /// Block triangular preconditioner for systems with a volumetric stress m: first m by the
+  /// diagonal S of the Schur complement, then displacement and multipliers by another
+  /// preconditioner P that does not involve m,
   ///
-  ///     m = -S^-1 r_m,   (u, q) = P (r_u - B^T m, r_q),
+  ///     m = -S^-1 r_m,   (u, q) = P (r_u - B^T m, r_q)
   ///
-  /// which is block triangular (Murphy, Golub, Wathen, SIAM J. Sci. Comput. 21 (2000) 1969). S is
-  /// as good for any lambda, because B K^-1 B^T is like int phi phi/(2 mu) in a stable pair
-  /// (Elman, Silvester, Wathen, Finite Elements and Fast Iterative Solvers, 2014, 3.5).
+  /// (Murphy, Golub, Wathen, SIAM J. Sci. Comput. 21 (2000) 1969; doc/theory, 7.7). S is as good
+  /// for any lambda, because B K^-1 B^T is spectrally equivalent to int phi phi/(2 mu) in a stable
+  /// pair (Elman, Silvester, Wathen, Finite Elements and Fast Iterative Solvers, 2014, 3.5).
   class VolumetricSchur : public Preconditioner
   {
   public:
-    /// Refers to both.
+    /// Keeps references to both.
     VolumetricSchur(const ContactSystem            &system,
                     const VolumetricCoupling       &volumetric,
                     std::unique_ptr<Preconditioner> others);

@@ -31,7 +31,7 @@ namespace Signorini
     unsigned int n_points_of_distorted = 0;  ///< on segments of faces that are no parallelograms by
                                              ///< far; 0: n_points
 
-    /// As the scene file calls them.
+    /// The rules by the names that the input file uses.
     static const Choices<Rule> &
     rules();
   };

@@ -20,7 +20,7 @@ namespace Signorini
     nodes              ///< weighted with the pressure's functions of the slave (mortar)
   };
 
-  /// What the pressure p^ of the contact law is.
+  /// The pressure p^ by which the contact law p = max(0, p^ - eps g) is shifted.
   enum class PressureShift
   {
     none,          ///< p^ = 0
@@ -29,7 +29,7 @@ namespace Signorini
     normal_stress  ///< that of the bodies at the contact point
   };
 
-  /// What a penalty may be measured by at a contact point.
+  /// The scales at a contact point that a penalty may be a multiple of.
   struct PenaltyScale
   {
     double stiffness; ///< E/h of slave and master in series [force/length^3]
@@ -37,16 +37,16 @@ namespace Signorini
     double bound;     ///< of the normal stress, see NormalStress::bound() [force/length^3]
   };
 
-  /// How contact is imposed. A method makes the contact law, which of all those without friction is
-  /// p = max(0, p^ - eps g), see NormalContact: such a method says only what p^ is, how large eps,
-  /// and at which points the law holds. One file pair under contact/methods and one line in the
+  /// A contact method. It makes the contact law; for all methods without friction that is p =
+  /// max(0, p^ - eps g), see NormalContact, and the method only chooses p^, eps and the points at
+  /// which the law holds. A method is one file pair under contact/methods and one line in the
   /// registry.
   class ContactMethod
   {
   public:
     virtual ~ContactMethod() = default;
 
-    /// The keys of the method's own section.
+    /// Declare the keys of the method's own section.
     virtual void
     declare(Section &section) = 0;
 
@@ -66,11 +66,11 @@ namespace Signorini
     virtual double
     penalty(const PenaltyScale &scale) const = 0;
 
-    /// Refers to the gap operator.
+    /// Make the contact law, which keeps a reference to the gap operator.
     virtual std::unique_ptr<ContactLaw>
     make_law(const GapOperator &contact) const;
 
-    /// True: the law asks for the slip too, so that contact points have as many components as the
+    /// True if the law depends on the slip; then contact points have as many components as the
     /// dimension.
     virtual bool
     uses_slip() const

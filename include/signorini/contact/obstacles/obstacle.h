@@ -11,7 +11,7 @@ namespace Signorini
 {
   class Section;
 
-  /// The place on a rigid surface that belongs to a slave point.
+  /// The projection of a slave point onto a rigid surface.
   template <int dim>
   struct ObstaclePoint
   {
@@ -39,33 +39,33 @@ namespace Signorini
     read_file([[maybe_unused]] const std::string &folder)
     {}
 
-    /// Does it change with time, beside the motion of its obstacle?
+    /// True if the shape changes with time, apart from the motion of its obstacle.
     virtual bool
     depends_on_time() const
     {
       return false;
     }
 
-    /// Be what it is at that time; at first that of t = 0.
+    /// Set the time of the shape; initially it is 0.
     virtual void
     set_time(double /*t*/)
     {}
 
-    /// The place that belongs to a point of a slave surface that has not moved: the closest point,
-    /// or what a theory takes for it.
+    /// The projection of a point of a slave surface in the reference configuration: the closest
+    /// point, or what a theory uses instead (as Hertz' does for paraboloids).
     virtual ObstaclePoint<dim>
     closest(const dealii::Point<dim> &x) const = 0;
 
-    /// False: what is known of the shape is only how far it is from a surface that has not moved.
+    /// False if only the gap of the reference configuration is known, so that the shape has no
+    /// closest-point projection.
     virtual bool
     has_closest_point(const dealii::Point<dim> & /*x*/, double /*length*/) const
     {
       return true;
     }
 
-    /// The closest point, wherever the slave surface has got to: the gap is the distance, negative
-    /// inside.
-    /// @param length that differences of formulas are small beside
+    /// The closest point in any configuration: the gap is the distance, negative inside.
+    /// @param length a length beside which finite differences of formulas are small
     virtual ObstaclePoint<dim>
     closest_point(const dealii::Point<dim> &x, [[maybe_unused]] double length) const
     {
