@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/recorder.h"
 
+#include "accuracy/solution_errors.h"
 #include "output/summary.h"
 #include "scene/former_entries.h"
 #include "verdict/checks.h"

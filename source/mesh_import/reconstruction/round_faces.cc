@@ -10,8 +10,8 @@ namespace Signorini
 
   namespace
   {
-    constexpr double       largest_share = 0.01; // of the sagitta, that corners may be off
-    constexpr unsigned int max_seeds     = 200;  // in vain, before a mesh is taken for what it is
+    constexpr double largest_deviation_share = 0.01; // of the sagitta, that corners may be off
+    constexpr unsigned int max_seeds = 200; // in vain, before a mesh is taken for what it is
 
     template <int dim>
     class RoundFaceFinder
@@ -100,7 +100,7 @@ namespace Signorini
       {
         constexpr unsigned int    least     = dim == 2 ? 5 : 9;
         std::vector<unsigned int> some      = seed_around(seed);
-        const double              tolerance = largest_share * graph.sagitta(some);
+        const double              tolerance = largest_deviation_share * graph.sagitta(some);
         if (tolerance == 0 || corners_of(some).size() < (dim == 2 ? 4 : 9))
           return {};
         const std::size_t n_seed  = some.size();
