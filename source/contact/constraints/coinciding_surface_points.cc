@@ -10,7 +10,8 @@ namespace Signorini
 
   namespace
   {
-    /// A contact point by its parameters on the face, with the half width of what it stands for.
+    /// A contact point by its parameters on the slave face, with half the edge length of the square
+    /// that has its share of the face's area.
     template <int dim>
     struct Place
     {
@@ -19,6 +20,8 @@ namespace Signorini
       unsigned int   surface; ///< number
     };
 
+    /// True if the squares of two points of different surfaces overlap. Points that merely touch,
+    /// where two masters meet on a face, do not.
     template <int dim>
     bool
     overlap(const Place<dim> &a, const Place<dim> &b)
@@ -37,6 +40,8 @@ namespace Signorini
   bool
   have_coinciding_points(const std::vector<ContactSurface<dim>> &surfaces)
   {
+    // Points are compared on each slave face, which is on one rank; quadratic in the points of a
+    // face.
     std::map<std::pair<CellId, unsigned int>, std::vector<Place<dim>>> faces;
     for (unsigned int i = 0; surfaces.size() > 1 && i < surfaces.size(); ++i)
       {

@@ -13,8 +13,9 @@ namespace Signorini
   void
   add_condensed_columns(const Elasticity<dim> &elasticity, GapOperator &contact)
   {
-    // By how many indices the component goes beyond its node's first one, and by which factors it
-    // depends on the others.
+    // For each constrained component on its owner: its number within the node (entry 0), and the
+    // factors by which it depends on the components of the node (entries 1 to dim). As vectors,
+    // they can be fetched for the columns of other ranks.
     std::vector<LA::Vector> ties(1 + dim, elasticity.zero_vector());
     const auto             &constraints = elasticity.constraints();
     for (const auto &[first, node] : elasticity.constrained_nodes())
@@ -30,6 +31,8 @@ namespace Signorini
             }
     for (LA::Vector &v : ties)
       v.compress(VectorOperation::insert);
+    // Add the entries of a condensed column to the columns on which it depends: B_free = B C for
+    // the constraints u = C u_free. Collective.
     const auto move = [&](const LA::SparseMatrix &from, LA::SparseMatrix &to) {
       const LA::ColumnExchange         columns(from);
       const auto                       global = LA::global_columns(from);

@@ -19,6 +19,7 @@ namespace Signorini
 
   namespace
   {
+    /// Identity of a slave face that survives a new partition or refinement of other cells.
     template <int dim>
     FaceId
     face_id(const unsigned int pair, const SlaveFace<dim> &face)
@@ -26,6 +27,7 @@ namespace Signorini
       return {pair, face.cell, face.face};
     }
 
+    /// The position of a parameter; the second coordinate is 0 in 2D.
     template <int dim>
     SurfacePoint
     place_at(const Point<dim - 1> &xi)
@@ -33,8 +35,9 @@ namespace Signorini
       return {{xi[0], dim == 3 ? xi[dim - 2] : 0.}};
     }
 
-    /// Contributions to segment edge points with Sampling::quadrature_points: all of the pressure
-    /// of the closest integration point on the face.
+    /// Rows of the segment edge points if there is one row for each integration point: each edge
+    /// point has the pressure of the closest integration point of its face, with its whole weight.
+    /// Cost: edge points times points of a face.
     template <int dim>
     std::vector<std::vector<Share>>
     shares_of_closest(const ContactSurface<dim> &surface, const types::global_dof_index first_row)
@@ -58,6 +61,8 @@ namespace Signorini
       return result;
     }
 
+    /// Rows of pointwise methods, one for each integration point, numbered contiguously over the
+    /// ranks in the order of pairs and points. Rows are written by their owner only. Collective.
     template <int dim>
     ContactRows
     quadrature_rows(const std::vector<ContactSurface<dim>> &surfaces, const MPI_Comm comm)
@@ -79,6 +84,7 @@ namespace Signorini
           unsigned int       face = none;
           for (const auto &point : surfaces[p].points)
             {
+              // The only share of the row's area is that of its point.
               rows.shares.back().push_back({{*row, point.weight}});
               if (point.face != face)
                 rows.places.push_back({face_id(p, surfaces[p].slave_faces[point.face]), {}});
@@ -92,7 +98,8 @@ namespace Signorini
 
     using Index = types::global_dof_index;
 
-    /// The areas of a slave node of a pair on one rank, and their sums on the owner.
+    /// The areas around a slave node of a pair on one rank, and their sums on the rank that owns
+    /// the node [length^(dim-1)].
     struct NodeOfPair
     {
       unsigned int pair;
@@ -107,6 +114,8 @@ namespace Signorini
       }
     };
 
+    /// The number of the row of a node, as it is returned to the ranks that have faces around the
+    /// node.
     struct RowOfNode
     {
       unsigned int pair;
@@ -125,7 +134,8 @@ namespace Signorini
     template <typename T>
     using ByRank = std::map<unsigned int, std::vector<T>>;
 
-    /// The areas of nodes on this rank, sorted by the ranks that own them.
+    /// The areas around the nodes of slave faces on this rank, sorted by the ranks that own the
+    /// nodes. Collective (it gathers the ranges of the ranks).
     template <int dim>
     ByRank<NodeOfPair>
     node_areas(const Elasticity<dim> &elasticity, const std::vector<ContactSurface<dim>> &surfaces)
@@ -184,6 +194,10 @@ namespace Signorini
       return result;
     }
 
+    /// Rows of methods that sample at nodes, one for each node of a pair with enough area. Areas
+    /// are summed on the rank that owns the node, which numbers the row; numbers return to all
+    /// ranks with faces around the node. Two exchanges between neighbours. The number of a row
+    /// depends on the partition, the set of rows does not. Collective.
     template <int dim>
     ContactRows
     node_rows(const Elasticity<dim> &elasticity, const std::vector<ContactSurface<dim>> &surfaces)
@@ -202,7 +216,8 @@ namespace Signorini
       ContactRows          rows;
       std::map<Key, Index> numbers; // on this rank
       for (const auto &[key, area] : areas)
-        // So small an area is nothing but rounding: it has no gap to speak of.
+        // An area of 1e-10 of that around the node is rounding: the mean gap over it would be
+        // meaningless.
         if (area[1] > 0 && area[0] > 1e-10 * area[1])
           {
             numbers[key] = rows.node.size();
@@ -212,6 +227,7 @@ namespace Signorini
       rows.owned    = LA::contiguous_partition(rows.node.size(), comm);
       rows.writable = rows.owned;
 
+      // Return the row numbers to the ranks that sent areas.
       ByRank<RowOfNode> answers;
       for (const auto &[rank, nodes] : received)
         for (const NodeOfPair &one : nodes)
@@ -228,6 +244,8 @@ namespace Signorini
           }
       rows.writable.add_indices(foreign.begin(), foreign.end());
 
+      // Row r has the share psi_r(q) w_q of the area of point q (doc/theory, (3.3)); shares may be
+      // negative with dual functions.
       const auto shares_of = [&](const unsigned int pair, const auto &points) {
         std::vector<std::vector<Share>> shares;
         for (const auto &point : points)

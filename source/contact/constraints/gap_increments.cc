@@ -11,6 +11,7 @@ namespace Signorini
 
   VectorValues::VectorValues(const LA::Vector &u, std::vector<types::global_dof_index> all)
     : indices(std::move(all))
+  // Fetch the entries u(all) from their owners once, sorted for binary search. Collective.
   {
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
@@ -46,11 +47,13 @@ namespace Signorini
 
 
   template <int dim>
+  // (u^S - u^M) . n at each point, from shape functions and nodal values, without assembling rows.
   std::vector<double>
   gap_increments(const std::vector<const ContactPoint<dim> *> &points, const LA::Vector &u)
   {
     std::vector<types::global_dof_index> indices;
     const ContactPoint<dim>             *before = nullptr;
+    // Nodes of consecutive points are mostly the same; they are collected once.
     for (const ContactPoint<dim> *point : points)
       {
         if (before == nullptr || !same_nodes(*before, *point))
@@ -61,7 +64,8 @@ namespace Signorini
         for (const auto &entry : point->rigid)
           indices.push_back(entry.first);
       }
-    // Nodes first: a third of what there is to sort.
+    // Only the first degrees of freedom of nodes are sorted, a third of all in space; the other
+    // components follow afterwards.
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     for (std::size_t i = 0, n = indices.size(); i < n; ++i)

@@ -25,6 +25,10 @@ namespace Signorini
 
   namespace
   {
+    /// Assemble the rows of the slip (doc/theory, (3.13)), one matrix for each tangent with the
+    /// sparsity pattern of B, still weighted by the areas of the rows; and the offsets sigma_a, the
+    /// true slip (5.16) since the start of the load step, as sums over points. normalise() divides
+    /// both by the areas. Collective.
     template <int dim>
     void
     assemble_slip(GapOperator                            &contact,
@@ -37,6 +41,8 @@ namespace Signorini
     {
       TangentialRows  &tangential = contact.tangential;
       const LA::Vector zero(rows.owned, comm);
+      // The tangents of each row on the undeformed surface, for the output and for the transfer of
+      // tractions between meshes.
       tangential.offset.assign(dim - 1, zero);
       tangential.at_rest.assign(dim - 1, std::vector<LA::Vector>(dim, zero));
       for (unsigned int a = 0; a < dim - 1; ++a)
@@ -52,6 +58,7 @@ namespace Signorini
           for (LA::Vector &component : tangential.at_rest[a])
             component.compress(VectorOperation::insert);
         }
+      // Offsets: the slip at each point, distributed to the rows with their shares of its area.
       for (unsigned int p = 0; p < surfaces.size(); ++p)
         for (unsigned int q = 0; q < surfaces[p].frames.size(); ++q)
           for (const auto &[row, weight] : rows.shares[p][q])
@@ -65,6 +72,9 @@ namespace Signorini
         offset.compress(VectorOperation::add);
     }
 
+    /// Assemble B (doc/theory, (3.4)), the rows of the slip, and S of s = S u + s_0 for Nitsche's
+    /// method, as sums over face matrices and still weighted by areas. Rows of another rank receive
+    /// contributions; so this is collective. Cost: proportional to the number of contact points.
     template <int dim>
     void
     assemble_matrices(GapOperator                            &contact,
@@ -77,6 +87,8 @@ namespace Signorini
       std::optional<Tangents<dim>> tangents;
       if (method.uses_slip())
         tangents.emplace(rows, surfaces, comm);
+      // One dense matrix for each slave face (or group of points with the same nodes): its rows and
+      // columns define the pattern too.
       const std::vector<FaceMatrix> matrices = face_matrices(rows,
                                                              surfaces,
                                                              method.sampling(),
@@ -106,6 +118,9 @@ namespace Signorini
       contact.S.compress(VectorOperation::add);
     }
 
+    /// Sum up areas W (3.3), gaps, offsets, stiffness, penalty parameters and geometry of the rows
+    /// over the points, with the share of each row as weight. Collective.
+    /// @param size size of the model [length]; @param moved true in displaced configurations
     template <int dim>
     void
     assemble_vectors(GapOperator                            &contact,
@@ -137,8 +152,11 @@ namespace Signorini
             const ContactPoint<dim> &point  = surfaces[p].points[q];
             const Tensor<1, 3>       moment = moment_of(point.slave_force_point, point.normal),
                                on_master    = moment_of(point.master_force_point, point.normal);
+            // The penalty parameter epsilon of the point [force/length^3] (doc/theory, (2.2)).
             const double epsilon =
               method.penalty({point.stiffness, size / point.depth, point.bound});
+            // Moments are those of a unit force along the normal; the traction times the area
+            // multiplies them later.
             for (const auto &[row, weight] : rows.shares[p][q])
               {
                 contact.weight(row) += weight;
@@ -162,8 +180,9 @@ namespace Signorini
           }
     }
 
-    /// Set the positions of nodal points to those of the nodes, instead of the weighted mean of
-    /// their surroundings.
+    /// Set the positions of rows to those of their nodes; the weighted mean of the surroundings
+    /// would be off the node at rims of the contact surface. Loops over the cells of this rank,
+    /// since a node may have no slave face on the rank that owns it.
     template <int dim>
     void
     move_to_nodes(GapOperator &contact, const Elasticity<dim> &elasticity)
@@ -194,7 +213,8 @@ namespace Signorini
         v.compress(VectorOperation::insert);
     }
 
-    /// Divide the sums over weighted points by the points' areas.
+    /// Divide all sums over points by the area W of their row, so that gaps, stresses and matrices
+    /// are means (doc/theory, (3.3)). Collective.
     void
     normalise(GapOperator &contact)
     {
@@ -244,12 +264,14 @@ namespace Signorini
     const MPI_Comm         comm       = elasticity.mesh().communicator();
     auto                   result     = std::make_unique<GapOperator>();
     GapOperator           &contact    = *result;
-    contact.dofs                      = elasticity.owned();
-    contact.origin.pair               = rows.pair;
-    contact.origin.node               = rows.node;
-    contact.origin.places             = rows.places;
-    contact.origin.readable           = rows.writable;
-    contact.origin.regions = ContactRegions(elasticity, surfaces, rows, method.sampling());
+    // Rows, nodes and places of the rows.
+    contact.dofs            = elasticity.owned();
+    contact.origin.pair     = rows.pair;
+    contact.origin.node     = rows.node;
+    contact.origin.places   = rows.places;
+    contact.origin.readable = rows.writable;
+    contact.origin.regions  = ContactRegions(elasticity, surfaces, rows, method.sampling());
+    // Sums over points, then means.
     assemble_matrices(contact, rows, surfaces, method, elasticity);
     assemble_vectors(contact,
                      rows,
@@ -261,6 +283,7 @@ namespace Signorini
     normalise(contact);
     if (contact.has_stress())
       assemble_field_stress(elasticity, rows, surfaces, contact);
+    // Points of pairs without separation are active whatever the sign of their pressure.
     auto pair = rows.pair.begin();
     for (const auto i : rows.owned)
       {
@@ -278,6 +301,8 @@ namespace Signorini
         contact.tangential.offset[a] -= linear;
       }
 
+    // B_free: columns of prescribed displacements removed, for forces and linear systems; condensed
+    // columns of inclined supports are added below.
     LA::Vector free = elasticity.zero_vector();
     free            = 1.;
     elasticity.constraints().set_zero(free);
@@ -303,6 +328,8 @@ namespace Signorini
 
 
 
+  // g_0 of the rows = beta g_ref + offset (doc/theory, (5.2)); the factor beta of the pair applies
+  // to penetrations and to all points of bilateral pairs.
   void
   GapOperator::set_interference(const std::vector<double> &shares)
   {
@@ -344,6 +371,8 @@ namespace Signorini
 
 
 
+  // In the reference configuration the slip is measured by -B_a u_n; in displaced ones the offset
+  // contains the start already.
   void
   GapOperator::set_start(const LA::Vector &u)
   {
@@ -381,6 +410,8 @@ namespace Signorini
 
 
 
+  // s = S u + s_0: s_0 has the thermal part, the part of loads and linearisation, and that of the
+  // volumetric stress m.
   LA::Vector
   GapOperator::stress(const LA::Vector &u, const LA::Vector &m) const
   {
@@ -397,6 +428,8 @@ namespace Signorini
 
 
 
+  // sum_a B_a^T W t_a + theta S^T W E^-1 (s - p) (doc/theory, (4.1)), with the rows for free or for
+  // all degrees of freedom.
   LA::Vector
   GapOperator::transposed(const bool is_free, const PointVectors &p, const LA::Vector &s) const
   {
@@ -462,6 +495,7 @@ namespace Signorini
 
 
 
+  // dst += G (u - u_k) (doc/theory, (5.9)).
   void
   GapOperator::add_moved_force(LA::Vector &dst, const LA::Vector &u) const
   {

@@ -11,7 +11,7 @@ namespace Signorini
 
   namespace
   {
-    /// The coefficients C of a second variation with n rows.
+    /// The coefficients C of a second variation, n x n, row by row; symmetric by set().
     class Factors
     {
     public:
@@ -30,7 +30,7 @@ namespace Signorini
       std::vector<double> values;
     };
 
-    /// n . (s cross t) for the unit spin s about axis i.
+    /// n . (s x t) for the unit spin s about axis i (2D: about the axis out of the plane).
     template <int dim>
     double
     rotated(const unsigned int i, const Tensor<1, dim> &t, const Tensor<1, dim> &n)
@@ -41,8 +41,8 @@ namespace Signorini
         return cross_product_3d(t, n)[i];
     }
 
-    /// n . (s cross (s' cross r)) and the same with s and s' exchanged, half of both, for spins
-    /// about axes i and j.
+    /// The mean of n . (s x (s' x r)) and n . (s' x (s x r)) for the unit spins s about axis i and
+    /// s' about axis j.
     template <int dim>
     double
     rotated_twice(const unsigned int    i,
@@ -65,6 +65,8 @@ namespace Signorini
                              const Point<dim - 1> &xi,
                              const Tensor<1, dim> &n)
   {
+    // Until the slave point is known, the factors hold the metric A and the curvatures K = n . y_ab
+    // of the master; second_variation_of_bodies() replaces them.
     const auto              tangents   = patch.tangents(xi);
     const auto              curvatures = patch.curvatures(xi);
     GapSecondVariation<dim> second_variation;
@@ -88,12 +90,14 @@ namespace Signorini
     const Tensor<1, dim>    arm    = x - master_point.position;
     const double            gap    = arm * master_point.normal;
     GapSecondVariation<dim> result = master_point.second_variation;
+    // No second variation: the master is not displaced, or the point is too far to carry pressure.
     if (result.factors.empty())
       return result;
     Tensor<2, m> A, K;
     for (unsigned int a = 0; a < m; ++a)
       {
         const Tensor<1, dim> &tangent = result.directions[a];
+        // The projection is on the rim of a face, not normal to it: (5.6) does not hold there.
         if (std::abs(arm * tangent) > 1e-6 * tangent.norm_square())
           return {};
         for (unsigned int b = 0; b < m; ++b)
@@ -102,6 +106,8 @@ namespace Signorini
             K[a][b] = result.factors[m * m + a * m + b];
           }
       }
+    // Formula (5.7): -A^-1 K H^-1 for w w, -H^-1 for w m and m w, -g H^-1 for m m, with H = A - g
+    // K.
     const Tensor<2, m> H = A - gap * K, G = invert(H), AKH = invert(A) * K * G;
     Factors            C(2 * m);
     for (unsigned int a = 0; a < m; ++a)
@@ -123,6 +129,7 @@ namespace Signorini
   {
     GapSecondVariation<dim> second_variation;
     second_variation.directions = {n, v};
+    // The symmetric part of -(n.[v]) (nu.[u]) for each of the two segments at an edge, (5.8).
     Factors C(second_variation.n_rows());
     C.set(0, 1, -0.5);
     second_variation.factors = C.values;
@@ -138,10 +145,12 @@ namespace Signorini
                                const Point<dim>             &x,
                                const types::global_dof_index first_dof)
   {
-    const Tensor<1, dim>   &n        = obstacle_point.normal;
-    const Tensor<1, dim>    r        = pose.arm(x);
-    const auto              tangents = vectors_across(n);
-    const bool              moves    = first_dof != numbers::invalid_dof_index;
+    const Tensor<1, dim> &n        = obstacle_point.normal;
+    const Tensor<1, dim>  r        = pose.arm(x);
+    const auto            tangents = vectors_across(n);
+    const bool            moves    = first_dof != numbers::invalid_dof_index;
+    // Formula (5.14) by rows of w along the tangents (the Hessian Q has no normal part) and of the
+    // spins.
     const unsigned int      m = dim - 1, spins = moves ? pose.n_rotations : 0;
     GapSecondVariation<dim> second_variation;
     Factors                 C(m + spins);

@@ -17,6 +17,11 @@ namespace Signorini
 
   namespace
   {
+    /// The geometric stiffness G (doc/theory, (5.9)) as a sum over loaded points, sum_ij C_ij R_i^T
+    /// R_j, without a matrix. Values of degrees of freedom are stored in slots: first the owned
+    /// ones, then those of other ranks that points refer to. Constraints are applied around the
+    /// product, as in K: prescribed components are zero, and inclined supports condense one
+    /// component of a node into the others.
     template <int dim>
     class PointwiseStiffness : public GeometricStiffness
     {
@@ -31,18 +36,23 @@ namespace Signorini
         find_constraints(elasticity);
       }
 
+      /// dst += factor G v. Collective: ghost values are fetched before, and forces on them are
+      /// added to their owners after. Cost: for each point the number of its nodes times that of
+      /// its rows.
       void
       vmult_add(LA::Vector &dst, const LA::Vector &v, const double factor) const override
       {
         const std::size_t n_owned = exchange.n_owned();
         u.assign(n_owned + exchange.n_ghosts(), 0.);
         std::copy_n(LA::values_of(v), n_owned, u.begin());
+        // Extend v to the constrained components.
         for (const auto line : fixed)
           u[line] = 0;
         for (const auto &[line, other, share] : ties)
           u[line] += share * u[other];
         exchange.fetch(u.data(), u.data() + n_owned);
 
+        // Point by point: rows, factors, transposed rows.
         f.assign(u.size(), 0.);
         for (const LoadedPoint<dim> &point : points)
           {
@@ -54,6 +64,7 @@ namespace Signorini
             point.add_rows(CT, f.data());
           }
 
+        // Forces on constrained components are condensed into the others.
         exchange.add(f.data() + n_owned, f.data());
         for (const auto &[line, other, share] : ties)
           f[other] += share * f[line];
@@ -64,6 +75,11 @@ namespace Signorini
           values[i] += f[i];
       }
 
+      /// Call add(number, number, value) for the entries of G among numbered degrees of freedom.
+      /// Points between the same two faces follow each other and are summed up in one dense matrix
+      /// before. Collective.
+      /// @param numbers number of each degree of freedom in the subset, negative: not in it; owned
+      /// entries
       void
       for_each_entry(const LA::Vector                                  &numbers,
                      const std::function<void(double, double, double)> &add) const override
@@ -106,6 +122,8 @@ namespace Signorini
             const FullMatrix<double> C(n, n, point.factors.data());
             rows.reinit(n, named.size()); // T of the named ones
             weighted.reinit(n, named.size());
+            // Column k of `rows`: the rows of the point applied to the unit vector of the degree of
+            // freedom.
             for (unsigned int k = 0; k < named.size(); ++k)
               {
                 u[named[k].slot] = named[k].share;

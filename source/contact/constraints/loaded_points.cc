@@ -13,6 +13,7 @@ namespace Signorini
 
   namespace
   {
+    /// dst += sum_I N_I force at the nodes of a face. @param dst values by slot, see LoadedPoint
     template <int dim>
     void
     add_force(const FaceShapeFunctions<dim> &functions, const Tensor<1, dim> &force, double *dst)
@@ -22,6 +23,7 @@ namespace Signorini
           dst[function.node + d] += function.value * force[d];
     }
 
+    /// The component along a direction of the displacement of one node.
     template <int dim>
     double
     along(const Tensor<1, dim> &direction, const NodeShapeFunction<dim> &function, const double *u)
@@ -37,6 +39,9 @@ namespace Signorini
 
   template <int dim>
   void
+  // The rows R_i of a point applied to a vector, in the order: directions . (u^S - u^M), with the
+  // rigid rows of obstacles added; then for bodies the slopes of the master along of_master, and of
+  // the slave along of_slave.
   LoadedPoint<dim>::evaluate_rows(const double *u, std::vector<double> &R) const
   {
     const auto           element = [u](const std::size_t slot) { return u[slot]; };
@@ -73,6 +78,7 @@ namespace Signorini
 
   template <int dim>
   void
+  // The transpose of evaluate_rows(): dst += sum_i s_i R_i.
   LoadedPoint<dim>::add_rows(const std::vector<double> &s, double *dst) const
   {
     unsigned int   next = 0;
@@ -116,7 +122,9 @@ namespace Signorini
 
   namespace
   {
-    /// The loaded point of a contact pressure. @param force pressure times area
+    /// The loaded point of a contact pressure: the second variation (5.7) or (5.14) times the force
+    /// (doc/theory, (5.9)).
+    /// @param force pressure times area [force]
     template <int dim>
     LoadedPoint<dim>
     pressed(const FaceShapeFunctions<dim> &slave,
@@ -137,10 +145,13 @@ namespace Signorini
       return point;
     }
 
-    /// Adds what a tangential traction T, times the area, does where a pressure is already. The
-    /// rows become
+    /// Add the contribution of a tangential traction (doc/theory, (5.17)) to a point that has that
+    /// of the pressure. The rows become
     ///
-    ///   y_a.(uS - uM), n.(uS - uM), n.uM,a, T.uM,a, and in space tau_2.uS,1 - tau_1.uS,2.
+    ///   y_a.(uS - uM), n.(uS - uM), n.uM,a, T.uM,a, and in space tau_2.uS,1 - tau_1.uS,2,
+    ///
+    /// and the matrix C of their products is in general not symmetric.
+    /// @param T tangential force at the point: traction times area [force]
     template <int dim>
     void
     add_tangential(const Tensor<1, dim>          &T,
@@ -152,7 +163,8 @@ namespace Signorini
       constexpr unsigned int m = dim - 1, w = 0, jump = m, n_M = m + 1, T_M = 2 * m + 1,
                              spin = 3 * m + 1, size = 3 * m + 1 + (dim == 3 ? 1 : 0);
       const auto &y = second_variation.directions;
-      // What second_variation_of_bodies() made its factors of.
+      // The matrices A, H^-1 and A^-1 K H^-1 of (5.5) and (5.6) are recovered from the factors of
+      // second_variation_of_bodies().
       Tensor<2, m> A, G, AKG; // metric, H^-1, A^-1 K H^-1
       for (unsigned int a = 0; a < m; ++a)
         for (unsigned int b = 0; b < m; ++b)
@@ -170,12 +182,14 @@ namespace Signorini
         return result;
       };
 
+      // The factors of the pressure, moved by one row: the normal jump is inserted after the
+      // tangential ones.
       FullMatrix<double> C(size, size);
       const auto         slot = [&](const unsigned int i) { return i < m ? i : i + 1; };
       for (unsigned int a = 0; a < 2 * m; ++a)
         for (unsigned int b = 0; b < 2 * m; ++b)
           C(slot(a), slot(b)) = point.factors[a * 2 * m + b];
-      // Row i times v.dn, of a vector v along the master.
+      // Add row i times v . dn for a vector v tangential to the master, with dn of (5.6).
       const auto add_dn = [&](const unsigned int i, const Tensor<1, dim> &v, const double factor) {
         const Tensor<1, m> v_a = covariant(v), v_b = inverse * v_a, by_dxi = transpose(AKG) * v_a;
         for (unsigned int b = 0; b < m; ++b)
@@ -185,6 +199,8 @@ namespace Signorini
           }
       };
 
+      // First term of (5.17): -(T . dn) n.(vS - vM); then the change of the closest point, -dxi_b
+      // T.vM,b.
       add_dn(jump, T, -1);
       for (unsigned int b = 0; b < m; ++b)
         for (unsigned int c = 0; c < m; ++c)
@@ -194,6 +210,8 @@ namespace Signorini
           }
       point.directions.push_back(n);
       point.of_master.push_back(T);
+      // The rotation of the material of the slave about n (5.18), only in space: in the plane the
+      // tangent rotates with n alone.
       if constexpr (dim == 3)
         {
           const ConvectedFrame<3> frame_now(frame.normal, frame.deformation, n);
@@ -218,7 +236,8 @@ namespace Signorini
           point.factors[i * size + j] = C(i, j);
     }
 
-    /// The tractions at points of integration, from those of rows.
+    /// The forces at points of integration, from the tractions of rows: sums over the shares of a
+    /// point.
     template <int dim>
     class TractionsAtPoints
     {
@@ -285,6 +304,8 @@ namespace Signorini
                 const PointVectors                     &traction,
                 const MPI_Comm                          comm)
   {
+    // Open points, and points without second variation, are left out: the cost of a product is
+    // proportional to the points under load.
     const TractionsAtPoints<dim>  tractions(rows, surfaces, traction, comm);
     std::vector<LoadedPoint<dim>> result;
     for (unsigned int s = 0; s < surfaces.size(); ++s)
@@ -315,12 +336,14 @@ namespace Signorini
             // The end of the segment moves by v.(uM - uS), see second_variation_of_edge().
             const Tensor<1, dim> &n = edge_point.second_variation.directions[0],
                                  &v = edge_point.second_variation.directions[1];
+            // Pressure: half of the symmetrised product, (5.8), times the force.
             if (force != 0)
               {
                 const double half = force * edge_point.second_variation.factors[1];
                 result.push_back(
                   {edge_point.slave, edge_point.master, {n, v}, {}, {}, {}, {0., half, half, 0.}});
               }
+            // Tangential traction: -(T . [v]) (v . [u]), which is not symmetric.
             if (!tractions.has_tangential())
               continue;
             const Tensor<1, dim> T = tractions.tangential(shares, surface.edge_point_frames[q], n);

@@ -19,6 +19,8 @@ namespace Signorini
     using Nodes   = std::vector<FaceNode>;
     using Numbers = std::vector<unsigned int>;
 
+    /// The values of a row at the nodes of the face, as a dense vector in their order; other
+    /// indices are ignored.
     Eigen::VectorXd
     dense(const SparseRow &shape, const Nodes &nodes)
     {
@@ -30,12 +32,14 @@ namespace Signorini
       return values;
     }
 
-    /// The integrals M = int f f^T dA and D = int f dA of a set of functions f.
+    /// The integrals M_AB = int f_A f_B dA and D_A = int f_A dA of the functions f of a face over
+    /// its paired part, by the quadrature of contact.
     struct Integrals
     {
       Eigen::MatrixXd M;
       Eigen::VectorXd D;
 
+      /// The integrals of the functions L f.
       Integrals
       combined(const Eigen::MatrixXd &L) const
       {
@@ -64,6 +68,8 @@ namespace Signorini
       }
     };
 
+    /// The integrals of the displacement functions, from their values at the points. @param weights
+    /// areas of the points
     Integrals
     integrals_of(const std::vector<SparseRow> &shapes,
                  const std::vector<double>    &weights,
@@ -80,6 +86,7 @@ namespace Signorini
       return result;
     }
 
+    /// Square of the distance in the parameters of the face.
     double
     distance2(const FaceNode &a, const FaceNode &b)
     {
@@ -87,7 +94,8 @@ namespace Signorini
       return x * x + y * y;
     }
 
-    /// The nearest of the nodes; several if they are equally near.
+    /// Those of the candidates that are nearest to a node; several if they are equally near up to
+    /// rounding.
     Numbers
     nearest(const Nodes &nodes, const Numbers &candidates, const FaceNode &to)
     {
@@ -101,7 +109,9 @@ namespace Signorini
       return result;
     }
 
-    /// Adds the functions of nodes to those of the nearest of some of them: a row a node of these.
+    /// The matrix L of doc/theory, (3.10): the functions of nodes without a multiplier are added to
+    /// those of the nearest of the `takers`, in equal parts if several are equally near. Rows:
+    /// takers; columns: nodes; columns add up to 1, so that the functions still add up to 1.
     Eigen::MatrixXd
     absorbed_nodes(const Nodes &nodes, const Numbers &takers)
     {
@@ -116,13 +126,16 @@ namespace Signorini
       return L;
     }
 
-    /// The number of the function that depends most on the others: the last pivot of a pivoted
-    /// Cholesky factorisation.
+    /// The position of the function that depends most on the others, the last pivot of a pivoted
+    /// Cholesky factorisation of the scaled mass matrix. Pivots that are equal up to rounding are
+    /// taken in their order, so that symmetric faces give the same result everywhere. O(n^3) with n
+    /// at most 9.
     unsigned int
     most_dependent(const Integrals &functions)
     {
       const auto scaled = functions.scaled();
       if (!scaled)
+        // A function without positive integral is removed first.
         {
           unsigned int least;
           functions.D.minCoeff(&least);
@@ -146,8 +159,12 @@ namespace Signorini
       return left.front();
     }
 
-    /// The nodes that carry the pressure of a face of which only a part has a projection, so that
-    /// their functions are independent there.
+    /// The nodes that carry the pressure of a face of which only a part has a projection
+    /// (doc/theory, (3.9)): those of which at least a quarter of the area is covered, or half of
+    /// the best share if that is less; then the most dependent function is removed until the others
+    /// are independent on the covered part. The loop ends since each pass removes one node and one
+    /// function is left.
+    /// @param whole integrals of the functions over the whole face
     Numbers
     multiplier_carriers(const Nodes           &nodes,
                         const Eigen::VectorXd &whole,
@@ -184,10 +201,12 @@ namespace Signorini
     Numbers      own(nodes.size());
     std::iota(own.begin(), own.end(), 0);
     Eigen::MatrixXd coefficients = Eigen::MatrixXd::Identity(nodes.size(), nodes.size());
+    // Integrals are needed for the dual basis, and to select nodes on partly covered faces.
     if (is_part || basis == Basis::dual)
       {
         const Integrals functions = integrals_of(shapes, weights, nodes);
         Integrals       taken     = functions;
+        // Nodes with too little covered area are absorbed by their neighbours.
         if (is_part)
           {
             Eigen::VectorXd whole(nodes.size());
@@ -197,10 +216,14 @@ namespace Signorini
             coefficients = absorbed_nodes(nodes, own);
             taken        = functions.combined(coefficients);
           }
+        // Dual functions: C = diag(L D) (L M L^T)^-1 L (3.8), (3.10). Where the mass matrix is
+        // singular, the standard functions stay.
         if (basis == Basis::dual && taken.are_independent())
           coefficients = (taken.D.asDiagonal() * taken.M.inverse() * coefficients).eval();
       }
 
+    // Nodes with a prescribed normal displacement carry no multiplier: their functions, standard or
+    // dual, are added to those of the nearest free nodes.
     Numbers free;
     for (const unsigned int i : own)
       if (!nodes[i].prescribed)

@@ -24,6 +24,8 @@ namespace Signorini
                    const FacePatch<dim>         &face,
                    const Point<dim - 1>         &xi)
   {
+    // A node carries pressure if its displacement has a free component along the normal, and if its
+    // function has an area on the axis of axisymmetric models.
     const auto node = elasticity.constrained_nodes().find(first);
     if (node != elasticity.constrained_nodes().end() &&
         node->second.free_part(face.normal(xi)).norm() < 0.1)
@@ -36,7 +38,8 @@ namespace Signorini
 
   namespace
   {
-    /// Over [0, 1], of the function of a node at x: weights of the trapezoidal and Simpson's rule.
+    /// The integral of the shape function of a node at x over [0, 1]: the weights of the
+    /// trapezoidal rule (degree 1) and of Simpson's rule (degree 2).
     double
     mean_of_function(const unsigned int degree, const double x)
     {
@@ -45,6 +48,7 @@ namespace Signorini
       return std::abs(x - 0.5) < 0.25 ? 2. / 3 : 1. / 6;
     }
 
+    /// The reference area of a face, with the circumference of axisymmetric models.
     template <int dim>
     double
     area_of(const FacePatch<dim> &patch, const Model model)
@@ -57,6 +61,8 @@ namespace Signorini
       return area;
     }
 
+    /// The nodes of a face, with their parameters, their share of the area of a parallelogram face,
+    /// and whether they carry pressure.
     template <int dim>
     std::vector<FaceNode>
     face_nodes(const Elasticity<dim>   &elasticity,
@@ -97,7 +103,9 @@ namespace Signorini
                          std::vector<ContactPoint<dim>>      &points,
                          std::vector<EdgeContactPoint<dim>>  &edge_points)
   {
-    // Otherwise a law says what the pressure is, even where nothing can move.
+    // With a multiplier the pressure has to be determined by equilibrium, which is impossible where
+    // no node can move; with penalty-like methods the law determines it there too, and the
+    // functions are kept.
     const bool must_balance = method.pressure_shift() == PressureShift::multiplier ||
                               method.pressure_shift() == PressureShift::last_pressure;
     Trace<dim>                 trace(elasticity);
@@ -105,12 +113,14 @@ namespace Signorini
     std::vector<double>        weights;
     auto                       edge_point = paired_edge_points.begin();
     std::vector<PressureNodes> result(slave.faces.size());
+    // Points are sorted by faces; the basis is constructed once for each of them.
     for (unsigned int first = 0, last = 0; first < points.size(); first = last)
       {
         const auto &[cell, face] = slave.faces[points[first].face];
         trace.reinit(cell, face);
         shapes.clear();
         weights.clear();
+        // Shape functions at the points of the face, with areas.
         for (; last < points.size() && points[last].face == points[first].face; ++last)
           {
             shapes.push_back(trace.unresolved_shape(paired_points[last].xi));
@@ -124,12 +134,15 @@ namespace Signorini
             node.prescribed = false;
         const double        area = area_of(slave.rest[points[first].face], elasticity.model());
         const PressureBasis basis(nodes, shapes, weights, area, kind);
+        // The basis in which pressures are evaluated for the output is the standard one also where
+        // the dual basis is used.
         const PressureBasis standard(nodes, shapes, weights, area, Basis::standard);
         PressureNodes      &of_face = result[points[first].face];
         of_face.covered             = std::accumulate(weights.begin(), weights.end(), 0.) / area;
         for (const FaceNode &node : nodes)
           if (basis.has(node.index))
             of_face.own.push_back(node.index);
+        // Segment edge points of the same face have the same functions.
         edge_point = std::find_if(edge_point, paired_edge_points.end(), [&](const auto &paired) {
           return paired.face >= points[first].face;
         });

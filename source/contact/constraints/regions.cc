@@ -18,6 +18,7 @@ namespace Signorini
   {
     using Index = types::global_dof_index;
 
+    /// The sum over a region, as it is sent to the rank that adds it up.
     struct Sum
     {
       Index  region;
@@ -48,7 +49,8 @@ namespace Signorini
                                  const Sampling                          sampling)
     : at_nodes(sampling == Sampling::nodes)
   {
-    // Of nodes the rows themselves are the numbers.
+    // Regions are sets of nodes. With rows at nodes these are the rows themselves; with rows at
+    // quadrature points, rows of nodes are made in addition.
     const ContactRows nodes =
       at_nodes ? rows : make_contact_rows(elasticity, surfaces, Sampling::nodes);
     if (nodes.owned.size() == 0)
@@ -58,6 +60,7 @@ namespace Signorini
     layout = std::make_shared<Utilities::MPI::Partitioner>(nodes.owned,
                                                            others,
                                                            elasticity.mesh().communicator());
+    // The nodes of each face, as local numbers, from the shares of its points.
     for (unsigned int p = 0; p < surfaces.size(); ++p)
       {
         const std::size_t first = faces.size();
@@ -81,6 +84,13 @@ namespace Signorini
 
 
 
+  /// Connected components across ranks, by propagation of the largest number. Each node of an
+  /// active point starts with its own global number plus one (zero: not active). On a rank, nodes
+  /// of one face are connected (union-find); then in turn all nodes of a local component take its
+  /// largest number, and each node the largest number of all ranks that have it. Numbers only grow
+  /// and are bounded, so that the loop ends, after about as many rounds as the chain of ranks along
+  /// a region is long. Collective.
+  /// @return number of the region of each local node, owned and ghosted; 0 outside
   std::vector<ContactRegions::Index>
   ContactRegions::regions(const LA::Vector &in) const
   {
@@ -107,8 +117,7 @@ namespace Signorini
             sets.connect(*first, *node);
       }
 
-    // The largest number of a node, in turn of the region on this rank and of all ranks that know
-    // the node.
+    // Repeat until no number on any rank has changed.
     while (true)
       {
         std::vector<Index> largest(n, 0);
@@ -129,6 +138,8 @@ namespace Signorini
 
 
 
+  // Exchange by a ghosted vector: its owner takes the maximum of all ranks and returns it. Numbers
+  // are exact as doubles.
   void
   ContactRegions::maximise_over_ranks(std::vector<Index> &number) const
   {
@@ -155,7 +166,7 @@ namespace Signorini
     auto                    point = points.begin();
     for (const auto i : in.locally_owned_elements())
       {
-        // A point of a face without any node of enough area belongs to none.
+        // A point of a face none of whose nodes has a row belongs to no region.
         if (in(i) > 0 && at(*point) > 0)
           sum_of[at(*point)] += values(i);
         ++point;
@@ -177,6 +188,9 @@ namespace Signorini
 
 
 
+  // Mean of the values at the neighbours of each node, those on its faces that are `in`. A
+  // neighbour counts once for each face that both share. `complete` is 1 where all neighbours are
+  // in.
   LA::Vector
   ContactRegions::means_of_neighbours(const LA::Vector &in,
                                       const LA::Vector &values,
@@ -226,7 +240,8 @@ namespace Signorini
   void
   ContactRegions::add_other_ranks(std::map<Index, double> &sum_of) const
   {
-    // The rank of the node whose number a region has, adds them up.
+    // The rank that owns the node whose number is that of the region adds up the sums of all ranks
+    // and returns the total to them. Collective.
     const MPI_Comm comm = layout->get_mpi_communicator();
     IndexSet       wanted(layout->size());
     for (const auto &[region, value] : sum_of)

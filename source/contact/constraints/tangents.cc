@@ -10,19 +10,22 @@ namespace Signorini
 
   namespace
   {
-    /// A vector across the unit vector `from`, turned as little as possible so that it is across
-    /// `to`.
+    /// Rotate a vector v perpendicular to the unit vector `from` by the smallest rotation that maps
+    /// `from` to the unit vector `to` (doc/theory, (3.14)).
     template <int dim>
     Tensor<1, dim>
     rotated(const Tensor<1, dim> &v, const Tensor<1, dim> &from, const Tensor<1, dim> &to)
     {
-      constexpr double least = 1e-12; // opposite normals: there is no such turn
+      constexpr double least = 1e-12;
+      // Opposite normals have no unique rotation; the bound avoids the division by zero.
       return v - (to * v) / std::max(1 + from * to, least) * (from + to);
     }
   } // namespace
 
 
 
+  // Polar decomposition M = R U of the in-plane part of the deformation gradient (doc/theory,
+  // (5.15)).
   template <int dim>
   ConvectedFrame<dim>::ConvectedFrame(const Tensor<1, dim> &normal,
                                       const Tensor<2, dim> &F,
@@ -41,7 +44,8 @@ namespace Signorini
       }
     else
       {
-        // Of all rotations, that by the angle whose tangent is skew/sum leaves U symmetric.
+        // The rotation by the angle with the tangent skew/sum makes U = R^T M symmetric; the trace
+        // of U is the hypotenuse.
         const double sum = M[0][0] + M[1][1], skew = M[1][0] - M[0][1];
         stretch = std::hypot(sum, skew);
         vectors = {{(sum * plane[0] + skew * plane[1]) / stretch,
@@ -53,7 +57,8 @@ namespace Signorini
 
   namespace
   {
-    /// X_a -> x_a and N -> n: by the vectors dual to the tangents X_a and the normal N at rest.
+    /// The deformation gradient F of the surface: it maps the tangents X_a to x_a and the unit
+    /// normal N to n. With these as columns, F = [x_a n] [X_a N]^-1.
     template <int dim>
     Tensor<2, dim>
     deformation_of(const FacePatch<dim> &rest, const FacePatch<dim> &now, const Point<dim - 1> &xi)
@@ -83,6 +88,7 @@ namespace Signorini
       const auto         tangents = rest.tangents(xi), E = vectors_across(rest.normal(xi));
       Tensor<2, dim - 1> metric;
       for (unsigned int a = 0; a < dim - 1; ++a)
+        // E_j = sum_a c^a X_a with c^a = A^ab (X_b . E_j).
         for (unsigned int b = 0; b < dim - 1; ++b)
           metric[a][b] = tangents[a] * tangents[b];
       const Tensor<2, dim - 1>                inverse = invert(metric);
@@ -128,6 +134,8 @@ namespace Signorini
                           const std::vector<ContactSurface<dim>> &surfaces,
                           const MPI_Comm                          comm)
   {
+    // Mean reference normals of the rows, weighted with the absolute values of their shares, which
+    // may be negative with dual functions; ghosted, since points of any rank evaluate them.
     std::vector<LA::Vector> sums(dim, LA::Vector(rows.owned, comm));
     for (unsigned int p = 0; p < surfaces.size(); ++p)
       for (unsigned int q = 0; q < surfaces[p].frames.size(); ++q)
@@ -172,6 +180,8 @@ namespace Signorini
                            const Tensor<2, dim>         &F,
                            const Tensor<1, dim>         &direction) const
   {
+    // The fixed vectors of the row, rotated to the normal of the point, have components along the
+    // vectors of its tangential plane; the convected vectors have the same components.
     const Tensor<1, dim>      mean = normal(row);
     const Frame               rest = vectors_across(normal_at_rest), of_row = vectors_across(mean);
     const ConvectedFrame<dim> now(normal_at_rest, F, direction);
@@ -204,6 +214,8 @@ namespace Signorini
                       const SurfaceFrame<dim>      &frame,
                       const Tensor<1, dim>         &direction) const
   {
+    // The contact normal at the start of the load step: the present one pulled back and pushed
+    // forward, as a material vector of the slave.
     Tensor<1, dim> before = frame.deformation_at_start * (invert(frame.deformation) * direction);
     before /= before.norm();
     const Frame now   = at(row, frame, direction),

@@ -18,8 +18,10 @@ namespace Signorini
   {
     constexpr double zero = 1e-14; // of a shape function
 
-    /// Replace entries for hanging nodes by ones for those that they hang on, each made by
-    /// scaled(entry, index, weight); false if there are none.
+    /// Replace the entries of hanging nodes by entries for the nodes that constrain them, phi_I ->
+    /// sum_J C_IJ phi_J (doc/theory, 3.2), made by scaled(entry, J, C_IJ). Entries of one index may
+    /// then occur repeatedly.
+    /// @return false if no entry was of a hanging node
     template <typename Entry, typename Index, typename Scale>
     bool
     replace_hanging(const AffineConstraints<double> &hanging,
@@ -44,6 +46,7 @@ namespace Signorini
       return true;
     }
 
+    /// Sort functions by nodes and add up those of the same node.
     template <int dim>
     void
     sum_duplicates(FaceShapeFunctions<dim> &functions)
@@ -64,6 +67,8 @@ namespace Signorini
       functions.resize(last + 1);
     }
 
+    /// Condense the hanging nodes of shape functions with their slopes; the constraints of the
+    /// first component of a node are those of all its components.
     template <int dim>
     void
     condense_hanging_nodes(const AffineConstraints<double> &hanging,
@@ -130,7 +135,9 @@ namespace Signorini
   typename Trace<dim>::Element
   Trace<dim>::element_of(const FiniteElement<dim> &fe)
   {
-    const FiniteElement<dim>   &scalar = fe.base_element(0);
+    const FiniteElement<dim> &scalar = fe.base_element(0);
+    // The support points of the element along a line are those of Gauss-Lobatto quadrature; each
+    // node of a face has one of them in each parameter.
     const std::vector<Point<1>> places = QGaussLobatto<1>(scalar.degree + 1).get_points();
     Element                     result{Polynomials::generate_complete_Lagrange_basis(places),
                    std::vector<std::vector<Node>>(GeometryInfo<dim>::faces_per_cell)};
@@ -153,6 +160,7 @@ namespace Signorini
   void
   Trace<dim>::reinit(const Cell &new_cell, const unsigned int new_face)
   {
+    // Consecutive points are mostly on the same face.
     if (new_face == face && new_cell == cell)
       return;
     cell    = new_cell;
@@ -170,7 +178,8 @@ namespace Signorini
   FaceShapeFunctions<dim>
   Trace<dim>::unresolved(const Parameter &xi) const
   {
-    // The polynomials of a line: value and derivative of each, for each parameter.
+    // Tensor product: values and first derivatives of the polynomials of a line at each parameter,
+    // then their products.
     const unsigned int  n = element->line.size();
     std::vector<double> lines(2 * n * (dim - 1));
     for (unsigned int d = 0; d < dim - 1; ++d)

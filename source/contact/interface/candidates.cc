@@ -11,6 +11,7 @@ namespace Signorini
   void
   drop_empty_points(const std::vector<FacePatch<dim>> &slave, std::vector<PairedPoint<dim>> &points)
   {
+    // Relative to the Jacobian at the point: a share of less than 1e-13 of the face is rounding.
     const auto is_empty = [&](const PairedPoint<dim> &point) {
       return point.weight < 1e-13 * slave[point.face].jacobian(point.xi);
     };
@@ -26,6 +27,7 @@ namespace Signorini
                   std::vector<PairedPoint<dim>>  &paired,
                   std::vector<ContactPoint<dim>> &points)
   {
+    // Faces take part as a whole, as soon as one point is near.
     std::vector<bool> is_near(slave.faces.size(), false);
     for (const ContactPoint<dim> &point : points)
       if (point.current_gap() <= candidate_gap)
@@ -49,6 +51,8 @@ namespace Signorini
     unsigned int     n             = 0;
     for (unsigned int i = 0; i < points.size(); ++i)
       {
+        // Points that do not touch up to a tenth of a face are dropped, unless a search distance or
+        // a given gap selects them.
         const double most = error_of_mesh * slave.patches[points[i].face].diameter();
         if (!is_given && pair.search_distance == 0 && points[i].gap > most)
           continue;

@@ -29,11 +29,13 @@ namespace Signorini
         , formula(is_given && pair.initial_gap.text != "closed" ? pair.initial_gap : Formula("0"))
       {}
 
+      /// The gap at x and time t. @param from_geometry the geometric gap there [length]
       double
       operator()(const Point<dim> &x, const double t, const double from_geometry) const
       {
         if (is_given)
           return formula.value(x, t);
+        // Gaps up to `closes_below` are closed: they count as zero.
         return closes_below >= 0 && from_geometry <= closes_below ? 0. : from_geometry;
       }
 
@@ -43,6 +45,12 @@ namespace Signorini
       const Expression<dim> formula;
     };
 
+    /// The geometric part of a contact point: positions, gap, normal, shape functions of both
+    /// faces, stiffness E/h of both cells in series (doc/theory, (3.11)) and second variation of
+    /// the gap (5.7).
+    /// @param patch slave face in the current configuration; @param rest in the reference
+    /// configuration
+    /// @param stiffness E/h of the slave cell [force/length^3]
     template <int dim>
     ContactPoint<dim>
     contact_point(const FacePatch<dim>   &patch,
@@ -75,9 +83,10 @@ namespace Signorini
       return point;
     }
 
-    /// The mean of both bodies' stresses whose bound is the smallest: they count by the inverse of
-    /// their bounds, so that a stiff body does not matter beside a soft one, whichever is the slave
-    /// (Annavarapu, Hautefeuille, Dolbow, Comput. Methods Appl. Mech. Engrg. 225-228 (2012) 44-54).
+    /// Set the rows of the normal stress, the mean of both bodies' stresses whose bound is the
+    /// smallest: each is weighted with the inverse of its bound (doc/theory, (2.13)), so that a
+    /// stiff body has no influence beside a soft one, whichever is the slave. The weight of the
+    /// slave is 1 against a rigid obstacle and in the unbiased form.
     template <int dim>
     void
     set_stress(const SparseRow             &own,
@@ -107,8 +116,10 @@ namespace Signorini
       point.bound             = share * own_bound;
     }
 
-    /// Set the stress rows of a point from Cauchy stresses, multiplied by the current area per
-    /// reference area of the slave, since contact pressures act on reference areas.
+    /// Set the normal stress at finite strain (doc/theory, (6.13)): the weighted mean of the Cauchy
+    /// stresses, multiplied by the area ratio j of the slave, since contact pressures act on
+    /// reference areas. Its linearisation is j ds + s dj (6.14); the offset makes it exact at the
+    /// present displacement.
     template <int dim>
     void
     set_cauchy_stress(const CauchyStress          &own,
@@ -126,9 +137,11 @@ namespace Signorini
                  point);
       const double share = point.bound / (own.stiffening * own_bound),
                    value = share * own.value + (1 - share) * master_point.stress_value;
+      // j times the derivative of the stress ...
       for (SparseRow *row : {&point.stress, &point.volumetric_stress})
         for (auto &entry : *row)
           entry.second *= own.ratio;
+      // ... plus the stress times the derivative of j.
       for (const auto &[index, entry] : own.ratio_row)
         point.stress.emplace_back(index, value * entry);
       sum_duplicates(point.stress);
@@ -137,7 +150,8 @@ namespace Signorini
         value * (own.ratio_offset - own.ratio);
     }
 
-    /// The current area per reference area at a point of the slave.
+    /// The current area per reference area at a point of the slave, the ratio of the Jacobians of
+    /// the face; axisymmetric: times that of the circumferences, except on the axis.
     template <int dim>
     double
     stretch(const Model           model,
@@ -151,9 +165,9 @@ namespace Signorini
                along;
     }
 
-    /// The circumference 2 pi r at a point in axisymmetric models, otherwise 1. For nodes it is the
-    /// mean weighted by the shape function, of degree k, so that a node on the axis has an area
-    /// too.
+    /// The circumference 2 pi r at a point in axisymmetric models, otherwise 1. With nodal
+    /// quadrature it is the mean of 2 pi r weighted with the shape function of the node, of degree
+    /// k, so that a node on the axis has an area as well (doc/theory, 3.2).
     template <int dim>
     double
     circumference(const Elasticity<dim> &elasticity,
@@ -225,6 +239,8 @@ namespace Signorini
     const InitialGap<dim> initial_gap(pair);
     std::optional<NormalStress<dim>> of_body;
     std::optional<SurfaceLoads<dim>> loads;
+    // Stresses of the slave cells and loads on their faces are evaluated only for methods that use
+    // them.
     if (with_stress)
       {
         of_body.emplace(configuration);
@@ -234,7 +250,8 @@ namespace Signorini
       {
         const auto &[cell, face] = slave.faces[paired.face];
         const auto &rest         = slave.rest[paired.face];
-        const bool  is_new       = result.empty() || result.back().face != paired.face;
+        // Points are sorted by faces: what depends on the face is computed once for each.
+        const bool is_new = result.empty() || result.back().face != paired.face;
         if (is_new)
           {
             trace.reinit(cell, face);
@@ -254,11 +271,15 @@ namespace Signorini
           }
         point.weight *=
           circumference(elasticity, rest, paired.xi, integration, cell->get_fe().degree);
+        // The gap has two parts: the reference gap, which settings of the pair may change, and its
+        // decrease since.
         if (!reference_gaps.empty())
           {
             point.gap_decrease = reference_gaps[result.size() - 1] - point.gap;
             point.gap          = reference_gaps[result.size() - 1];
           }
+        // What the settings prescribe beyond the geometry is kept, for comparison with true gaps
+        // later.
         const double of_geometry = point.gap;
         point.gap                = initial_gap(point.position, elasticity.time(), of_geometry);
         point.prescribed_gap     = point.gap - of_geometry;
@@ -286,7 +307,8 @@ namespace Signorini
                    paired.master_point,
                    method.unbiased(),
                    point);
-        // Of sigma n, contact bears what loads do not.
+        // Contact carries the part of sigma n that surface loads do not: the loads of both sides
+        // are subtracted with the weights of the mean.
         const double share  = point.bound / bound(stress, paired.face);
         point.stress_offset = -share * (paired.master_point.normal * load.on(n)) +
                               (1 - share) * paired.master_point.stress_offset;

@@ -17,6 +17,7 @@ namespace Signorini
     std::vector<EdgeContactPoint<dim>> edge_points;
     for (std::size_t i = 0; i < paired.size(); ++i)
       {
+        // The trace is evaluated once for each slave face, by which the points are sorted.
         const PairedPoint<dim> &point = paired[i];
         if (i == 0 || point.face != paired[i - 1].face)
           trace.reinit(slave.faces[point.face].first, slave.faces[point.face].second);

@@ -15,10 +15,11 @@ namespace Signorini
 
   namespace
   {
+    /// Contact points with the contact force at each of them [force].
     template <int dim>
     using LoadedContactPoints = std::vector<std::pair<const ContactPoint<dim> *, double>>;
 
-    /// A place on the master as far as it is asked for here.
+    /// Gap [length] and unit normal at the projection of a point.
     template <int dim>
     struct Facing
     {
@@ -45,7 +46,8 @@ namespace Signorini
       return result;
     }
 
-    /// The projections of loaded points on the master body. Collective.
+    /// The projections of loaded points on the master body in the displaced configuration, within
+    /// one slave face; empty where there is none. Collective.
     template <int dim>
     std::vector<std::optional<Facing<dim>>>
     on_body(const Configuration<dim>       &now,
@@ -84,8 +86,8 @@ namespace Signorini
       return result;
     }
 
-    /// Nodes at the rims of a slave and a master that are flush lose their projection with the
-    /// slightest slide.
+    /// True if a point is at the rim of its face. Nodes at the rims of a slave and a master that
+    /// are flush lose their projection with the slightest sliding; they do not count as lost.
     template <int dim>
     bool
     is_on_rim(const Point<dim - 1> &xi)
@@ -99,6 +101,8 @@ namespace Signorini
 
 
 
+  // Mean square of the errors of gap and normal over the contact force, and from them the change of
+  // the pressure (doc/theory, (5.21)). All sums are over all ranks.
   template <int dim>
   GeometryChange
   geometry_change(const Configuration<dim>  &now,
@@ -107,6 +111,8 @@ namespace Signorini
                   const ContactSurface<dim> &surface,
                   const std::vector<double> &forces)
   {
+    // Only points under pressure, on faces of the pair's own slave: an unbiased method has the
+    // others too.
     const MPI_Comm           comm = now.elasticity().mesh().communicator();
     LoadedContactPoints<dim> points;
     for (std::size_t i = 0; i < forces.size(); ++i)
@@ -131,6 +137,7 @@ namespace Signorini
         sums[2] += force * point->stiffness * point->depth;
         if (there[i])
           {
+            // Error of the linearised gap: true gap minus g_0 + B u.
             const double gap = there[i]->gap + point->prescribed_gap - (point->gap + opened[i]);
             sums[3] += force * gap * gap;
             sums[4] += force * (there[i]->normal - point->normal).norm_square();
@@ -141,10 +148,11 @@ namespace Signorini
     Utilities::MPI::sum(sums, comm, sums);
     const double width = std::pow(sums[1], 1. / (dim - 1)), modulus = sums[2] / sums[0],
                  pressure = sums[0] / sums[1];
-    // What rounding presses bends nothing.
+    // A pressure that is rounding beside the modulus does not measure anything.
     if (pressure < std::numeric_limits<double>::epsilon() * modulus)
       return {};
-    // Points at rims lose their projection at once, and pressures are largest there.
+    // Points at rims lose their projection at once, although pressures are largest there: a small
+    // share of the force is disregarded.
     constexpr double at_rims = 0.02;
     GeometryChange   result;
     result.gap      = std::sqrt(sums[3] / sums[0]);

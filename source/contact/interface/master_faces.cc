@@ -12,7 +12,10 @@ namespace Signorini
 
   namespace
   {
-    /// Completes projections on the faces of a body by its shape functions, stiffness and stress.
+    /// Completes projections on the faces of a body by what depends on the cell behind: shape
+    /// functions, stiffness E/h, reference position, second variation of the gap, and the normal
+    /// stress with its bound. Keeps a copy of the faces; state of the last cell is reused for the
+    /// next point.
     template <int dim>
     class BodyBehind
     {
@@ -39,6 +42,8 @@ namespace Signorini
           }
       }
 
+      /// @param i number of the face; @param xi parameter of the projection, whose position, normal
+      /// and distance are set
       void
       operator()(const unsigned int     i,
                  const Point<dim - 1>  &xi,
@@ -58,6 +63,8 @@ namespace Signorini
             second_variation_of_master(boundary.patches[i], xi, master_point.normal);
         if (!stress)
           return;
+        // The contact normal points out of the master, so that the stress of the master, positive
+        // in compression, is -n . sigma N (doc/theory, (2.12)).
         stress->reinit(cell);
         const Point<dim>      place   = unit_point<dim>(face, xi);
         const Tensor<1, dim> &n       = master_point.normal;

@@ -72,16 +72,19 @@ namespace Signorini
     for (unsigned int i = 0; i < slave.size(); ++i)
       for (unsigned int q = 0; q < rule.size(); ++q)
         {
-          const Point<dim - 1>    &xi                = rule.point(q);
-          const Point<dim>         x                 = slave[i].position(xi);
+          const Point<dim - 1> &xi = rule.point(q);
+          const Point<dim>      x  = slave[i].position(xi);
+          // A point takes part if it is near enough and faces the obstacle.
           const ObstaclePoint<dim> point_on_obstacle = configuration.closest(obstacle, pose, x);
           if (std::abs(point_on_obstacle.gap) > search_radius(slave[i], limit) ||
               !faces_each_other(slave[i].normal(xi), point_on_obstacle.normal))
             continue;
           PairedPoint<dim> point{i, xi, rule.weight(q) * slave[i].jacobian(xi), {}};
-          point.master_point.position  = x - point_on_obstacle.gap * point_on_obstacle.normal;
-          point.master_point.normal    = point_on_obstacle.normal;
-          point.master_point.distance  = std::abs(point_on_obstacle.gap);
+          point.master_point.position = x - point_on_obstacle.gap * point_on_obstacle.normal;
+          point.master_point.normal   = point_on_obstacle.normal;
+          point.master_point.distance = std::abs(point_on_obstacle.gap);
+          // An obstacle is rigid: infinite stiffness in series, infinite bound of the stress, so
+          // that the slave alone determines both.
           point.master_point.stiffness = std::numeric_limits<double>::infinity();
           point.master_point.bound     = std::numeric_limits<double>::infinity();
           point.master_point.rigid =

@@ -17,7 +17,9 @@ namespace Signorini
   {
     constexpr double covered_once = 1 + 1e-4; // of its area; the rest is the error of quadrature
 
-    // The same points on each face of a list.
+    /// The points of a rule on whole slave faces, weighted with the Jacobian of the face, without a
+    /// former master face.
+    /// @param faces numbers of the faces on this rank
     template <int dim>
     std::vector<FixedIntegrationPoint<dim>>
     make_integration_point(const std::vector<FacePatch<dim>> &slave,
@@ -32,6 +34,9 @@ namespace Signorini
       return points;
     }
 
+    /// Pair given integration points with the closest points of the master that face them. The
+    /// radius is that of the largest face of all ranks, so that all of them take part in the same
+    /// search. Points without a projection are dropped. Collective.
     template <int dim>
     std::vector<PairedPoint<dim>>
     pair_by_projection(const SlaveSide<dim>                          &slave,
@@ -75,8 +80,11 @@ namespace Signorini
       return points;
     }
 
-    // Of points beside their projection's face the projection that is closest, if that is another
-    // one.
+    /// Points of segments that lie beside the face of their segment get the closest point of the
+    /// whole master surface instead, if that is on another face and closer: otherwise the edge of
+    /// the first face would be the projection of many points. On a self-contact surface only points
+    /// within four faces of their projection are moved, since any other part of the surface would
+    /// be in the range. Collective; returns on all ranks at once if no rank has such points.
     template <int dim>
     void
     move_to_closest(const SlaveSide<dim>          &slave,
@@ -114,8 +122,8 @@ namespace Signorini
           beside_faces[i]->master_point = std::move(*master_points[i]);
     }
 
-    // Points of one face one after the other, in the order that they were found in. Numbers are
-    // sorted, since points are large.
+    /// Stable sort of points by slave faces. The order is found by sorting numbers, and each point
+    /// is then moved once, since points are large.
     template <int dim>
     std::vector<PairedPoint<dim>>
     sorted_by_faces(std::vector<PairedPoint<dim>> &&points)
@@ -132,6 +140,8 @@ namespace Signorini
       return sorted;
     }
 
+    /// The areas of the faces [length^(dim-1)], integrated with two Gauss points more than the
+    /// degree of the geometry in each direction.
     template <int dim>
     std::vector<double>
     areas_of(const std::vector<FacePatch<dim>> &faces)
@@ -150,7 +160,8 @@ namespace Signorini
       return areas;
     }
 
-    // Faces that points cover more than once, one layer over the other.
+    /// Numbers of the faces whose points have a total weight of more than the area of the face:
+    /// several layers of master faces lie within the limit.
     template <int dim>
     std::vector<unsigned int>
     covered_twice(const std::vector<double> &areas, const std::vector<PairedPoint<dim>> &points)
@@ -165,7 +176,8 @@ namespace Signorini
       return faces;
     }
 
-    // Remove the points of these faces that are farther away than `most` of their face.
+    /// Remove the points of some faces that are farther from the master than a distance.
+    /// @param most largest distance by face [length]
     template <int dim>
     void
     remove_points(const std::vector<unsigned int> &faces,
@@ -184,9 +196,11 @@ namespace Signorini
                    points.end());
     }
 
-    // Faces that segments cover more than once: remove the points that are farther away by a face
-    // than the nearest one, a layer behind the first one; if that is not enough, all of their
-    // points. Returns the latter faces, which have to be paired by projection.
+    /// Resolve faces that segments cover more than once (doc/theory, 3.3). First the points that
+    /// are farther away by a face size than the nearest point of the face are removed, which belong
+    /// to a layer behind the first one; if the face is still covered more than once, all of its
+    /// points are.
+    /// @return numbers of the latter faces, which are to be paired by projection
     template <int dim>
     std::vector<unsigned int>
     remove_overcovered(const std::vector<FacePatch<dim>> &slave,
@@ -235,6 +249,8 @@ namespace Signorini
     const Quadrature<dim - 1> rule   = face_rule<dim>(integration);
     std::vector<unsigned int> faces(slave.patches.size());
     std::iota(faces.begin(), faces.end(), 0);
+    // Segments first; their result leaves in `faces` only those to be paired by projection of Gauss
+    // points.
     if (integration.rule == Rule::segments)
       {
         pairing = pair_by_segments(slave, master, integration, limit, comm, statistics);
@@ -249,7 +265,8 @@ namespace Signorini
                                             comm,
                                             statistics))
         points.push_back(std::move(point));
-    if (!slave.rest) // what is beyond a body itself is left out already
+    if (!slave.rest) // On self-contact surfaces, cannot_self_contact() has excluded points beyond
+                     // the body itself already.
       drop_spurious_penetrations(slave.patches, master, comm, statistics, points);
     keep_near_faces(slave.patches, limit, points);
     points = sorted_by_faces(std::move(points));

@@ -13,6 +13,8 @@ namespace Signorini
 
   namespace
   {
+    /// The gaps of slave points to a deformable master in the reference configuration [length]; NaN
+    /// without a projection. Collective.
     template <int dim>
     std::vector<double>
     gaps_of_bodies(const Elasticity<dim>               &elasticity,
@@ -71,6 +73,7 @@ namespace Signorini
     else
       for (const PairedPoint<dim> &point : paired)
         gaps.push_back(obstacle->shape->closest(slave.rest[point.face].position(point.xi)).gap);
+    // Drop points without a reference gap, in both lists alike.
     std::size_t n = 0;
     for (std::size_t i = 0; i < paired.size(); ++i)
       if (std::isfinite(gaps[i]))

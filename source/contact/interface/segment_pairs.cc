@@ -22,8 +22,10 @@ namespace Signorini
   {
     constexpr double beside = 1e-3; // a face, in units of its diameter
 
-    // Of degree 2 n - 1 at least on triangles, but for n = 2: products of two bilinear functions
-    // are integrated by three points as well as the constant pressure of a patch test needs it.
+    /// Quadrature rule on a segment, with positive weights. Its degree is at least 2 n - 1 on
+    /// triangles; for n = 2 the rule of degree 2 with three points suffices, since it integrates
+    /// products of two bilinear functions as exactly as the constant pressure of a patch test
+    /// needs.
     template <int dim>
     Quadrature<dim - 1>
     segment_rule(const unsigned int n)
@@ -35,6 +37,9 @@ namespace Signorini
       return QWitherdenVincentSimplex<dim - 1>(n);
     }
 
+    /// True if a face is far from a parallelogram: its bilinear term exceeds a fifth of its
+    /// diameter. Then the inverse maps of segments are far from linear, and segments get a rule of
+    /// higher degree.
     template <int dim>
     bool
     is_distorted(const FacePatch<dim> &face)
@@ -55,16 +60,18 @@ namespace Signorini
     struct SegmentRules
     {
       Quadrature<dim - 1> usual, distorted;
-      unsigned int        on_edges; ///< points
+      /// Number of points on each straight piece of a segment edge.
+      unsigned int on_edges;
     };
 
-    // A slave face on its way to the master's faces.
+    /// A slave face as it is sent to the ranks of master faces near it.
     template <int dim>
     struct TravellingFace
     {
       FacePatch<dim> patch;
       unsigned int   number; // on its own rank
-      FacePatch<dim> rest;   // where it was, if the master is the same surface
+      // Geometry in the reference configuration if slave and master are the same surface.
+      FacePatch<dim> rest;
 
       template <class Archive>
       void
@@ -83,6 +90,7 @@ namespace Signorini
                  std::make_move_iterator(more.end()));
     }
 
+    /// The part of v that is perpendicular to a unit normal.
     template <int dim>
     Tensor<1, dim>
     tangential_part(const Tensor<1, dim> &v, const Tensor<1, dim> &normal)
@@ -90,6 +98,9 @@ namespace Signorini
       return v - (v * normal) * normal;
     }
 
+    /// Closest point of a face by the projected Newton method from a given start; project() with
+    /// its grid of starts where that does not converge. tangential_offset is set by the latter
+    /// only.
     template <int dim>
     Projection<dim>
     project_from(const Point<dim> &x, const FacePatch<dim> &face, const Point<dim - 1> &start)
@@ -104,7 +115,8 @@ namespace Signorini
       return result;
     }
 
-    // Segments of slave faces with the master faces of this rank.
+    /// Computes the segments of slave faces, of this rank or another, with the master faces of this
+    /// rank. Master faces are found by an R-tree of their boxes. Refers to its arguments.
     template <int dim>
     class LocalSegments
     {
@@ -130,6 +142,9 @@ namespace Signorini
         return faces.extent();
       }
 
+      /// Append the points of all segments of a slave face: of each master face whose box meets
+      /// that of the slave face extended by the search radius, the segments with each facet, their
+      /// quadrature points and, in displaced configurations, the points of segment edges.
       void
       find(const TravellingFace<dim> &slave, Pairing<dim> &found)
       {
@@ -152,6 +167,10 @@ namespace Signorini
       }
 
     private:
+      /// Project a point of a segment onto the master face of the segment, starting at the
+      /// parameter that the segment has there; nothing if the projection is beyond the search
+      /// radius, if the surfaces do not face each other, or if they cannot touch as parts of the
+      /// same surface.
       std::optional<PairedPoint<dim>>
       paired(const TravellingFace<dim> &slave,
              const unsigned int         face,
@@ -191,6 +210,10 @@ namespace Signorini
                                                    master.rest[face].diameter());
       }
 
+      /// Add a point of a segment edge with its second variation of the gap (doc/theory, (5.8)), if
+      /// the surface continues behind that side of the master face and the point is close enough to
+      /// carry pressure. At the rim of the master surface the domain of contact ends for good and
+      /// the term is omitted.
       void
       add_edge_points(const TravellingFace<dim>     &slave,
                       const unsigned int             face,
@@ -200,6 +223,8 @@ namespace Signorini
         constexpr double steepest = 10; // way along the slave's normal over the distance
         if (!master.inner_sides[face][point.side])
           return;
+        // Reject far points by a lower bound of their distance before the projection, which is the
+        // expensive part.
         const FacePatch<dim> &patch = master.patches[face];
         if (!may_carry_pressure(
               slave.patch.position(point.slave).distance(patch.position(point.master)) / steepest,
@@ -244,11 +269,14 @@ namespace Signorini
                                  i,
                                  slave.rest ? (*slave.rest)[i] : FacePatch<dim>()};
     };
+    // Faces of this rank with master faces of this rank need no communication.
     for (unsigned int i = 0; i < slave.patches.size(); ++i)
       segments.find(travelling(i), pairing);
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
       return pairing;
 
+    // Slave faces are sent to the ranks whose box of master faces meets their own extended box;
+    // points return. Two exchanges between neighbours.
     const auto                    ranks = Utilities::MPI::all_gather(comm, segments.extent());
     std::vector<BoundingBox<dim>> boxes;
     for (const FacePatch<dim> &face : slave.patches)

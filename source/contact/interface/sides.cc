@@ -17,8 +17,8 @@ namespace Signorini
   bool
   Sides::should_be_exchanged() const
   {
-    // Of alike bodies the finer one follows a small contact zone better, whatever its pressure
-    // does.
+    // Between bodies of similar modulus the finer side stays the slave, since it resolves a small
+    // contact area better, whatever the error of its pressure.
     constexpr double much_stiffer = 4;
     return modulus > much_stiffer &&
            pressure_error() > 2 * std::max(1., exchanged().pressure_error());

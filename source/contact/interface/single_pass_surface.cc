@@ -30,6 +30,7 @@ namespace Signorini
 
   namespace
   {
+    /// True if a point on this rank has a multiplier shape function.
     template <int dim>
     bool
     has_shapes(const std::vector<ContactPoint<dim>> &points)
@@ -39,6 +40,7 @@ namespace Signorini
       });
     }
 
+    /// Throws SceneError on all ranks if a prescribed gap is not a finite number. Collective.
     template <int dim>
     void
     check_gaps(const ContactPair<dim>               &pair,
@@ -66,6 +68,7 @@ namespace Signorini
         throw SolverFailure("cells at a contact surface are inverted; use smaller load steps");
     }
 
+    /// The largest penetration of all points of all ranks [length], at least zero. Collective.
     template <int dim>
     double
     deepest_overlap(const std::vector<ContactPoint<dim>> &points, const MPI_Comm comm)
@@ -90,6 +93,8 @@ namespace Signorini
                          "; set a larger Search distance, or move the bodies apart");
     }
 
+    /// Throws SceneError on all ranks if an obstacle given by a formula of the gap is used in a
+    /// displaced configuration although the formula is no distance from its surface. Collective.
     template <int dim>
     void
     check_obstacle(const Configuration<dim> &configuration,
@@ -112,8 +117,9 @@ namespace Signorini
           "x^2/20 for Normal = 0, 1, or set Contact method/Contact geometry = reference");
     }
 
-    /// Set the offset that makes the linearised gap exact in the displaced configuration: minus the
-    /// decrease of the gap, minus row() . u.
+    /// Set the offset delta of the linearised gap g = B u + g_ref + delta, so that it is exact at
+    /// the displacement u of the configuration (doc/theory, (5.2)): delta = (g_true - g_ref) - B u.
+    /// Collective.
     template <int dim>
     void
     set_gap_offset(const LA::Vector &u, std::vector<ContactPoint<dim>> &points)
@@ -126,6 +132,9 @@ namespace Signorini
         points[i].gap_offset = -points[i].gap_decrease - opened[i];
     }
 
+    /// The construction of a ContactSurface, in the order of make(): search radius, skipping of
+    /// distant pairs, partition of self-contact surfaces, projections, contact points, candidates,
+    /// linearisation, multiplier shape functions. Refers to its arguments; make() is called once.
     template <int dim>
     class SinglePassSurface
     {
@@ -157,6 +166,7 @@ namespace Signorini
                                               range.candidate_gap;
       }
 
+      /// Build the surface. Collective: each of the decisions below is the same on all ranks.
       ContactSurface<dim>
       make()
       {
@@ -173,11 +183,13 @@ namespace Signorini
           self = split();
         find_master_projections();
         make_points();
+        // From here on the candidates only: points of faces whose gap is small enough.
         choose_points();
         if (!at_rest)
           set_gap_offset(configuration.displacement(), surface.points);
         if (method.uses_slip())
           surface.frames = surface_frames(slave, paired);
+        // Mesh sizes and moduli of both sides, for the choice of the slave.
         compare(elasticity, slave, paired, obstacle, surface);
         surface.is_apart = Utilities::MPI::sum(surface.points.size(), comm) == 0;
         const std::vector<PressureNodes> functions = set_shapes();
@@ -189,14 +201,18 @@ namespace Signorini
       }
 
     private:
-      /// Up to which distance projections are looked for.
+      /// The search radius [length]. In displaced configurations, and where motions are known from
+      /// an earlier solution (SearchTolerance::is_final), it is the larger of the two given
+      /// tolerances. Otherwise it is the candidate gap, at most the search radius of the pair; if
+      /// the surfaces penetrate each other deeper than that, 1.1 times the deepest penetration.
       double
       find_limit(const SearchTolerance &range) const
       {
         if (!at_rest || range.is_final)
           return std::max(range.candidate_gap, range.limit);
-        // Points of pairs that never separate have to stay together from afar, and those whose gap
-        // a formula tells may be anywhere.
+        // The points of pairs without separation have to be found at any distance up to the search
+        // distance, and so do those of pairs whose gap is given by a formula, since it does not
+        // depend on the distance of the surfaces.
         const double farthest = search_radius_of_pair(elasticity, pair, range.candidate_gap),
                      first    = pair.can_separate && !pair.gap_is_given() ?
                                   std::min(range.candidate_gap, farthest) :
@@ -206,6 +222,8 @@ namespace Signorini
         return overlap > 0 ? 1.1 * overlap : first;
       }
 
+      /// The master faces on this rank, with inner sides where segment edges contribute to the
+      /// geometric stiffness.
       MasterFaces<dim>
       master() const
       {
@@ -228,7 +246,8 @@ namespace Signorini
       split() const
       {
         if (!has_fixed_points)
-          // Not the limit, which depends on what was before.
+          // The radius must not be the limit of this search, which depends on earlier solutions:
+          // the partition would then depend on the history.
           return {slave, elasticity.rotation_length_scale() / 5, pair.self_side, comm};
         std::vector<bool> has_points(slave.faces.size(), false);
         for (const FixedIntegrationPoint<dim> &point : fixed_points)
@@ -236,11 +255,13 @@ namespace Signorini
         return SelfContact<dim>(has_points);
       }
 
+      /// Project all points, with the search distance of the pair as radius if the smaller one
+      /// yields no projection at all: the pair then has candidates anyway, for messages and checks.
       void
       find_master_projections()
       {
         pair_within_limit();
-        // Is there nothing within the search distance, if what moves does not come so far?
+        // Collective decision: no rank has found any projection within the limit.
         if (at_rest && !is_far && pair.search_distance > limit &&
             Utilities::MPI::sum(paired.size(), comm) == 0)
           {
@@ -249,6 +270,8 @@ namespace Signorini
           }
       }
 
+      /// Pair slave points with the obstacle, with the integration points of an earlier search, or
+      /// with the master by new ones, and drop points of negligible weight. Collective.
       void
       pair_within_limit()
       {
@@ -295,6 +318,9 @@ namespace Signorini
         return result;
       }
 
+      /// Make the contact points of all paired points and check them. In displaced configurations
+      /// weights become those of reference areas, and pairs whose settings refer to the reference
+      /// gap get it by a second search in the reference configuration.
       void
       make_points()
       {
@@ -316,6 +342,8 @@ namespace Signorini
       void
       make_integration_points()
       {
+        // Weights of points kept from an earlier search refer to reference areas already; those on
+        // obstacles are computed anew each time.
         if (!has_fixed_points || obstacle)
           weigh_by_reference_area(slave, paired);
         surface.fixed_points = fixed_points;
@@ -328,6 +356,8 @@ namespace Signorini
                {point.master_point.face_center, point.master_point.size}});
       }
 
+      /// Reduce the points to candidates. The candidate gap is at least twice the deepest
+      /// penetration, so that points around a penetration that the solution resolves remain.
       void
       choose_points()
       {
@@ -341,6 +371,9 @@ namespace Signorini
           keep_candidates(surface.candidate_gap, slave, paired, surface.points);
       }
 
+      /// Set the multiplier shape functions of points and segment edge points. Throws SceneError if
+      /// all nodes of a face have a prescribed normal displacement, so that no multiplier can act
+      /// there. Collective.
       std::vector<PressureNodes>
       set_shapes()
       {
@@ -359,6 +392,8 @@ namespace Signorini
           std::count_if(functions.begin(), functions.end(), [](const PressureNodes &face) {
             return face.covered > 0 && face.own.empty();
           });
+        // Against an obstacle, faces without any multiplier are admissible as long as other faces
+        // have some.
         const bool some_prescribed = Utilities::MPI::max(n_prescribed, comm) > 0,
                    some_free = Utilities::MPI::max(has_shapes(surface.points) ? 1 : 0, comm) > 0;
         if (some_prescribed && (!obstacle || !some_free))

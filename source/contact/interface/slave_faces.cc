@@ -18,6 +18,7 @@ namespace Signorini
   {
     std::vector<SlaveFace<dim>> result(slave.faces.size());
     Trace<dim>                  trace(elasticity);
+    // Each face that has points is completed at its first point.
     for (const ContactPoint<dim> &point : points)
       if (SlaveFace<dim> &face = result[point.face]; face.degree == 0)
         {
@@ -28,6 +29,8 @@ namespace Signorini
           const unsigned int k = face.degree = cell->get_fe().degree;
           for (const Point<dim - 1> &xi : face_lattice<dim>(k))
             {
+              // At a node of the face one shape function is one and the others zero: its index is
+              // that of the largest value.
               const SparseRow shape = trace.unresolved_shape(xi);
               face.nodes.push_back(
                 std::max_element(shape.begin(), shape.end(), [](const auto &a, const auto &b) {
@@ -38,7 +41,8 @@ namespace Signorini
                   xi));
               const auto &own   = functions[point.face].own;
               const bool is_own = std::find(own.begin(), own.end(), face.nodes.back()) != own.end();
-              // Of faces whose nodes are prescribed, all of them or none.
+              // If all nodes of a face are prescribed, none of them counts as being without
+              // pressure.
               face.without_pressure.push_back(!is_own && !own.empty());
               face.under_covered.push_back(
                 face.without_pressure.back() &&
@@ -67,6 +71,8 @@ namespace Signorini
   std::vector<std::pair<SparseRow, double>>
   full_face_shape_functions(const Elasticity<dim> &elasticity, const BoundaryFaces<dim> &slave)
   {
+    // Gauss quadrature of the whole reference area of each face, which is exact for the products of
+    // shape functions on parallelograms.
     std::vector<std::pair<SparseRow, double>> result;
     Trace<dim>                                trace(elasticity);
     for (unsigned int i = 0; i < slave.faces.size(); ++i)

@@ -11,7 +11,8 @@ namespace Signorini
 
   namespace
   {
-    // One of 3^dim, by the signs of the components that are not small.
+    /// Class of a normal, one of 3^dim by the signs of those components that are not small (below
+    /// sin 22.5 degrees). Points of one class are parts of one side of a body.
     template <int dim>
     unsigned int
     direction(const Tensor<1, dim> &normal)
@@ -34,6 +35,8 @@ namespace Signorini
                              SearchStatistics                  &statistics,
                              std::vector<PairedPoint<dim>>     &points)
   {
+    // Points that are deeper than a hundredth of their face; the others are taken for true
+    // penetrations.
     constexpr double         shallow = 0.01; // in diameters of the slave face: taken for true
     std::vector<std::size_t> numbers;
     std::vector<Point<dim>>  positions;
@@ -54,14 +57,21 @@ namespace Signorini
       Utilities::MPI::max(ways.empty() ? 0. : *std::max_element(ways.begin(), ways.end()), comm);
     if (farthest == 0)
       return;
+    // Depth of these points inside of the body, by the closest point of any orientation; one more
+    // search, for these points only.
     const std::vector<double> depth = depths(positions, master, farthest, comm, &statistics);
-    std::vector<double>       way_out(Utilities::fixed_power<dim>(3u), 0.); // of each direction
+    // The largest way out, by class of the normal, among the points whose projection is about the
+    // shortest way out.
+    std::vector<double> way_out(Utilities::fixed_power<dim>(3u), 0.); // of each direction
     for (std::size_t i = 0; i < numbers.size(); ++i)
       if (double &way = way_out[direction(points[numbers[i]].master_point.normal)];
           depth[i] >= ways[i] / 2)
         way = std::max(way, ways[i]);
     Utilities::MPI::max(way_out, comm, way_out);
 
+    // Spurious are points outside of the body, and points whose way is more than twice that of
+    // their class: for them the face of the projection is not the side through which they have
+    // entered.
     std::vector<bool> is_false(points.size(), false);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       is_false[numbers[i]] =

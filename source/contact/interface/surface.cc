@@ -12,8 +12,10 @@ namespace Signorini
 
   namespace
   {
-    /// Add the points that an unbiased method has on the master, with normals out of the pair's
-    /// master.
+    /// Append the points that the unbiased form of Nitsche's method has on the master
+    /// (doc/theory, 2.7): each surface is the slave of the other with half of the area weights.
+    /// Normals are reversed so that all of them point out of the pair's master; faces of the other
+    /// side are numbered after those of the slave.
     template <int dim>
     void
     add_other_side(ContactSurface<dim> &surface, const ContactSurface<dim> &other)
@@ -70,6 +72,7 @@ namespace Signorini
 
 
   template <int dim>
+  // Sums of the weights of contact points over the area of all slave faces, over all ranks.
   double
   covered_share(const ContactSurface<dim> &surface, const MPI_Comm comm)
   {

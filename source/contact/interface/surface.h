@@ -49,17 +49,21 @@ namespace Signorini
     /// Unit vector along which the gap opens: the normal out of the face that is the master of this
     /// point. Where an unbiased method exchanges the roles of the surfaces, that face belongs to
     /// the slave of the pair.
-    dealii::Tensor<1, dim>  direction;
-    FaceShapeFunctions<dim> slave, master; ///< of displacements; obstacles have none
+    dealii::Tensor<1, dim> direction;
+    /// Displacement shape functions of the slave and of the master at the point and its projection,
+    /// hanging nodes condensed; the master's are empty for obstacles.
+    FaceShapeFunctions<dim> slave, master;
     /// For obstacles: the displacement along `direction`, over rigid-body degrees of freedom.
     SparseRow rigid;
     /// The multiplier shape functions at the point: (first degree of freedom of the node, value),
     /// hanging nodes condensed. For pointwise methods these are the trace shape functions of the
     /// slave.
-    SparseRow    multiplier_shape;
-    SparseRow    interpolation; ///< of a pressure in the dual basis; empty: `multiplier_shape`
-    unsigned int face;          ///< number of the slave face on this rank
-    dealii::Point<dim - 1> xi;  ///< parameters of the point on the slave face, in [0,1]
+    SparseRow multiplier_shape;
+    /// Shape functions by which a pressure in the dual basis is evaluated, in the standard basis;
+    /// empty if both are the same, then `multiplier_shape`.
+    SparseRow              interpolation;
+    unsigned int           face; ///< number of the slave face on this rank
+    dealii::Point<dim - 1> xi;   ///< parameters of the point on the slave face, in [0,1]
 
     // For methods that predict the pressure by the stress of the bodies:
     /// Weighted normal stress of both bodies per reference area, positive in compression.
@@ -115,7 +119,9 @@ namespace Signorini
   template <int dim>
   struct EdgeContactPoint
   {
-    double                  weight; ///< reference area that an outward shift of the edge by 1 adds
+    /// Reference area that an outward shift of the edge by 1 adds [length^(dim-1) per length].
+    double weight;
+    /// Displacement shape functions at the point, as those of a ContactPoint.
     FaceShapeFunctions<dim> slave, master;
     GapSecondVariation<dim> second_variation;
     /// Multiplier shape functions at the point, as of a ContactPoint.
@@ -184,27 +190,36 @@ namespace Signorini
   template <int dim>
   struct ContactSurface
   {
-    std::vector<ContactPoint<dim>> points; ///< face by face
+    /// The contact points of the faces of this rank, sorted by face.
+    std::vector<ContactPoint<dim>> points;
     /// The frames of the points and of the segment edge points, in their order. Empty unless
     /// ContactMethod::uses_slip().
-    std::vector<SurfaceFrame<dim>>     frames, edge_point_frames;
+    std::vector<SurfaceFrame<dim>> frames, edge_point_frames;
+    /// The points of segment edges; set in displaced configurations with integration by segments.
     std::vector<EdgeContactPoint<dim>> edge_points;
     /// (multiplier shape functions, weight) at quadrature points of whole slave faces, with or
     /// without projection: the integrals that the nodes would have if the master covered every
     /// slave face.
     std::vector<std::pair<SparseRow, double>> full_face_shapes;
-    std::vector<SlaveFace<dim>>               slave_faces; ///< by their numbers
+    /// The nodes of each slave face, indexed by the number of the face; default entries for faces
+    /// without points.
+    std::vector<SlaveFace<dim>> slave_faces;
     /// True if any node on any rank has no multiplier because its normal displacement is
     /// prescribed.
-    bool             has_dirichlet_nodes = false;
+    bool has_dirichlet_nodes = false;
+    /// Counters of the search on this rank.
     SearchStatistics statistics;
-    unsigned int     faces = 0;
-    /// Without the faces that unbiased methods add from the pair's master.
-    unsigned int own_faces     = 0;
-    bool         can_separate  = true; ///< as its pair says
-    double       candidate_gap = 0;    ///< faces with larger gaps are no candidates
-    double       overlap       = 0; ///< largest penetration at any point, over all ranks [length]
-    bool         is_apart      = false; ///< true if no face is a candidate for contact, on any rank
+    /// Number of slave faces on this rank, with those that unbiased methods add from the pair's
+    /// master.
+    unsigned int faces = 0;
+    /// Number of slave faces of the pair's slave alone.
+    unsigned int own_faces = 0;
+    /// False for pairs without separation (bilateral contact).
+    bool can_separate = true;
+    /// Faces with larger gaps are no candidates [length].
+    double candidate_gap = 0;
+    double overlap       = 0;     ///< largest penetration at any point, over all ranks [length]
+    bool   is_apart      = false; ///< true if no face is a candidate for contact, on any rank
     /// True if no point has a projection within the search radius.
     bool has_no_projection = false;
     /// Mean diameter of the slave faces with points, weighted by their areas.

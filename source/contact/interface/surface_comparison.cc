@@ -33,7 +33,9 @@ namespace Signorini
           const bool                           is_obstacle,
           ContactSurface<dim>                 &surface)
   {
-    const MPI_Comm      comm = elasticity.mesh().communicator();
+    const MPI_Comm comm = elasticity.mesh().communicator();
+    // Area-weighted means over the paired points of all ranks; of the ratios of moduli and sizes
+    // geometric means, so that exchanging the sides inverts them.
     std::vector<double> sums(5, 0.); // area, size, area off nodes, logarithms of the ratios
     for (const PairedPoint<dim> &point : paired)
       {
@@ -47,6 +49,7 @@ namespace Signorini
                    std::log(slave.modulus(elasticity, point.face) / point.master_point.modulus);
         sums[4] += point.weight * std::log(size / point.master_point.size);
       }
+    // Collective.
     Utilities::MPI::sum(sums, comm, sums);
     if (sums[0] == 0)
       return;

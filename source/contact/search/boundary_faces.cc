@@ -34,6 +34,8 @@ namespace Signorini
   template <int dim>
   BoundaryFaces<dim>::BoundaryFaces(const Configuration<dim> &configuration, const Choice &choice)
   {
+    // Faces of locally owned cells only, in the order of the cells. The current (patches),
+    // reference (rest) and start-of-step geometry have the same order.
     const Elasticity<dim> &elasticity = configuration.elasticity();
     FacePatches<dim>       patch_of(elasticity.mesh());
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
@@ -108,6 +110,7 @@ namespace Signorini
       using Cell = typename Triangulation<dim>::active_cell_iterator;
 
       void
+      /// Add a face: each of its sides, with the halves that finer neighbours have.
       add(const Cell &cell, const unsigned int face)
       {
         for (unsigned int side = 0; side < 2 * (dim - 1); ++side)
@@ -115,6 +118,7 @@ namespace Signorini
             ++count[i];
       }
 
+      /// True if a second face has this side, or a half of it.
       bool
       is_shared(const Cell &cell, const unsigned int face, const unsigned int side) const
       {
@@ -130,6 +134,8 @@ namespace Signorini
       static std::vector<unsigned int>
       with_parts(const Cell &cell, const unsigned int face, const unsigned int side)
       {
+        // The end points of the side in the reference cell, as numbers of vertices: bit d of the
+        // number is the coordinate x_d.
         std::array<unsigned int, dim - 1> ends;
         for (unsigned int i = 0; i < ends.size(); ++i)
           {
@@ -144,6 +150,7 @@ namespace Signorini
           }
         if constexpr (dim == 2)
           return {cell->vertex_index(ends[0])};
+        // In 3D the side is the line of the cell between these two vertices.
         else
           for (const unsigned int l : cell->line_indices())
             {
@@ -172,6 +179,8 @@ namespace Signorini
   std::vector<SidesOfFace<dim>>
   inner_sides(const Mesh<dim> &mesh, const std::string &boundary, const BoundaryFaces<dim> &faces)
   {
+    // Ghost cells are counted too, so that sides on the boundary of a rank's partition are found
+    // without communication.
     const BoundaryIds &ids = mesh.boundary_ids(boundary);
     SharedSides<dim>   sides;
     for (const auto &cell : mesh.triangulation().active_cell_iterators())

@@ -12,7 +12,9 @@ namespace Signorini
 
   namespace
   {
-    /// The locally owned cells with a node on the boundary.
+    /// The locally owned cells with a vertex on the boundary. The vertices of boundary faces are
+    /// collected first, from ghost cells too: a cell may touch the boundary in a vertex or an edge
+    /// only, while its rank is the owner of the node there. Local; one pass over the cells.
     template <int dim>
     std::vector<CellIterator<dim>>
     cells_next_to_boundary(const Elasticity<dim> &elasticity)
@@ -35,9 +37,12 @@ namespace Signorini
       return result;
     }
 
-    /// The reference positions of the nodes on boundaries, as a field in the space of
-    /// displacements: hanging nodes are where the shape functions of their neighbours put them, not
-    /// on the curve between these, so that a rigid motion of all nodes moves them rigidly too.
+    /// The reference positions X_i of the nodes on boundaries, as a vector in the space of
+    /// displacements [length]. Hanging nodes are placed by interpolation along the edge or face of
+    /// the coarser neighbour (by the constraints of the displacement), not on the curved boundary
+    /// between its nodes: X_i is then the interpolant X_h of doc/theory, 5.1, and a rigid motion of
+    /// all nodes moves the face of the shape functions rigidly.
+    /// @return with ghosts; entries of nodes inside of bodies are zero. Collective.
     template <int dim>
     LA::Vector
     positions_of_nodes(const Elasticity<dim> &elasticity)
@@ -65,7 +70,8 @@ namespace Signorini
       Point<dim>                          origin;
       std::array<Tensor<1, dim>, dim - 1> tangents;
 
-      /// The normal; not of unit length.
+      /// The normal, oriented by the parameters of the face; its length is the Jacobian of the
+      /// face.
       Tensor<1, dim>
       normal() const
       {
@@ -76,7 +82,11 @@ namespace Signorini
       }
     };
 
-    /// A vector with the same components by the tangents and the unit normal of another frame.
+    /// The vector c convected from one frame to another: its components c^a along the tangents and
+    /// its component along the unit normal are kept (doc/theory, (5.1)). The components follow from
+    /// the metric A_ab = t_a . t_b as c^a = A^ab (t_b . c), since tangents are in general neither
+    /// orthogonal nor of unit length. A degenerate frame (normal of zero length) leaves c
+    /// unchanged.
     template <int dim>
     Tensor<1, dim>
     carried(const Tensor<1, dim> &c, const Frame<dim> &from, const Frame<dim> &to)
@@ -139,6 +149,9 @@ namespace Signorini
                                       const unsigned int face,
                                       const unsigned int degree) const
   {
+    // Shape functions at the nodes of a face depend on the element, the face and the degree of the
+    // geometry only, so that they are evaluated once for each combination and reused for all faces.
+    // Functions that vanish there with their tangential slopes are left out.
     ShapesAtNodes &result = shapes[{element, face, degree}];
     if (result.empty())
       {
@@ -154,6 +167,8 @@ namespace Signorini
                 double               size  = std::abs(shape.value);
                 for (unsigned int d = 0; d < dim - 1; ++d)
                   {
+                    // The parameters of a face normal to axis a are the axes a + 1 and a + 2,
+                    // cyclically, as in unit_point().
                     shape.slopes[d] = slope[(face / 2 + 1 + d) % dim];
                     size            = std::max(size, std::abs(shape.slopes[d]));
                   }
@@ -175,6 +190,8 @@ namespace Signorini
   {
     if (at_rest)
       return rest;
+    // Both the true surface and the face of the shape functions are polynomials; the displaced face
+    // has the higher of both degrees and is interpolated at its nodes.
     const FiniteElement<dim>            &fe = cell->get_fe();
     const unsigned int                   k  = std::max(rest.get_degree(), fe.degree);
     std::vector<types::global_dof_index> indices;
@@ -183,6 +200,8 @@ namespace Signorini
     auto                    node = shapes_at_nodes(cell->active_fe_index(), face, k).begin();
     for (const Point<dim - 1> &xi : face_lattice<dim>(k))
       {
+        // Origin and tangents of the face X_h of the shape functions in the reference
+        // configuration, and of the displaced one x_h = X_h + u.
         Frame<dim> before, now;
         for (const Shape &shape : *node++)
           for (unsigned int d = 0; d < dim; ++d)
@@ -197,6 +216,7 @@ namespace Signorini
                   now.tangents[a][d] += shape.slopes[a] * (X + of_frames(dof));
                 }
             }
+        // The remainder c = X - X_h of the true surface is convected with the frame.
         nodes.push_back(now.origin + carried(rest.position(xi) - before.origin, before, now));
       }
     return FacePatch<dim>(k, nodes, rest.get_outward());
@@ -218,6 +238,7 @@ namespace Signorini
   Configuration<dim>::pose(const Obstacle<dim>       &obstacle,
                            const std::vector<double> &rigid_motion) const
   {
+    // An obstacle that does not move is none of the rigid bodies, and its motion is zero.
     std::array<double, RigidBody<dim>::n_dofs> motion{};
     const auto                                &bodies = my_elasticity.rigid_bodies();
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -236,6 +257,8 @@ namespace Signorini
   {
     if (at_rest)
       return obstacle.shape->closest(x);
+    // The closest point is evaluated in the coordinates of the obstacle's own frame; normal and
+    // curvature are rotated back into space.
     ObstaclePoint<dim> point_on_obstacle =
       obstacle.shape->closest_point(pose.to_body(x), my_elasticity.rotation_length_scale());
     point_on_obstacle.normal    = pose.to_space(point_on_obstacle.normal);

@@ -39,7 +39,8 @@ namespace Signorini
       return BoundingBox<dim>({low, high});
     }
 
-    /// The place on a face, which the mean of its nodes is not where it is curved.
+    /// The parameter of the middle of a face. FacePatch::center(), the mean of the nodes, is not on
+    /// the face where it is curved.
     template <int dim>
     Point<dim - 1>
     middle()
@@ -50,6 +51,8 @@ namespace Signorini
       return xi;
     }
 
+    /// The largest depth of the middles of slave faces inside of an obstacle, of those that face
+    /// the obstacle's surface [length]. Local.
     template <int dim>
     double
     depth_in_obstacle(const std::vector<FacePatch<dim>> &slave, const ObstacleShape<dim> &shape)
@@ -64,7 +67,11 @@ namespace Signorini
       return deepest;
     }
 
-    /// The largest depth of the slave faces whose middles lie in the box. Collective.
+    /// The largest depth of the slave faces whose middles lie in the box [length], the intersection
+    /// of the boxes of both bodies, in which alone they can penetrate each other. A middle counts
+    /// if it has a projection onto the master that faces it and is inside of the master by the
+    /// closest point of any orientation: on the far side of a thin body a point may face the master
+    /// although it is outside of it. Collective.
     template <int dim>
     double
     depth_in_body(const std::vector<FacePatch<dim>> &slave,
@@ -75,6 +82,8 @@ namespace Signorini
       std::vector<Point<dim>>     centers;
       std::vector<Tensor<1, dim>> normals;
       for (const FacePatch<dim> &patch : slave)
+        // The diagonal of the box bounds each distance inside of it, so that no projection is
+        // missed.
         if (const Point<dim> x = patch.position(middle<dim>()); box.point_inside(x))
           {
             centers.push_back(x);
@@ -136,6 +145,8 @@ namespace Signorini
       deepest = depth_in_obstacle(slave.patches, *obstacle->shape);
     else
       {
+        // Bodies whose boxes overlap by less than the distance cannot penetrate each other deeper,
+        // and are not searched.
         const auto &a = extent_of_body(mesh, pair.slave), &b = extent_of_body(mesh, pair.master);
         if (common_depth(a, b) > distance)
           deepest = depth_in_body(slave.patches,

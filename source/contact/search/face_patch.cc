@@ -16,6 +16,9 @@ namespace Signorini
 
   namespace
   {
+    /// The vector product of the tangents (2D: the tangent rotated clockwise). Its length is the
+    /// Jacobian of the parametrisation; its sign relative to the outward normal is
+    /// FacePatch::get_outward().
     template <int dim>
     Tensor<1, dim>
     parametric_normal(const std::array<Tensor<1, dim>, dim - 1> &tangents)
@@ -26,7 +29,8 @@ namespace Signorini
         return cross_product_3d(tangents[0], tangents[1]);
     }
 
-    // The nodes of a face, lexicographic in xi.
+    /// The nodes of a face of a cell under the mapping, lexicographic in xi.
+    /// @param k degree of the geometry; the result has (k+1)^(dim-1) points
     template <int dim>
     std::vector<Point<dim>>
     face_nodes(const Mapping<dim>                                      &mapping,
@@ -40,7 +44,8 @@ namespace Signorini
       return nodes;
     }
 
-    // How far a polynomial of degree k can exceed its largest nodal value on the square.
+    /// Bound of the largest absolute value of a polynomial of degree k on the square over its
+    /// largest nodal value (the Lebesgue constant of equidistant nodes, tensor product).
     template <int dim>
     double
     lebesgue_bound(const unsigned int k)
@@ -49,8 +54,9 @@ namespace Signorini
       return Utilities::fixed_power<dim - 1>(line[k]);
     }
 
-    // The face is the multilinear interpolant of its corners, which stays in their box, plus a
-    // polynomial with these deviations as nodal values.
+    /// The largest deviation of the nodes from the multilinear interpolant of the corners, by
+    /// component [length]. The face is that interpolant, which stays in the box of its corners,
+    /// plus a polynomial with these deviations as nodal values, which lebesgue_bound() limits.
     template <int dim>
     Tensor<1, dim>
     largest_deviation(const std::vector<Point<dim>> &nodes, const unsigned int k)
@@ -69,6 +75,9 @@ namespace Signorini
       return largest;
     }
 
+    /// A bounding box of the face: that of its corners, extended by the bound of the deviation from
+    /// the multilinear interpolant and by the rounding of coordinates. It encloses the face, while
+    /// the box of the nodes alone might not where the face is curved.
     template <int dim>
     BoundingBox<dim>
     box_of(const std::vector<Point<dim>> &nodes, const unsigned int k)
@@ -138,6 +147,9 @@ namespace Signorini
     AssertDimension(nodes.size(), Utilities::pow(degree + 1, dim - 1));
 
     size = 0;
+    // The size is the largest distance of two nodes. A face of higher degree whose nodes are those
+    // of a multilinear one to rounding is reduced to its corners: the search evaluates few things
+    // more often than positions on faces.
     for (const Point<dim> &a : nodes)
       for (const Point<dim> &b : nodes)
         size = std::max(size, a.distance(b));
@@ -147,8 +159,9 @@ namespace Signorini
     if (degree > 1 && largest_deviation(nodes, degree).norm() < rounding)
       keep_corners();
 
-    // At ends and middles; polynomials of second derivatives are of degree two, beside which they
-    // do not rise much in between.
+    // Estimate the largest norm of the second derivatives from the corners, the middles of the
+    // sides and the center. They are polynomials of low degree, which rise little between these
+    // points; a margin of a quarter is added. A straight line in 2D has none.
     constexpr double                margin      = 1.25;
     constexpr std::array<double, 3> places      = {{0., 0.5, 1.}};
     const bool                      is_parallel = dim == 2 && degree == 1;

@@ -19,7 +19,7 @@ namespace Signorini
     constexpr double widest_wedge  = 0.3;  // tangential over normal distance
     constexpr double same_face     = 100;  // staying distances between centers of one that moves
 
-    /// Differences of distances and centers that mean nothing.
+    /// The difference of distances and of centers that is due to rounding [length].
     template <int dim>
     double
     rounding_of(const FacePatch<dim> &patch)
@@ -28,6 +28,8 @@ namespace Signorini
              16 * std::numeric_limits<double>::epsilon() * patch.center().norm();
     }
 
+    /// Lexicographic comparison of the centers of two faces up to rounding: an order that does not
+    /// depend on the partition or the numbering of faces.
     template <int dim>
     bool
     center_is_smaller(const Candidate<dim> &a, const Candidate<dim> &b)
@@ -56,9 +58,12 @@ namespace Signorini
 
 
 
-  // The nearest candidate. Being as near as another is no transitive relation, therefore the
-  // least distance comes first. Among equals a face that the point lies above goes before one
-  // that it overhangs: over a convex edge the two faces see the point under different angles.
+  // Choose among candidates by distance, then by position above the face, then by center. Being
+  // equally near within a tolerance is not transitive, so that pairwise comparisons would depend on
+  // their order: the least distance is computed first, and all candidates within the tolerance of
+  // it count as equals. Among these the former face of the point is kept; otherwise a face above
+  // which the point lies precedes one that it overhangs (over a convex edge the point is above one
+  // face and beside the other), and then the lexicographically smaller center decides.
   template <int dim>
   const Candidate<dim> *
   nearest(const std::vector<Candidate<dim>> &candidates)
@@ -89,6 +94,8 @@ namespace Signorini
     , boxes(boxes_of(master.patches))
     , tree(pack_rtree_of_indices(boxes))
   {
+    // The box of all faces of the rank is announced to the other ranks; the cone of normals of each
+    // face allows rejecting it without a projection.
     for (const FacePatch<dim> &patch : master.patches)
       {
         if (rank_box.empty)
@@ -102,8 +109,10 @@ namespace Signorini
 
 
 
-  // A tangent differs from that in the middle by no more than the bend times half a diagonal, and
-  // the normal by no more than the two of them together over the least stretch.
+  // Bound of the variation of the normal over a face. A tangent differs from that in the middle by
+  // at most the bound of the second derivatives times half of the diagonal, and the unit normal by
+  // at most the change of both tangents over the smallest stretch (singular value of the Jacobian
+  // matrix).
   template <int dim>
   typename LocalFaces<dim>::Normals
   LocalFaces<dim>::normals_of(const FacePatch<dim> &face)
@@ -121,12 +130,15 @@ namespace Signorini
 
 
 
+  // Project the point onto one face and accept the face if the projection is within the limit, if
+  // it faces the point, and, on a self-contact surface, if the two material points can touch.
   template <int dim>
   std::optional<Candidate<dim>>
   LocalFaces<dim>::candidate(const Query<dim> &query, const unsigned int face)
   {
     const bool any_orientation = query.normal.norm_square() == 0;
-    // What looks the other way need not be projected on.
+    // A face all of whose normals point the same way as that of the point is rejected without a
+    // projection.
     if (const auto &[middle, spread] = normals[face];
         !any_orientation && query.normal * middle - spread > 0)
       return {};
@@ -150,14 +162,16 @@ namespace Signorini
     c.master_point.distance    = projection.distance;
     c.master_point.face_center = patch.center();
     c.master_point.stiffness   = 0;
+    // The former face has moved a little since; it is recognised by its center.
     c.is_former = patch.center().distance(query.former_center) < same_face * query.staying;
     c.tolerance = c.is_former ? query.staying : rounding_of(patch);
     c.face      = face;
     c.xi        = projection.xi;
 
-    // In the interior of a face the offset is zero. At a convex edge of a faceted surface, points
-    // of the wedge above it project onto neither face; they count as above this one. A point
-    // farther out is beside the body.
+    // Inside of a face the tangential offset is zero. At a convex edge of a faceted surface the
+    // points of the wedge above the edge project onto neither face in the normal direction; up to a
+    // ratio of tangential to normal distance they count as above the face. A point with a larger
+    // offset is beside the face, and possibly beside the whole body.
     const double offset = projection.tangential_offset;
     const double above  = std::abs((query.point - projection.position) * c.master_point.normal);
     const double rim    = c.is_former ? query.staying : rim_tolerance * patch.diameter();
@@ -167,8 +181,8 @@ namespace Signorini
 
 
 
-  // The first search radius: the projection is mostly on the face with the nearest bounding box, or
-  // on its neighbour.
+  // The first radius of find(): the projection usually lies on the face with the nearest bounding
+  // box or on a neighbour of it, which a quarter of the face's diameter beyond that box reaches.
   template <int dim>
   double
   LocalFaces<dim>::first_radius(const Point<dim> &x) const
@@ -179,9 +193,9 @@ namespace Signorini
 
 
 
-  // The faces whose boxes are at a distance in (inner, outer], nearest first. Boost's own iteration
-  // in the order of distance keeps a sorted list of all visited faces, which costs several times as
-  // much.
+  // The faces whose boxes are at a distance in (inner, outer] of x, nearest first. The R-tree is
+  // queried with a box and the result is sorted; the nearest-neighbour iterator of Boost keeps a
+  // sorted list of all visited faces, which costs several times as much.
   template <int dim>
   const std::vector<std::pair<double, unsigned int>> &
   LocalFaces<dim>::ring(const Point<dim> &x, const double inner, const double outer)
@@ -203,6 +217,11 @@ namespace Signorini
 
 
 
+  // Best candidate of this rank by branch and bound: faces are visited in the order of the distance
+  // of their boxes, a lower bound of the distance of the face, until the bound exceeds the distance
+  // of the best projection. Each round doubles the radius, so that the loop ends once the radius
+  // reaches the limit of the query. A point costs a few projections on average, whatever the number
+  // of faces.
   template <int dim>
   std::optional<Candidate<dim>>
   LocalFaces<dim>::find(const Query<dim> &query)
@@ -213,9 +232,8 @@ namespace Signorini
     double limit = query.limit;
     double inner = -1; // all faces whose box is not farther than this have been looked at
     double outer = first_radius(query.point);
-    // Search in rings of doubled radius. A projection found reduces the limit to its distance (plus
-    // the tolerance within which ties are broken), so the search ends once all nearer boxes were
-    // visited.
+    // Search in rings of doubled radius. Each projection found reduces the limit to its distance
+    // plus the tolerance within which ties are broken.
     while (inner < limit)
       {
         outer = std::min(outer, limit);
@@ -239,6 +257,7 @@ namespace Signorini
     if (best == nullptr)
       return {};
     Candidate<dim> result = *best;
+    // Shape functions and stresses are evaluated only for the one projection that may be used.
     if (!result.overhangs)
       master.complete(result.face, result.xi, result.master_point);
     return result;

@@ -18,16 +18,21 @@ namespace Signorini
 
   namespace
   {
-    /// A place on the surface, and how thick its cell is.
+    /// A point on the surface of a body: Gauss points of its faces, of which there are 2^(dim-1) on
+    /// each.
     template <int dim>
     struct SampledPoint
     {
-      Point<dim>     x, at_rest;
+      /// Position in the configuration considered, and in the reference configuration [length].
+      Point<dim> x, at_rest;
+      /// Outward unit normal of the surface.
       Tensor<1, dim> normal;
-      double         depth;
-      unsigned int   face; ///< number on this rank
+      /// Depth of the cell behind its face [length]: the scale of what counts as penetration.
+      double       depth;
+      unsigned int face; ///< number on this rank
     };
 
+    /// True if the point is inside of the obstacle by more than a thousandth of its cell.
     template <int dim>
     bool
     is_in(const SampledPoint<dim> &sample, const ObstaclePoint<dim> &closest)
@@ -36,6 +41,8 @@ namespace Signorini
       return closest.gap < -small * sample.depth;
     }
 
+    /// True if the point is inside of the obstacle and its normal has the direction of the
+    /// obstacle's: the obstacle has passed the surface and touches it from behind.
     template <int dim>
     bool
     is_behind(const SampledPoint<dim> &sample, const ObstaclePoint<dim> &closest)
@@ -44,6 +51,8 @@ namespace Signorini
       return is_in(sample, closest) && sample.normal * closest.normal > alike;
     }
 
+    /// True if the point faces the closest point of the obstacle, so that the contact search pairs
+    /// both.
     template <int dim>
     bool
     has_projection(const SampledPoint<dim> &sample, const ObstaclePoint<dim> &closest)
@@ -51,6 +60,7 @@ namespace Signorini
       return faces_each_other(sample.normal, closest.normal);
     }
 
+    /// The sampled points of the faces of this rank.
     template <int dim>
     std::vector<SampledPoint<dim>>
     places_of(const Configuration<dim> &now, const std::string &surface)
@@ -68,8 +78,9 @@ namespace Signorini
       return result;
     }
 
-    /// The sampled points that the obstacle may reach, without those that are inside already and do
-    /// not face its surface.
+    /// The sampled points that the obstacle may reach on its way, a bound of the displacement of
+    /// its points [length]. Points are left out that are inside of it at the start and do not face
+    /// its surface: they do not become so by the motion.
     template <int dim>
     std::vector<SampledPoint<dim>>
     reachable(const Configuration<dim> &from,
@@ -91,6 +102,11 @@ namespace Signorini
 
 
 
+  // Tunnelling check along the straight path of the rigid motion between two displacements, by
+  // sphere tracing: no point of the surface can be met within the smallest gap, so that the path
+  // parameter advances by that gap, but by at least half of the thinnest cell, a step in which it
+  // cannot pass a wall unnoticed. The number of steps is at most 2 way/thin + 1. The surface is
+  // kept at its position before the increment. Collective.
   template <int dim>
   bool
   obstacle_tunnels(const Configuration<dim> &from,
@@ -112,8 +128,8 @@ namespace Signorini
     thin                            = Utilities::MPI::min(thin, comm);
     const std::vector<double> first = elasticity.rigid_motion(from.displacement()),
                               last  = elasticity.rigid_motion(to);
-    // Advance along the path by the distance to the nearest point, within which nothing can be met
-    // ("sphere tracing"), but at least by half of the thinnest cell; ends at the end of the path.
+    // `gone` is the length of the path so far, as a bound of the displacement of the obstacle's
+    // points; the loop ends at the end of the path.
     for (double gone = 0;;)
       {
         std::vector<double> between = first;
@@ -143,6 +159,8 @@ namespace Signorini
 
 
 
+  // The obstacle contains a sampled point by more than a fifth of its cell that no contact pair
+  // covers.
   template <int dim>
   bool
   penetrates_obstacle(const Configuration<dim> &now,
@@ -154,7 +172,9 @@ namespace Signorini
     const Configuration<dim>             at_rest(now.elasticity());
     const RigidPose<dim>                 pose = now.pose(obstacle), first = at_rest.pose(obstacle);
     const std::vector<SampledPoint<dim>> samples = places_of(now, surface);
-    const bool                           any =
+    // Points that were inside in the reference configuration already, on faces not searched, are
+    // not a penetration due to the motion.
+    const bool any =
       std::any_of(samples.begin(), samples.end(), [&](const SampledPoint<dim> &sample) {
         return (is_seen.empty() || !is_seen[sample.face]) &&
                now.closest(obstacle, pose, sample.x).gap < -much * sample.depth &&
@@ -165,6 +185,9 @@ namespace Signorini
 
 
 
+  // For each sampled point with a gap of more than half of its cell, measured along a common
+  // direction of the normals (the obstacle is behind the surface), the closest point of the
+  // obstacle is checked for being inside of the body.
   template <int dim>
   bool
   encloses_obstacle(const Configuration<dim> &now,
@@ -189,6 +212,7 @@ namespace Signorini
     search_radius = Utilities::MPI::max(search_radius, comm);
     if (search_radius == 0)
       return false;
+    // Depths are measured from the surface of the whole body that has the boundary.
     const BoundaryFaces<dim> faces(now, [&](const CellIterator<dim> &cell, unsigned int) {
       return now.elasticity().mesh().body(cell) == now.elasticity().mesh().body_of(surface);
     });

@@ -18,7 +18,8 @@ namespace Signorini
 
   namespace
   {
-    // What one rank asks another, and which of its points the questions are about.
+    /// Queries that are sent to other ranks, and the numbers of the points on this rank that they
+    /// are about, in the same order.
     template <int dim>
     struct Outgoing
     {
@@ -26,7 +27,10 @@ namespace Signorini
       std::map<unsigned int, std::vector<unsigned int>> points;
     };
 
-    // A rank whose box is farther away than what has been found here need not be asked.
+    /// Select the queries for each other rank: those whose distance to the bounding box of the
+    /// rank's master faces does not exceed the limit, which is reduced to the distance found on
+    /// this rank (plus the tolerance of ties). A rank whose box is farther away cannot have a
+    /// nearer face. Local; cost: number of points times number of ranks.
     template <int dim>
     Outgoing<dim>
     questions(const std::vector<Query<dim>>                  &queries,
@@ -55,7 +59,9 @@ namespace Signorini
       return outgoing;
     }
 
-    // Ask the other ranks, answer their questions, and add their answers to what was found here.
+    /// Send queries to the ranks whose master faces may be nearer, project the points of the
+    /// queries received, and append the candidates that return. Two exchanges between neighbours
+    /// (some_to_some) and one all_gather of boxes. Collective.
     template <int dim>
     void
     query_other_ranks(const std::vector<Query<dim>>            &queries,
@@ -64,6 +70,7 @@ namespace Signorini
                       SearchStatistics                         &statistics,
                       std::vector<std::vector<Candidate<dim>>> &found)
     {
+      // Number of the query within the message it came in, with its best candidate.
       using Answers = std::vector<std::pair<unsigned int, Candidate<dim>>>;
       static_assert(std::is_trivially_copyable<Query<dim>>::value, "queries are sent bit by bit");
 
@@ -73,6 +80,8 @@ namespace Signorini
       for (const auto &[rank, points] : outgoing.points)
         statistics.points_sent += points.size();
 
+      // Each rank answers with at most one candidate, its best one; queries without any are not
+      // answered.
       std::map<unsigned int, Answers> answers;
       for (const auto &[rank, asked] : Utilities::MPI::some_to_some(comm, outgoing.queries))
         for (unsigned int i = 0; i < asked.size(); ++i)
@@ -93,7 +102,11 @@ namespace Signorini
                       const ReferencePoint<dim> &b,
                       const double               width)
   {
-    // A sheet that is rolled up has its thickness over the length of a turn.
+    // Points on both sides of a thin wall have opposite normals, as touching parts have, but the
+    // vector from one to the other points against the normals: (b - a).(n_b - n_a) > 0 means that
+    // the body is between them. The bound is not zero since in a sheet that is rolled up the vector
+    // between touching layers has a small component of that sign (the thickness over the length of
+    // a turn). Points closer than two faces are neighbours.
     constexpr double     inward = 0.3;
     const Tensor<1, dim> way    = b.x - a.x;
     const double         length = way.norm();
@@ -122,6 +135,7 @@ namespace Signorini
     SearchStatistics own_statistics;
     own_statistics.points = points.size();
 
+    // First the faces of this rank, whose results limit what is sent to others.
     LocalFaces<dim>                          faces(master, own_statistics);
     std::vector<Query<dim>>                  queries(points.size());
     std::vector<std::vector<Candidate<dim>>> found(points.size());
@@ -141,6 +155,8 @@ namespace Signorini
     if (Utilities::MPI::n_mpi_processes(comm) > 1)
       query_other_ranks(queries, faces, comm, own_statistics, found);
 
+    // The nearest candidate of all ranks. A point beside its nearest face has no projection: it
+    // lies beyond the edge of the surface.
     std::vector<std::optional<MasterProjection<dim>>> master_points(points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       if (const Candidate<dim> *best = nearest(found[i]))
@@ -161,6 +177,8 @@ namespace Signorini
          const MPI_Comm                 comm,
          SearchStatistics              *statistics)
   {
+    // Zero normals accept faces of any orientation; the closest point is then on the true boundary
+    // of the body, and its normal says on which side of it the point is.
     const MasterFaces<dim>            faces{master.patches, [](auto, const auto &, auto &) {}};
     const std::vector<Tensor<1, dim>> any(points.size());
     const auto                        closest =

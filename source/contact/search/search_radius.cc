@@ -34,6 +34,9 @@ namespace Signorini
                        const Obstacle<dim>   &obstacle,
                        const LA::Vector      &u)
   {
+    // Bound of |tau + omega x r| over the model: translations add up by component, rotations count
+    // with the largest arm. Rotational unknowns are lengths (multiplied by the length scale), so
+    // that the arm is divided by it.
     const std::vector<double> motion = elasticity.rigid_motion(u);
     for (unsigned int b = 0; b < elasticity.rigid_bodies().size(); ++b)
       if (elasticity.rigid_bodies()[b].name == obstacle.name)
@@ -57,6 +60,8 @@ namespace Signorini
                         const ContactPair<dim> &pair,
                         const double            candidate_gap)
   {
+    // The rotation length scale is half of the size of the model, a fifth of it a tenth of the
+    // model.
     const double tenth_of_scene = elasticity.rotation_length_scale() / 5;
     return pair.search_distance > 0 ? pair.search_distance :
                                       std::max(tenth_of_scene, candidate_gap);
@@ -73,10 +78,13 @@ namespace Signorini
            const double              distance)
   {
     const MPI_Comm comm = elasticity.mesh().communicator();
+    // A gap given by a formula does not depend on the distance of the surfaces.
     if (pair.gap_is_given())
       return false;
     if (obstacle)
       {
+        // From obstacles the distance is that of the centers of the faces, less their diameters: a
+        // lower bound.
         double closest = std::numeric_limits<double>::max();
         for (const FacePatch<dim> &patch : slave.patches)
           closest =
@@ -97,6 +105,8 @@ namespace Signorini
   std::vector<double>
   largest_displacements(const Elasticity<dim> &elasticity, const LA::Vector &u)
   {
+    // The largest nodal displacement over the boundary faces of locally owned cells, then over all
+    // ranks.
     const LA::Vector                     ghosted = elasticity.with_ghosts(u);
     std::vector<double>                  largest(elasticity.mesh().end_of_boundary_ids(), 0.);
     std::vector<types::global_dof_index> indices;
@@ -130,6 +140,7 @@ namespace Signorini
                    const LA::Vector          &u,
                    const std::vector<double> &of_boundaries)
   {
+    // Displacements of both surfaces are added as if they moved towards each other.
     const auto largest = [&](const std::string &boundary) {
       double result = 0;
       for (const types::boundary_id id : elasticity.mesh().boundary_ids(boundary))

@@ -13,6 +13,7 @@ namespace Signorini
 
   namespace
   {
+    /// The parameter of the middle of a face.
     template <int dim>
     Point<dim - 1>
     middle()
@@ -34,8 +35,9 @@ namespace Signorini
       return result / result.norm();
     }
 
-    /// The sample of faces that are searched for opposite parts: about a thousand, the same on any
-    /// number of ranks, since some of them search far.
+    /// Numbers of a sample of about a thousand faces (of all ranks together) for which opposite
+    /// parts are searched. Cells are selected by a hash of their global id, so that the sample is
+    /// the same on any number of ranks; it is limited since some points search far. Collective.
     template <int dim>
     std::vector<unsigned int>
     sample(const BoundaryFaces<dim> &faces, const MPI_Comm comm)
@@ -56,8 +58,8 @@ namespace Signorini
       return result;
     }
 
-    /// The directions to choose from, with their opposites: a degree apart in 2D, some four degrees
-    /// in 3D.
+    /// The directions from which e is chosen, one for each pair e, -e: one degree apart in 2D (a
+    /// half circle), about four degrees in 3D (a spiral over the half sphere).
     template <int dim>
     std::vector<Tensor<1, dim>>
     directions()
@@ -77,15 +79,25 @@ namespace Signorini
       return result;
     }
 
-    /// The geometry of the parts of a surface that face each other.
+    /// Parts of a surface that face each other.
     template <int dim>
     struct Facing
     {
-      Tensor<1, dim>
-        direction;         ///< to which their normals are least perpendicular; 0: there are none
-      Tensor<2, dim> ways; ///< sum of n D^T, D the way to the other part at rest
+      /// Direction e that maximises the sum of log |n . e| over these parts; zero if there are
+      /// none.
+      Tensor<1, dim> direction;
+      /// Sum of n D^T, where n is the normal and D the vector to the opposite point in the
+      /// reference configuration [length], with the weights of the score; its sign selects the side
+      /// of the slaves.
+      Tensor<2, dim> ways;
     };
 
+    /// Find opposite parts by projection of the middles of a sample of faces onto the surface
+    /// itself, and score all directions() by them: the sum of log(|n . e| + 0.05), weighted by the
+    /// area of the face over the distance, is largest for the direction to which the normals of
+    /// close parts are least perpendicular (doc/theory, 3.1). Sums are over all ranks, so that all
+    /// of them choose the same direction. Cost: one search for the sample, and sample times
+    /// directions. Collective.
     template <int dim>
     Facing<dim>
     facing_parts(const BoundaryFaces<dim> &faces, const double search_radius, const MPI_Comm comm)
@@ -112,7 +124,7 @@ namespace Signorini
         {
           if (!master_points[i])
             continue;
-          // Those that are close count most.
+          // Parts that are close count most; the weight is bounded as the distance vanishes.
           const double weight = std::pow(sizes[i], dim) / (sizes[i] + master_points[i]->distance);
           for (unsigned int k = 0; k < all.size(); ++k)
             scores[k] += weight * std::log(std::abs(normals[i] * all[k]) + sharp);
@@ -123,7 +135,8 @@ namespace Signorini
       result.ways = Utilities::MPI::sum(result.ways, comm);
       if (Utilities::MPI::min(is_empty ? 1 : 0, comm) == 1)
         return result;
-      // Of those that are as good but for rounding, the first.
+      // Scores of symmetric models are equal up to rounding: the first of the best is taken, which
+      // is the same on all ranks and for any partition.
       const double best  = *std::max_element(scores.begin(), scores.end());
       const auto   first = std::find_if(scores.begin(), scores.end(), [&](const double score) {
         return score >= best - 1e-9 * std::abs(best);
@@ -141,6 +154,9 @@ namespace Signorini
                                 const double              side,
                                 const MPI_Comm            comm)
   {
+    // The sign of e: of two choices, the one in which masters lie beyond their slaves, seen along a
+    // fixed direction of the reference configuration. It depends neither on the history nor on the
+    // partition.
     const Facing<dim>    facing = facing_parts(faces, search_radius, comm);
     const Tensor<1, dim> e =
       facing.direction.norm() == 0 ? skew_direction<dim>() : facing.direction;

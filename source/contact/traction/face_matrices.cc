@@ -11,6 +11,7 @@ namespace Signorini
   {
     using Indices = std::vector<types::global_dof_index>;
 
+    /// Sort and remove repeated indices.
     void
     sort_and_remove_duplicates(Indices &indices)
     {
@@ -18,6 +19,7 @@ namespace Signorini
       indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     }
 
+    /// The position of an index in a sorted list that has it.
     unsigned int
     position_in(const Indices &indices, const types::global_dof_index i)
     {
@@ -41,8 +43,9 @@ namespace Signorini
       return result;
     }
 
-    /// Adds the slip at a point, times the shares of rows.
-    /// @param rows of the matrix, one a share
+    /// Add the rows of the slip at a point (doc/theory, (3.13)), times the shares of the rows of
+    /// its area. Obstacles are not implemented.
+    /// @param rows positions of the rows in the matrix, one for each share
     template <int dim>
     void
     add_slip(const ContactPoint<dim>         &point,
@@ -68,6 +71,9 @@ namespace Signorini
         }
     }
 
+    /// The dense matrices of the points first to last - 1 of a surface, which are on one slave
+    /// face: for each row and column the sum of share times entry, of displacement, normal stress
+    /// and slip. Not collective.
     template <int dim>
     FaceMatrix
     face_matrix(const ContactSurface<dim>             &surface,
@@ -77,6 +83,8 @@ namespace Signorini
                 const unsigned int                     first,
                 const unsigned int                     last)
     {
+      // Rows and columns of all points first, then the entries. Nodes of consecutive points are
+      // mostly the same.
       FaceMatrix matrix;
       for (unsigned int q = first; q < last; ++q)
         {
@@ -140,7 +148,8 @@ namespace Signorini
         const auto &points = surfaces[p].points;
         for (unsigned int first = 0, last = 0; first < points.size(); first = last)
           {
-            // Rows of points have the columns of their own projection only.
+            // Points of one face form a group. With one row for each point a group ends where the
+            // nodes change, since the row has the columns of its own projection only.
             while (last < points.size() && points[last].face == points[first].face &&
                    (sampling == Sampling::nodes || same_nodes(points[first], points[last])))
               ++last;

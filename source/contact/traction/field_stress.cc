@@ -10,8 +10,10 @@ namespace Signorini
 
   namespace
   {
-    /// @param of_point what a point has of the field
-    /// @param columns those of this rank
+    /// Assemble a matrix of means over points, rows times degrees of freedom of another field: sum
+    /// of share times row of the point, over the area. Collective.
+    /// @param of_point the member of a contact point that is its row of the field
+    /// @param columns degrees of freedom of the field owned by this rank
     template <int dim>
     void
     assemble(LA::SparseMatrix &S,
@@ -43,6 +45,8 @@ namespace Signorini
       LA::scale_rows(S, inverse);
     }
 
+    /// The part of the normal stress that depends on no unknown, as a mean over the points of each
+    /// row. Collective.
     template <int dim>
     LA::Vector
     offsets(const ContactRows                      &rows,

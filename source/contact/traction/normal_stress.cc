@@ -21,6 +21,7 @@ namespace Signorini
 
   namespace
   {
+    /// A vector or tensor of the model, extended by zeros to three dimensions.
     template <int rank, int dim>
     Tensor<rank, 3>
     in_space(const Tensor<rank, dim> &v)
@@ -43,6 +44,7 @@ namespace Signorini
     , geometry_degree(elasticity.mesh().geometry_degree())
     , kernel(elasticity.mesh(), elasticity.finite_elements(), elasticity.model())
   {
+    // Multi-indices of the nodes of the cell's geometry, lexicographic.
     const unsigned int n = geometry_degree + 1;
     for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i)
       {
@@ -58,6 +60,7 @@ namespace Signorini
   NormalStress<dim>::NormalStress(const Configuration<dim> &configuration)
     : NormalStress(configuration.elasticity())
   {
+    // At finite strain stresses are evaluated at the displacement of the configuration.
     if (elasticity.is_finite_strain())
       displacement = elasticity.with_ghosts(
         configuration.is_reference() ? elasticity.zero_vector() : configuration.displacement());
@@ -113,6 +116,8 @@ namespace Signorini
 
 
 
+  // The row of n . sigma m over the degrees of freedom of the cell, at small strain (doc/theory,
+  // (1.1), (2.12)).
   template <int dim>
   std::vector<double>
   NormalStress<dim>::coefficients(const Point<dim>     &unit_point,
@@ -141,6 +146,7 @@ namespace Signorini
 
 
 
+  // The row with indices, without zeros, hanging nodes condensed.
   template <int dim>
   SparseRow
   NormalStress<dim>::resolved(const std::vector<double> &values) const
@@ -157,7 +163,8 @@ namespace Signorini
 
   namespace
   {
-    /// n.(dP/dF) N, with dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK.
+    /// The tensor n . (dP/dF) N, with dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK
+    /// (doc/theory, (6.3)).
     Tensor<2, 3>
     derivative(const ConstitutiveResponse &state,
                const Tensor<2, 3>         &F,
@@ -172,6 +179,8 @@ namespace Signorini
 
 
 
+  // The row of V : Grad u over the degrees of freedom of the cell; in axisymmetric models with the
+  // hoop part V_zz u_r/r, on the axis its limit V_zz du_r/dr.
   template <int dim>
   std::vector<double>
   NormalStress<dim>::product_with_gradient(const Tensor<2, 3> &V, const Point<dim> &unit_x) const
@@ -198,6 +207,7 @@ namespace Signorini
 
 
 
+  // Cauchy stress of a point with its linearisation at fixed n (doc/theory, (6.13), (6.14)).
   template <int dim>
   CauchyStress
   NormalStress<dim>::cauchy(const Point<dim>       &unit_x,
@@ -207,11 +217,12 @@ namespace Signorini
   {
     const VolumetricStress<dim> &volumetric = elasticity.volumetric_stress();
     const auto                  &fe         = cell->get_fe();
-    const Tensor<2, dim>         to_real    = transpose(invert(jacobian(unit_x)));
-    const Point<dim>             X          = position(unit_x);
-    std::vector<double>          u(indices.size());
-    Tensor<2, dim>               gradient;
-    Tensor<1, dim>               value;
+    // Displacement and its gradient at the point in the reference configuration.
+    const Tensor<2, dim> to_real = transpose(invert(jacobian(unit_x)));
+    const Point<dim>     X       = position(unit_x);
+    std::vector<double>  u(indices.size());
+    Tensor<2, dim>       gradient;
+    Tensor<1, dim>       value;
     for (unsigned int i = 0; i < u.size(); ++i)
       {
         u[i]                       = displacement(indices[i]);
@@ -228,23 +239,28 @@ namespace Signorini
     const MaterialPoint point = elasticity.material_point(*cell, X, internal);
     const auto          found = response_if_any(elasticity.model(), point, F);
     CauchyStress        result;
+    // An inverted cell has no stress; NaN is reported by the caller on all ranks.
     if (!found)
       {
         result.value = result.offset = std::nan("");
         return result;
       }
+    // Cofactor J F^-T N: its length is the area ratio j, its direction the current normal m_c.
     const ConstitutiveResponse &state         = *found;
     const Tensor<2, 3>          inverse       = invert(in_plane);
     const Tensor<1, 3>          cofactor      = determinant(in_plane) * (transpose(inverse) * N);
     const double                j             = cofactor.norm();
     const double                of_volumetric = n * (transpose(inverse) * N) / j;
     const Tensor<1, 3>          now           = cofactor / j;
+    // Derivatives as tensors V with d(.) = V : dF: of j, and of the force n . (P N) + p n . (j
+    // m_c).
     const Tensor<2, 3> of_ratio = j * (transpose(inverse) - outer_product(now, inverse * now));
     const double       p        = load.pressure;
     const Tensor<2, 3> of_force =
       derivative(state, F, n, N) +
       p * j * ((n * now) * transpose(inverse) - outer_product(now, inverse * n));
 
+    // Value, and the rows of the quotient force/j.
     result.ratio = j;
     result.value =
       n * (F * (Tensor<2, 3>(state.stress) * N) - in_space(load.traction)) / j + p * (n * now);
@@ -261,6 +277,7 @@ namespace Signorini
         for (unsigned int i = 0; i < phi.size(); ++i)
           result.volumetric_stress.emplace_back(number[i], phi[i] * of_volumetric);
       }
+    // Offsets, such that value = row . u + volumetric part + offset at the present displacement.
     result.offset       = result.value - point.volumetric_stress * of_volumetric;
     result.ratio_offset = j;
     for (unsigned int i = 0; i < u.size(); ++i)
@@ -268,6 +285,7 @@ namespace Signorini
         result.offset -= stress[i] * u[i];
         result.ratio_offset -= ratio[i] * u[i];
       }
+    // Ratio by which the tangent stiffens the bound (6.15).
     const Material &material = elasticity.material(cell->material_id());
     const double    at_rest  = in_plane_lambda(elasticity.model(), material) + 2 * material.mu();
     result.stiffening =
@@ -277,6 +295,8 @@ namespace Signorini
 
 
 
+  // The thermal part of the normal stress, -n . (C : alpha) m per unit of the temperature rise, as
+  // a row over the coefficients of the rise in the cell.
   template <int dim>
   SparseRow
   NormalStress<dim>::thermal_row(const Point<dim>     &unit_point,
@@ -318,6 +338,8 @@ namespace Signorini
 
 
 
+  // 2 mu max int_F m^2/int_T m^2 (doc/theory, 2.7): the functions are orthogonal on the cell with a
+  // common size, so that it is the largest eigenvalue of their mass matrix on the face, scaled.
   template <int dim>
   double
   NormalStress<dim>::bound_of_volumetric_stress(const unsigned int face) const
@@ -344,6 +366,10 @@ namespace Signorini
 
 
 
+  // Largest eigenvalue of the generalised problem S^T S v = b K v on the cell behind the face
+  // (doc/theory, (2.17)), with the normal stresses S at Gauss points of the face, weighted with the
+  // roots of areas. With K = V diag(k) V^T it is that of (S V k^-1/2)^T (S V k^-1/2). O(n^3) with n
+  // degrees of freedom of a cell; StressBounds keeps the results.
   template <int dim>
   double
   NormalStress<dim>::bound(const unsigned int face)
