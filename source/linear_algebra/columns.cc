@@ -15,7 +15,8 @@ namespace Signorini
   {
     namespace
     {
-      /// A matrix has no importer where all columns are local; the one made here then only copies.
+      /// An importer for matrices that have none, because all their columns are local: it then only
+      /// copies. Null if the matrix has one.
       std::unique_ptr<Epetra_Import>
       throw_without_importer(const Epetra_CrsMatrix &matrix)
       {
@@ -24,6 +25,8 @@ namespace Signorini
                  std::make_unique<Epetra_Import>(matrix.ColMap(), matrix.DomainMap());
       }
 
+      /// Combine values at the local columns with the elements of the owners by the given mode.
+      /// Collective.
       void
       send(Epetra_Vector           &from,
            const double            *values,

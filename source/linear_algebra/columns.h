@@ -13,13 +13,14 @@ namespace Signorini
 {
   namespace LA
   {
-    /// The global index of each local column: of those that the rows of this rank refer to.
+    /// The global index of each local column, that is, of each column that the rows of this rank
+    /// refer to.
     std::vector<dealii::types::global_dof_index>
     global_columns(const SparseMatrix &matrix);
 
-    /// Between a vector that a matrix can be applied to and its elements at the matrix's local
-    /// columns, some of which other ranks own. Refers to the matrix, whose entries must stay where
-    /// they are. All but size() is collective.
+    /// Exchange between a distributed vector to which a matrix can be applied and its elements at
+    /// the matrix's local columns, some of which belong to other ranks. Refers to the matrix, whose
+    /// pattern must not change. All functions but size() are collective.
     class ColumnExchange
     {
     public:
@@ -31,11 +32,12 @@ namespace Signorini
       unsigned int
       size() const;
 
-      /// @param values gets the elements of v by local column
+      /// @param v vector without ghosts
+      /// @param values set to the elements of v by local column; size() entries
       void
       fetch(const Vector &v, double *values) const;
 
-      /// The same in a new array.
+      /// The elements of v by local column, in a new array.
       std::vector<double>
       fetch(const Vector &v) const;
 

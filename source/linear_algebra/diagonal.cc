@@ -16,8 +16,8 @@ namespace Signorini
   {
     namespace
     {
-      // deal.II wraps no scaling by a diagonal; it changes values only, never the pattern that the
-      // wrapper knows.
+      // deal.II has no wrapper for the scaling of rows and columns; it changes values only, not the
+      // pattern that the wrapper stores.
       Epetra_CrsMatrix &
       epetra(SparseMatrix &matrix)
       {

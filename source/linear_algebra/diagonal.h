@@ -11,8 +11,8 @@ namespace Signorini
     Vector
     diagonal(const SparseMatrix &matrix);
 
-    /// Add what is positive to the diagonal of a square matrix that has places for it, and
-    /// compress. Collective.
+    /// Add positive terms to the diagonal of a square matrix whose pattern has it, and compress;
+    /// other terms are skipped. Collective.
     void
     add_to_diagonal(SparseMatrix &matrix, const Vector &terms);
 

@@ -50,6 +50,7 @@ namespace Signorini
 
 
 
+    // Symbolic and numeric factorisation; the matrix is referred to by the library.
     int
     DirectSolver::factorise(const SparseMatrix &matrix)
     {
@@ -60,7 +61,7 @@ namespace Signorini
       AssertThrow(solver, ExcMessage("this Trilinos has no " + name_of(library)));
       Teuchos::ParameterList parameters;
       // Multipliers have zeros on the diagonal: their pivots are delayed, and MUMPS needs more
-      // memory than it reckons with (in percent).
+      // memory than it estimates (200 % more is allowed).
       parameters.sublist("mumps").set("ICNTL(14)", 200);
       solver->SetParameters(parameters);
       const int error = solver->SymbolicFactorization();

@@ -24,16 +24,17 @@ namespace Signorini
       static bool
       is_available(DirectLibrary library);
 
-      /// Refers to the matrix until clear() or the next one. Returns zero, or the library's error
-      /// if the matrix is singular or memory does not suffice. Collective.
+      /// Factorise a matrix, which is referred to until clear() or the next call. Collective.
+      /// @return zero, or the library's error code if the matrix is singular or memory does not
+      /// suffice
       [[nodiscard]] int
       factorise(const SparseMatrix &matrix);
 
-      /// Forget the factors and the matrix, which may go then.
+      /// Release the factors and the reference to the matrix.
       void
       clear();
 
-      /// Solve with the matrix factorised last. Collective. Throws dealii::ExcTrilinosError.
+      /// Solve with the matrix factorised last. Throws dealii::ExcTrilinosError. Collective.
       void
       solve(Vector &x, const Vector &right) const;
 

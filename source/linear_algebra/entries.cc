@@ -26,7 +26,7 @@ namespace Signorini
                  const types::global_dof_index column,
                  const double                  value)
     {
-      // Values change only, not the pattern that the wrapper knows.
+      // Only a value changes, not the pattern that the wrapper stores.
       auto     &entries = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
       const int local   = entries.ColMap().LID(static_cast<int>(column));
       const int error   = entries.SumIntoMyValues(row, 1, &value, &local);
@@ -35,6 +35,8 @@ namespace Signorini
 
 
 
+    // Both summands are inserted into a new matrix; entries of rows of other ranks are sent to
+    // their owners by GlobalAssemble.
     SparseMatrix
     sum(const SparseMatrix                         &K,
         const FullMatrix<double>                   &block,
@@ -77,7 +79,7 @@ namespace Signorini
           {
             const int column = j;
             const int error  = matrix.InsertGlobalValues(matrix.GRID(i), 1, &value, &column);
-            AssertThrow(error >= 0, ExcTrilinosError(error)); // positive: it has taken more memory
+            AssertThrow(error >= 0, ExcTrilinosError(error));
           }
       const int error = matrix.FillComplete(domain, map);
       AssertThrow(error == 0, ExcTrilinosError(error));

@@ -18,22 +18,24 @@ namespace Signorini
     std::size_t
     memory_consumption(const SparseMatrix &matrix);
 
-    /// Add to an entry that is there. Throws if it is not.
-    /// @param row counts those of this rank
+    /// Add to an existing entry. Throws if it does not exist.
+    /// @param row local number of the row
     void
     add_to_entry(SparseMatrix                   &matrix,
                  int                             row,
                  dealii::types::global_dof_index column,
                  double                          value);
 
-    /// K + sum over all ranks of R^T block R, where R takes the elements of a vector at some
-    /// indices. Collective. @param indices those of this rank's block; any, of any rank
+    /// The matrix K + sum over all ranks of R^T block R, where R selects the elements of a vector
+    /// with some indices. Collective.
+    /// @param block dense matrix of this rank
+    /// @param indices indices of the block's rows and columns, owned by any rank
     SparseMatrix
     sum(const SparseMatrix                                 &K,
         const dealii::FullMatrix<double>                   &block,
         const std::vector<dealii::types::global_dof_index> &indices);
 
-    /// A matrix of given rows, those of this rank, with any columns. Collective.
+    /// A matrix from the rows of this rank, whose columns may be any. Collective.
     SparseMatrix
     matrix_of(
       const std::vector<std::vector<std::pair<dealii::types::global_dof_index, double>>> &rows,
@@ -41,7 +43,7 @@ namespace Signorini
       const dealii::IndexSet &owned_columns,
       MPI_Comm                comm);
 
-    /// A matrix made row by row from those of another one.
+    /// Builds a matrix row by row, with the columns of another matrix.
     class RowBuilder
     {
     public:
@@ -50,12 +52,15 @@ namespace Signorini
 
       ~RowBuilder();
 
-      /// @param row counts those of this rank
-      /// @param columns local ones of the other matrix
+      /// Add entries to a row.
+      /// @param row local number of the row in the new matrix
+      /// @param size number of entries
+      /// @param columns local columns of the other matrix
+      /// @param values entries
       void
       add(int row, int size, const int *columns, const double *values);
 
-      /// Collective, once.
+      /// The matrix; to be called once. Collective.
       SparseMatrix
       finish();
 

@@ -10,9 +10,9 @@ namespace Signorini
 {
   namespace LA
   {
-    /// Between the elements of a distributed vector that this rank owns, one after the other, and
-    /// copies of those of other ranks that it needs, behind them. All but local_index() and dof()
-    /// is collective.
+    /// Exchange between the owned elements of a distributed vector, in an array, and copies of
+    /// elements of other ranks ("ghosts"), in another one, which usually follows the first. All
+    /// functions but n_owned(), n_ghosts(), local_index() and dof() are collective.
     template <typename Number>
     class GhostExchange
     {
@@ -49,6 +49,8 @@ namespace Signorini
         return partition.local_to_global(local_index);
       }
 
+      /// Set the ghosts to the values of their owners. @param owned n_owned() elements; @param
+      /// ghosts n_ghosts() elements
       void
       fetch(const Number *owned, Number *ghosts) const
       {
@@ -69,7 +71,8 @@ namespace Signorini
         send(dealii::VectorOperation::add, ghosts, owned);
       }
 
-      /// Elements become the largest of their own values and those of ghosts, which are void then.
+      /// Raise the owned elements to the largest of their own values and those of their ghosts,
+      /// which are undefined afterwards.
       void
       enlarge(Number *ghosts, Number *owned) const
       {

@@ -14,6 +14,7 @@ namespace Signorini
   {
     namespace
     {
+      /// The columns of other ranks that the rows of this rank refer to.
       IndexSet
       ghosts_of(const SparseMatrix &A)
       {
@@ -44,6 +45,8 @@ namespace Signorini
 
 
 
+    // The elements of src at the local columns: owned ones are copied, others are received.
+    // Collective.
     const float *
     LevelMatrix::fetch(const float *src) const
     {
@@ -65,6 +68,8 @@ namespace Signorini
 
 
 
+    // Entries in double precision, vectors in single precision; sums are accumulated in double
+    // precision.
     void
     LevelMatrix::vmult_add(float *dst, const float *src) const
     {
@@ -90,6 +95,7 @@ namespace Signorini
 
 
 
+    // Contributions by local column are added to the owners. Collective.
     void
     LevelMatrix::Tvmult_add(float *dst, const float *src) const
     {

@@ -40,7 +40,8 @@ namespace Signorini
         return places.size();
       }
 
-      /// Add values, by local column, to the elements of a vector that A can be applied to.
+      /// Add values by local column to the elements of their owners. @param dst owned elements of a
+      /// vector to which A can be applied
       void
       add_columns(const float *values, float *dst) const;
 

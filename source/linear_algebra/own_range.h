@@ -7,7 +7,8 @@ namespace Signorini
 {
   namespace LA
   {
-    /// The degrees of freedom that a rank owns: one after the other.
+    /// The degrees of freedom that a rank owns as a contiguous range, for fast tests and
+    /// conversions.
     class OwnRange
     {
     public:

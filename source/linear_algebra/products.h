@@ -7,12 +7,12 @@ namespace Signorini
 {
   namespace LA
   {
-    /// dst = A src, as SparseMatrix::vmult, which allocates two vectors a call: on the coarse
-    /// levels of a multigrid method that counts.
+    /// dst = A src, without the two vectors that SparseMatrix::vmult allocates in each call, which
+    /// matters on the coarse levels of a multigrid method.
     void
     multiply(const SparseMatrix &A, Vector &dst, const Vector &src);
 
-    /// A B
+    /// The product A B. Collective.
     SparseMatrix
     product(const SparseMatrix &A, const SparseMatrix &B);
   } // namespace LA

@@ -11,18 +11,19 @@ namespace Signorini
 {
   namespace LA
   {
-    /// A row of this rank without the detour over iterators, which cost a hundred times more. Its
-    /// entries belong to the matrix.
+    /// Direct access to the entries of a row of this rank, a hundred times faster than by
+    /// iterators. The arrays belong to the matrix.
     struct RowView
     {
-      /// @param row counts those of this rank
+      /// @param row local number of the row
       RowView(const SparseMatrix &matrix, const int row)
       {
         const int error = matrix.trilinos_matrix().ExtractMyRowView(row, size, values, columns);
         AssertThrow(error == 0, dealii::ExcTrilinosError(error));
       }
 
-      /// Points between the same two faces have the same columns.
+      /// True if another row has the same columns in the same order, as rows of points between the
+      /// same two faces have.
       bool
       has_columns_of(const RowView &other) const
       {

@@ -18,6 +18,8 @@ namespace Signorini
   {
     namespace
     {
+      /// Parameters of ML: smoothed aggregation of nodes of n_components unknowns with a given near
+      /// null space, levels down to 1000 unknowns, without smoothers.
       Teuchos::ParameterList
       parameters_of(Epetra_MultiVector &null_space, const unsigned int n_components)
       {
@@ -27,12 +29,13 @@ namespace Signorini
         parameters.set("PDE equations", static_cast<int>(n_components));
         parameters.set("null space: type", "pre-computed");
         parameters.set("null space: dimension", null_space.NumVectors());
-        // Without any pointer ML would do without null space on ranks that have no rows.
+        // ML ignores the null space if the pointer is null, which it would be on ranks without
+        // rows.
         static double nothing = 0;
         parameters.set("null space: vectors",
                        null_space.MyLength() > 0 ? null_space.Values() : &nothing);
         parameters.set("aggregation: type", "Uncoupled");
-        // Dropping weak couplings harms elasticity: what looks weak is shear.
+        // No couplings are dropped: in elasticity the weak ones are those of shear, and needed.
         parameters.set("aggregation: threshold", 0.);
         parameters.set("coarse: max size", 1000);
         // Only the levels are wanted.
@@ -41,6 +44,7 @@ namespace Signorini
         return parameters;
       }
 
+      /// A copy of a matrix of ML in deal.II's format.
       SparseMatrix
       copy(ML_Operator &from)
       {

@@ -15,10 +15,10 @@ namespace Signorini
       SparseMatrix prolongation; ///< P, to that level
     };
 
-    /// The coarse levels that ML makes of K by smoothed aggregation, from finer to coarser; none if
-    /// K is small. Collective.
-    /// @param modes near-null-space of K: elements of this rank, mode by mode
-    /// @param n_components unknowns of a node, which aggregates do not tear apart
+    /// The coarse levels of K by smoothed aggregation (ML), from finer to coarser; none if K is
+    /// small. Collective.
+    /// @param modes near null space of K, mode by mode: elements of this rank
+    /// @param n_components unknowns of a node, which are aggregated together
     std::vector<CoarseLevel>
     smoothed_aggregation(const SparseMatrix                     &K,
                          const std::vector<std::vector<double>> &modes,

@@ -7,9 +7,9 @@
 
 namespace Signorini
 {
-  /// The one place that knows which linear algebra is used. Epetra is leaving Trilinos; what comes
-  /// after it (Tpetra, from deal.II 9.7 on) is exchanged here and in the other files of this
-  /// folder: no file outside it names anything of Epetra's.
+  /// The types of linear algebra. Epetra is being removed from Trilinos; its successor (Tpetra,
+  /// from deal.II 9.7 on) is to be introduced here and in the other files of this folder, since no
+  /// file outside of it names a type of Epetra, ML or Amesos.
   namespace LA
   {
     using Vector       = dealii::TrilinosWrappers::MPI::Vector;

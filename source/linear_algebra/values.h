@@ -7,9 +7,9 @@ namespace Signorini
 {
   namespace LA
   {
-    /// The elements that this rank owns, in a row, Vector::locally_owned_size() of them: access by
-    /// global index costs ten times more, and is collective now and then. They belong to the
-    /// vector.
+    /// The owned elements of a vector as an array of Vector::locally_owned_size() entries, which
+    /// belongs to the vector. Access by global index costs ten times more, and is sometimes
+    /// collective.
     inline double *
     values_of(Vector &v)
     {

@@ -8,8 +8,8 @@ namespace Signorini
 {
   namespace
   {
-    /// Is the place of each node that which its neighbours of the first one along the axes
-    /// foretell?
+    /// True if the mapping of a cell is affine: each node is where the three edges at the first
+    /// node place it, to 1e-10 of the size of the cell.
     bool
     is_affine_cell(const double *points, const unsigned int degree)
     {
@@ -35,6 +35,7 @@ namespace Signorini
       return true;
     }
 
+    /// n^3.
     unsigned int
     cube(const unsigned int n)
     {
@@ -50,6 +51,8 @@ namespace Signorini
     , width(width)
     , n_nodes(cube(cells.degree + 1))
   {
+    // Sort cells into affine batches and others; the last batch of each kind is filled up with
+    // copies of its last cell, which get no weight.
     std::vector<bool> is_real;
     const auto        append = [&](const bool affine) {
       for (unsigned int cell = 0; cell < cells.size(); ++cell)
@@ -75,6 +78,7 @@ namespace Signorini
       return;
     my_geometry.resize(n_batches == n_affine ? first_of(n_affine - 1, 0) + 10 * width :
                                                first_of(n_batches - 1, n_nodes - 1) + 10 * width);
+    // Interleave the data of the cells of a batch: lane w of batch b has the cell in slot b W + w.
     for (std::size_t slot = 0; slot < order.size(); ++slot)
       {
         const std::size_t cell = order[slot], batch = slot / width, w = slot % width;

@@ -7,14 +7,15 @@
 
 namespace Signorini
 {
-  /// Cells in batches of as many as a processor's vectors have places, with what a kernel keeps of
-  /// them: a number of each cell stands beside that of the next one. Affine cells come first: they
-  /// are content with the geometry of one point. What is left of a batch is filled by its last cell
-  /// once more, with no weight.
+  /// Cells in batches of as many as a vector of the processor has lanes, with nodes, moduli and
+  /// geometry: the numbers of the cells of a batch are adjacent. Affine cells come first; they
+  /// store the geometry of one point. The last batch of each kind is filled up with its last cell,
+  /// with zero weight.
   template <typename Number>
   class Batches
   {
   public:
+    /// @param width lanes of a vector; the cells are referred to until drop_points()
     Batches(const KernelCells &cells, unsigned int width);
 
     std::size_t
@@ -43,15 +44,16 @@ namespace Signorini
       return &my_material[batch * 2 * width];
     }
 
-    /// One, or zero for cells that only fill.
+    /// One for each cell of a batch; zero for cells that only fill it up.
     const Number *
     fills(const std::size_t batch) const
     {
       return &my_fills[batch * width];
     }
 
-    /// [ten numbers][cell]: derivatives of the unit coordinates by place, [unit coordinate][place],
-    /// then the volume of the cell (affine ones) or the weight of the point q.
+    /// Ten numbers for each cell: [number][cell], the derivatives of the reference coordinates with
+    /// respect to position, [reference coordinate][position], then det J (affine cells) or the
+    /// weight of point q.
     const Number *
     geometry(const std::size_t batch, const unsigned int q) const
     {
@@ -64,8 +66,8 @@ namespace Signorini
       return &my_geometry[first_of(batch, q)];
     }
 
-    /// A component of the place of a node, from the first node of its cell, so that there is no
-    /// cancellation in single precision.
+    /// A component of the position of a node relative to the first node of its cell, so that there
+    /// is no cancellation in single precision [length].
     Number
     point(const std::size_t  batch,
           const unsigned int cell,
@@ -77,7 +79,7 @@ namespace Signorini
       return Number(first[3 * node + component] - first[component]);
     }
 
-    /// Geometry is set.
+    /// Release the reference to the cells after the geometry has been set.
     void
     drop_points()
     {
@@ -99,7 +101,7 @@ namespace Signorini
       return before * numbers * width;
     }
 
-    /// Vectors of the processor are loaded from there.
+    /// Arrays from which vectors of the processor are loaded, aligned to 64 bytes.
     using Array = std::vector<Number, boost::alignment::aligned_allocator<Number, 64>>;
 
     const KernelCells         *my_cells;

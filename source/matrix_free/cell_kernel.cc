@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Highway compiles this file once for each instruction set, so that one executable runs everywhere,
-// as fast as the processor can, and no function of one set ends up where another is expected.
-// (GCC's vector types and std::experimental::simd have the width of the compiler's flags: they
-// would ask for a file per set, whose inline functions the linker then mixes.)
+// This file is compiled once for each instruction set by Highway, and the best one is selected at
+// run time, so that one executable runs on all processors at their full speed, and functions of one
+// instruction set are never linked in place of another's. (GCC's vector types and
+// std::experimental::simd have the vector width of the compiler's flags: they would need a file for
+// each instruction set, whose inline functions the linker would then mix.)
 
 #include "matrix_free/batches.h"
 #include "matrix_free/instruction_sets.h"
@@ -24,8 +25,9 @@ namespace Signorini
   {
     namespace hn = hwy::HWY_NAMESPACE;
 
-    /// Stress of a material point times the weight w of its place, from the gradient of the
-    /// displacement: lambda tr(eps) I + 2 mu eps.
+    /// The stress of isotropic linear elasticity times the weight w of a point, lambda tr(eps) I +
+    /// 2 mu eps, from the displacement gradient G[component][direction]. One vector lane for each
+    /// cell of the batch.
     template <typename Number>
     struct IsotropicLaw
     {
@@ -48,6 +50,9 @@ namespace Signorini
       }
     };
 
+    /// Products, diagonals and eigenvalues of isotropic linear elastic cells. Affine cells have one
+    /// geometry for the whole cell and use Legendre modes (apply_to_modes()), the others one at
+    /// each Gauss point and sum factorisation. Does not refer to the cells after construction.
     template <typename Number, int degree>
     class Kernel final : public CellSweep<Kernel<Number, degree>, Number, degree>
     {
@@ -70,7 +75,8 @@ namespace Signorini
       friend Lattice;
       friend CellSweep<Kernel, Number, degree>;
 
-      /// Of a point: the derivatives of the unit coordinates by place, and the weight.
+      /// The geometry at a point: inverse[d][c] = dxi_d/dx_c, and the weight: the quadrature weight
+      /// times det J; of affine batches det J alone.
       struct Geometry
       {
         V inverse[3][3], weight;
@@ -87,7 +93,7 @@ namespace Signorini
         return at;
       }
 
-      /// Of the point itself, as the weights of affine batches are those of the whole cell.
+      /// The quadrature weight of a point times det J; affine batches store det J only.
       HWY_INLINE V
       weight(const std::size_t b, const int q, const Geometry &at) const
       {
@@ -100,8 +106,9 @@ namespace Signorini
         return {load(batches.material(b)), load(batches.material(b) + W)};
       }
 
-      /// Gradients by unit coordinates become stresses, pulled back likewise, times weights. Not
-      /// for affine batches.
+      /// At each point replace the gradients in reference coordinates by the stresses times the
+      /// weight, transformed back to reference coordinates: G = (du/dxi) J^-1, then (S J^-T) w. For
+      /// batches that are not affine.
       HWY_INLINE void
       stresses(const std::size_t b, Gradients &g) const
       {
@@ -129,7 +136,9 @@ namespace Signorini
           }
       }
 
-      /// u = K_e u
+      /// u = K_e u of a batch: gradients at the points, stresses, and their transposed evaluation
+      /// (doc/theory, 7.9). O(n^4) operations for n = degree + 1, instead of O(n^6) with element
+      /// matrices.
       HWY_INLINE void
       apply(const std::size_t b, Values &u) const
       {
@@ -141,13 +150,16 @@ namespace Signorini
         lattice.integrate_gradients(g, u);
       }
 
-      /// The same for affine cells with a linear law that does not change in them, by Legendre's
-      /// polynomials: integrals have no mixed terms. Half of the operations, the same result.
+      /// The same product for affine cells of constant moduli, in Legendre polynomials: products of
+      /// different polynomials integrate to zero, so that the matrix (doc/theory, (7.14)) couples
+      /// few coefficients. Half of the operations of sum factorisation, with the same result.
       HWY_INLINE void
       apply_to_modes(const std::size_t b, Values &u) const
       {
         const Geometry at = geometry(b, 0);
         Modes          modes{u, {}, {}, at.weight, law(b)};
+        // The derivative of a polynomial of degree i + 1 in one direction has the coefficient
+        // `derivatives[i]` for degree i.
         for (int i = 0; i < degree; ++i)
           for (int d = 0; d < 3; ++d)
             for (int k = 0; k < 3; ++k)
@@ -159,7 +171,8 @@ namespace Signorini
         Lattice::from_all_modes(modes.f, u);
       }
 
-      /// Coefficients of the displacement, of the forces, and what is the same for all.
+      /// Coefficients of the displacement and of the forces in Legendre polynomials, and what is
+      /// the same for all modes of a batch.
       struct Modes
       {
         const Values              &u;
@@ -169,7 +182,9 @@ namespace Signorini
         const IsotropicLaw<Number> law;
       };
 
-      /// What the gradient's part with L_T adds to the forces.
+      /// Add to the forces the contribution of the gradient's component along L_T: collect the
+      /// gradient from the coefficients one degree higher in each direction, evaluate the stress
+      /// with the weight int L_T^2 dV, and distribute it to the same coefficients.
       template <int T>
       HWY_INLINE void
       add_mode(Modes &modes) const
@@ -205,6 +220,9 @@ namespace Signorini
               }
       }
 
+      /// Compute dxi/dx and the weights of a batch from its node positions: the inverse of the
+      /// Jacobian matrix by cofactors at each Gauss point, once for affine cells. Cells that only
+      /// fill up a batch get the weight zero.
       void
       set_geometry(const std::size_t b)
       {
@@ -235,7 +253,8 @@ namespace Signorini
           }
       }
 
-      /// K_ii = int mu |grad N|^2 + (lambda + mu) (d_c N)^2 for component c of a node.
+      /// The diagonals of the element matrices, K_ii = int mu |grad N|^2 + (lambda + mu) (d_c N)^2
+      /// for component c of a node, in values by node.
       void
       diagonal(const std::size_t b, Values &d) const
       {
@@ -273,6 +292,7 @@ namespace Signorini
       Batches<Number> batches;
     };
 
+    /// The kernel of the degree of the cells, 1 or 2.
     template <typename Number>
     std::unique_ptr<CellKernel<Number>>
     make(const KernelCells &cells)

@@ -11,21 +11,24 @@
 
 namespace Signorini
 {
-  /// The largest degree that there is a kernel for: from three on, deal.II does not number the
-  /// components of a node one after the other.
+  /// The largest degree for which there is a kernel: from degree three on, deal.II does not number
+  /// the components of a node consecutively.
   constexpr unsigned int largest_kernel_degree = 2;
 
-  /// Hexahedra of one degree, and what they are made of. A cell has (degree + 1)^3 nodes, in
-  /// lexicographic order, x fastest, which are those of its geometry, too.
+  /// Hexahedra of one degree with geometry and moduli. A cell has (degree + 1)^3 nodes, in
+  /// lexicographic order with x fastest, which are also those of its geometry.
   struct KernelCells
   {
-    unsigned int               degree = 1;
-    std::vector<std::uint32_t> nodes;  ///< [cell][node]: place of its first component in vectors
-    std::vector<double>        points; ///< [cell][node][component]: places in space
-    std::vector<double>        lambda, mu; ///< [cell]
+    unsigned int degree = 1;
+    /// [cell][node]: the position of the first component of the node in vectors.
+    std::vector<std::uint32_t> nodes;
+    /// [cell][node][component]: positions in the reference configuration [length].
+    std::vector<double> points;
+    /// [cell]: Lamé constants [force/area].
+    std::vector<double> lambda, mu;
 
-    /// Instead of places and moduli: [cell][point], one for all of a cell or those of its points of
-    /// integration with their weights.
+    /// Tangents in place of positions and moduli: [cell][point], one for each cell or one for each
+    /// of its integration points, in reference coordinates and with weights.
     CellTangents tangents;
 
     unsigned int
@@ -47,14 +50,14 @@ namespace Signorini
     }
   };
 
-  /// Linear elasticity of hexahedra without their matrices, that of materials or of tangents: the
-  /// integrals int sigma(u):eps(v) dV are evaluated anew for each u, by sum factorisation (Orszag,
-  /// J. Comput. Phys. 37 (1980) 70-92; Kronbichler, Kormann, ACM Trans. Math. Softw. 45 (2019) 29),
-  /// for as many cells at a time as the processor's vectors have places (batches), by Gauss' rule
-  /// with degree + 1 points a direction.
+  /// Products with the stiffness of hexahedra without element matrices, of linear elasticity or of
+  /// tangents: the integrals int sigma(u):eps(v) dV are evaluated for each u by sum factorisation
+  /// (Orszag, J. Comput. Phys. 37 (1980) 70-92; Kronbichler, Kormann, ACM Trans. Math. Softw. 45
+  /// (2019) 29; doc/theory, 7.9), for batches of as many cells as a vector of the processor has
+  /// lanes, with degree + 1 Gauss points in each direction.
   ///
-  /// Vectors here are those of one rank, with the three components of a node one after the other,
-  /// and know nothing of constraints.
+  /// Vectors are arrays of one rank, with the three components of a node consecutive. Constraints
+  /// are not applied here.
   template <typename Number>
   class CellKernel
   {
@@ -76,13 +79,13 @@ namespace Signorini
     virtual void
     add_diagonal(Number *dst) const = 0;
 
-    /// Elements of dst become at least the largest eigenvalue of diag(K_e)^-1 K_e, up to some
-    /// per cent, of each cell e that they belong to. The largest of all bounds that of
+    /// Raise the elements of dst to at least the largest eigenvalue of diag(K_e)^-1 K_e, up to a
+    /// few per cent, of each cell e that they belong to. The largest of all is a bound of that of
     /// diag(K)^-1 K; it is large where cells are of bad shape.
     virtual void
     enlarge_by_eigenvalues(Number *dst) const = 0;
 
-    /// Bytes.
+    /// Memory of this rank [bytes].
     virtual std::size_t
     memory_consumption() const = 0;
   };

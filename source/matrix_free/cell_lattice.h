@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values on the nodes and points of as many hexahedra as a vector of the processor has places, as
-// kernels go through them. As lattice_lines.h, this file is read once for each instruction set, and
-// is not for others than the kernels.
+// Operations of the kernels on the nodes and quadrature points of a batch of hexahedra, as many
+// cells as a vector of the processor has lanes. As lattice_lines.h, this file is included once for
+// each instruction set, by the kernels only.
 
 #if defined(SIGNORINI_CELL_LATTICE_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SIGNORINI_CELL_LATTICE_H
@@ -22,6 +22,9 @@ namespace Signorini
 {
   namespace HWY_NAMESPACE
   {
+    /// The tensor product lattice of the (degree + 1)^3 nodes, and of as many Gauss points, of a
+    /// batch of cells. The innermost index of all arrays is the cell, so that each operation is one
+    /// on a vector register.
     template <typename Number, int degree>
     struct CellLattice
     {
@@ -45,7 +48,9 @@ namespace Signorini
       const KernelTables<Number, degree>        tables;
       static constexpr Legendre<Number, degree> legendre{};
 
-      /// @param slot [node][cell]
+      /// Read the values of the nodes of a batch from a vector of this rank.
+      /// @param slot position of the first component of each node: [node][cell]
+      /// @param src may be read one element beyond its last one
       static HWY_INLINE void
       gather(const std::uint32_t *slot, const Number *HWY_RESTRICT src, Values &u)
       {
@@ -67,7 +72,8 @@ namespace Signorini
             }
       }
 
-      // Cells that only fill a batch have no weight: they add nothing.
+      /// Add values at the nodes of a batch to a vector, cell by cell, since cells of a batch may
+      /// share nodes. Cells that only fill up a batch have zero weight and add nothing.
       static HWY_INLINE void
       scatter(const std::uint32_t *slot, const Values &u, Number *HWY_RESTRICT dst)
       {
@@ -81,7 +87,8 @@ namespace Signorini
             }
       }
 
-      /// Elements of dst become at least as large as what their cells have.
+      /// Raise the elements of dst at the nodes of each cell to the value of the cell, if they are
+      /// smaller.
       static void
       enlarge(const std::uint32_t *slot, const V value, Number *dst)
       {
@@ -92,7 +99,9 @@ namespace Signorini
             dst[slot[k] + c] = HWY_MAX(dst[slot[k] + c], largest[k % W]);
       }
 
-      /// By unit coordinates.
+      /// Gradients in reference coordinates at the Gauss points, from nodal values u, which are
+      /// overwritten. First the values at the Gauss points along each direction, then derivatives
+      /// of the polynomials through these: six contractions for each component instead of nine.
       HWY_INLINE void
       evaluate_gradients(Values &u, Gradients &g) const
       {
@@ -108,6 +117,8 @@ namespace Signorini
           }
       }
 
+      /// The transpose of evaluate_gradients(): nodal values u = sum over points of gradients of
+      /// the shape functions times g.
       HWY_INLINE void
       integrate_gradients(const Gradients &g, Values &u) const
       {
@@ -123,13 +134,14 @@ namespace Signorini
           }
       }
 
+      /// The Gauss weight of a point on the unit cube.
       HWY_INLINE Number
       unit_weight(const int q) const
       {
         return tables.weights[q % n] * tables.weights[q / n % n] * tables.weights[q / (n * n)];
       }
 
-      /// Of the function of a node at a point, by unit coordinates.
+      /// The gradient in reference coordinates of the shape function of node i at point q.
       HWY_INLINE void
       unit_gradient(const int q, const int i, Number (&gradient)[3]) const
       {
@@ -146,9 +158,10 @@ namespace Signorini
           }
       }
 
-      /// Coefficients of Legendre's polynomials, L_T = L_i(2 xi - 1) L_j(2 eta - 1)
-      /// L_k(2 zeta - 1). Derivatives are other coefficients there: that of L_T in direction d
-      /// comes from the next higher degree in that direction, at T + mode_stride(d).
+      /// Transform nodal values to coefficients of L_T = L_i(2 xi - 1) L_j(2 eta - 1) L_k(2 zeta -
+      /// 1) with Legendre polynomials L. The derivative in direction d maps coefficients to
+      /// coefficients: that of L_T comes from the next higher degree in that direction, at T +
+      /// mode_stride(d).
       static HWY_INLINE void
       to_all_modes(Values &u)
       {
@@ -161,6 +174,8 @@ namespace Signorini
           }
       }
 
+      /// The transpose of to_all_modes(): nodal forces from forces on the coefficients f, which are
+      /// overwritten.
       static HWY_INLINE void
       from_all_modes(Values &f, Values &u)
       {
@@ -181,6 +196,7 @@ namespace Signorini
           store(hn::Zero(Tag<Number>()), at + k * W);
       }
 
+      /// The distance in the arrays between modes whose degrees in a direction differ by one.
       static constexpr int
       mode_stride(const int direction)
       {
@@ -202,9 +218,9 @@ namespace Signorini
                legendre.weights[mode_degree(T, 2)];
       }
 
-      /// Calls `kernel.template add_mode<T>(modes)` for all T that are derivatives of something.
-      /// With degree two each is a function of its own: 26 of them in one take compilers minutes,
-      /// and are slower.
+      /// Call kernel.template add_mode<T>(modes) for all T that occur in derivatives, which the
+      /// mode of highest degree in all directions does not. For degree two each call is a function
+      /// of its own: inlined in one function, 26 of them take minutes to compile and are slower.
       template <typename Kernel, typename Modes>
       static HWY_INLINE void
       add_modes(const Kernel &kernel, Modes &modes)
@@ -212,10 +228,10 @@ namespace Signorini
         add_modes(kernel, modes, std::make_integer_sequence<int, n_nodes - 1>());
       }
 
-      /// The largest one of D^-1 K of each cell, by a power iteration from something that
-      /// oscillates.
-      /// @param d the diagonals D
-      /// @param apply u = K u
+      /// The largest eigenvalue of D^-1 K_e of each cell, by eight steps of power iteration from an
+      /// oscillating vector; the Rayleigh quotient (u.Ku)/(u.Du) of the last step.
+      /// @param d diagonals D of the cells
+      /// @param apply performs u = K_e u
       template <typename Apply>
       static HWY_INLINE V
       eigenvalue(const Values &d, const Apply &apply)
@@ -268,9 +284,9 @@ namespace Signorini
       }
     };
 
-    /// A kernel that goes through its batches of cells one by one.
-    /// @tparam Derived has `batches`, with size() and nodes(), apply(batch, u), u = K u, and
-    /// diagonal(batch, d)
+    /// Implements CellKernel by a loop over batches: gather, apply, scatter.
+    /// @tparam Derived has `batches`, with size() and nodes(), and the functions apply(batch, u), u
+    /// = K_e u, and diagonal(batch, d)
     template <typename Derived, typename Number, int degree>
     class CellSweep : public CellKernel<Number>
     {

@@ -5,6 +5,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Element matrices as products of the kernel with unit vectors: the cells are separated, so that
+  // each has its own nodes, and one product yields column j of all their matrices.
   CellMatrices::CellMatrices(const KernelCells &cells, const std::vector<unsigned int> &which)
     : n_dofs(3 * cells.nodes_per_cell())
   {

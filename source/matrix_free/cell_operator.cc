@@ -11,6 +11,7 @@ namespace Signorini
 
   namespace
   {
+    /// The node lists of the cells of each degree.
     std::vector<const std::vector<std::uint32_t> *>
     nodes_of(const CellSpace &space)
     {
@@ -20,6 +21,7 @@ namespace Signorini
       return result;
     }
 
+    /// A kernel for cells whose nodes are renumbered to the local arrays.
     template <typename Number>
     std::unique_ptr<CellKernel<Number>>
     make_kernel(KernelCells cells, const LocalVectors<Number> &vectors)
@@ -43,6 +45,8 @@ namespace Signorini
 
 
 
+  // Make the kernels of a space with the same degrees of freedom, and the diagonal: sum of the
+  // cells' diagonals with constraints condensed, plus the given diagonal terms.
   template <typename Number>
   void
   CellOperator<Number>::update(const CellSpace &space)
@@ -59,7 +63,8 @@ namespace Signorini
     const double *const beyond = LA::values_of(space.diagonal_terms);
     for (std::size_t i = 0; i < my_diagonal.size(); ++i)
       my_diagonal[i] += beyond[i];
-    // What is constrained has no cells in the product, but its whole diagonal.
+    // The product of the cells is zero at constrained degrees of freedom; there the operator is its
+    // diagonal, as an assembled matrix with constraints eliminated is.
     std::vector<bool> is_constrained(my_diagonal.size(), false);
     for (const auto i : vectors.owned_constrained())
       is_constrained[i] = true;
@@ -72,6 +77,8 @@ namespace Signorini
 
 
 
+  // y = C^T K_cells C x + diagonal terms (doc/theory, 7.9). Collective: ghost values are fetched
+  // before, and added to their owners after.
   template <typename Number>
   Number *
   CellOperator<Number>::product(const Number *x) const
@@ -88,6 +95,8 @@ namespace Signorini
 
 
 
+  // Estimate of the l1 norms: the diagonal times the largest eigenvalue of diag(K_e)^-1 K_e of the
+  // cells around. Rigid bodies have no cells and get their diagonal.
   template <typename Number>
   std::vector<Number>
   CellOperator<Number>::row_l1_norms() const
@@ -98,7 +107,7 @@ namespace Signorini
     const Number *const ratios = vectors.largest();
     std::vector<Number> result = my_diagonal;
     for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] *= std::max(ratios[i], Number(1)); // rigid bodies have no cells
+      result[i] *= std::max(ratios[i], Number(1));
     return result;
   }
 

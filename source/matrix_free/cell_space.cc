@@ -22,8 +22,8 @@ namespace Signorini
   {
     constexpr int dim = 3;
 
-    /// Of a cell's degrees of freedom, those of the first components of its nodes, in lexicographic
-    /// order.
+    /// Of the degrees of freedom of a cell, the first components of its nodes, in lexicographic
+    /// order of the nodes. Throws if the components of a node are not consecutive.
     std::vector<unsigned int>
     lexicographic_nodes(const FiniteElement<dim> &fe)
     {
@@ -39,7 +39,7 @@ namespace Signorini
       return result;
     }
 
-    /// Calls visit(cell) for those of this rank with an element.
+    /// Call visit(cell) for the locally owned cells with a given active FE index.
     template <typename Visitor>
     void
     for_cells(const Elasticity<dim> &elasticity, const unsigned int element, const Visitor &visit)
@@ -49,7 +49,7 @@ namespace Signorini
           visit(cell);
     }
 
-    /// Cells and their nodes.
+    /// The locally owned cells with a given active FE index: degree and nodes.
     KernelCells
     cells_of(const Elasticity<dim> &elasticity, const unsigned int element)
     {
@@ -66,7 +66,7 @@ namespace Signorini
       return cells;
     }
 
-    /// Where they are, and of what.
+    /// Add node positions and Lamé constants of the cells.
     void
     add_materials(const Elasticity<dim> &elasticity, const unsigned int element, KernelCells &cells)
     {
@@ -114,6 +114,7 @@ namespace Signorini
 
   namespace
   {
+    /// The degrees of freedom of a cell, node by node.
     std::vector<types::global_dof_index>
     dofs_of(const KernelCells &cells, const unsigned int cell)
     {
@@ -128,6 +129,8 @@ namespace Signorini
 
 
 
+  // Assemble the matrix of a space from the kernel's products with unit vectors, see CellMatrices,
+  // for the coarsest levels and preconditioners that need a matrix.
   void
   assemble(const CellSpace &space, LA::SparseMatrix &K)
   {
@@ -139,6 +142,7 @@ namespace Signorini
     const auto for_each = [&](const auto &act) {
       for (const KernelCells &cells : space.cells)
         for (unsigned int cell = 0; cell < cells.size(); ++cell)
+          // Indices of other ranks that rows may be written to.
           act(cells, cell);
     };
     for_each([&](const KernelCells &cells, const unsigned int cell) {

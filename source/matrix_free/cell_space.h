@@ -12,10 +12,15 @@ namespace Signorini
   /// freedom and constraints, of the finest mesh or of a coarser level.
   struct CellSpace
   {
-    dealii::IndexSet                  owned; ///< degrees of freedom, those of rigid bodies last
-    std::vector<KernelCells>          cells; ///< of this rank, one a degree; nodes by global index
-    dealii::AffineConstraints<double> constraints; ///< of all that these cells touch
-    LA::Vector diagonal_terms; ///< what K has on its diagonal beyond the stiffness of cells
+    /// The degrees of freedom of this rank, those of rigid bodies last.
+    dealii::IndexSet owned;
+    /// The cells of this rank, one entry for each degree; nodes by the global index of their first
+    /// component.
+    std::vector<KernelCells> cells;
+    /// The constraints of all degrees of freedom of these cells.
+    dealii::AffineConstraints<double> constraints;
+    /// Diagonal terms of K beyond the stiffness of cells [force/length].
+    LA::Vector diagonal_terms;
     MPI_Comm   comm;
   };
 

@@ -45,7 +45,7 @@ namespace Signorini
 
   namespace
   {
-    /// Is anything marked that was not before?
+    /// True on all ranks if any degree of freedom is marked that was not marked before. Collective.
     bool
     has_more(const LA::Vector &marker, const LA::Vector &before)
     {
@@ -57,8 +57,8 @@ namespace Signorini
       return Utilities::MPI::max(any ? 1 : 0, marker.get_mpi_communicator()) == 1;
     }
 
-    /// All components of nodes of which one is marked: the same cells have them, and surfaces that
-    /// move on will ask for them.
+    /// Mark all components of each node of which one is marked: they belong to the same cells, and
+    /// contact surfaces that move will need them next.
     void
     mark_nodes(const LA::Vector &marker, LA::Vector &marked)
     {
@@ -73,6 +73,9 @@ namespace Signorini
 
 
 
+  // Rows of marked degrees of freedom, assembled from the cells around them. Marks accumulate, so
+  // that the matrix is assembled again only when there are new ones; once the whole matrix exists,
+  // it is returned. Collective.
   const LA::SparseMatrix &
   CellStiffness::rows(const LA::Vector &marker) const
   {
@@ -86,6 +89,9 @@ namespace Signorini
     if (is_more)
       mark_nodes(marker, marked);
 
+    // Marks of ghosts, so that cells of this rank next to marked degrees of freedom of others are
+    // assembled too. A constrained degree of freedom belongs to the rows of those that it depends
+    // on.
     LA::Vector seen(elasticity.owned(), elasticity.relevant(), communicator());
     seen                                             = marked;
     const AffineConstraints<double>     &constraints = elasticity.constraints();

@@ -10,8 +10,8 @@
 
 namespace Signorini
 {
-  /// K of bodies in space whose products are made by the cells. Whoever asks for rows gets them
-  /// assembled from the cells around them.
+  /// A stiffness of bodies in space whose products are evaluated cell by cell. Rows and the whole
+  /// matrix are assembled from cells on request.
   class CellStiffness : public Stiffness
   {
   public:
@@ -30,8 +30,8 @@ namespace Signorini
       return *in_single_precision;
     }
 
-    /// What was returned before is void if there are marks that it had not, and once somebody asks
-    /// for the whole matrix.
+    /// Rows of marked degrees of freedom. A matrix returned earlier is invalid after a call with
+    /// new marks, and after matrix().
     const LA::SparseMatrix &
     rows(const LA::Vector &marker) const override;
 
@@ -59,16 +59,16 @@ namespace Signorini
   protected:
     using Cell = dealii::DoFHandler<3>::active_cell_iterator;
 
-    /// Refers to the elasticity. The operators are to be set.
+    /// Refers to the elasticity. Derived classes set the operators.
     explicit CellStiffness(const Elasticity<3> &elasticity)
       : elasticity(elasticity)
     {}
 
-    /// The operators have changed.
+    /// To be called when the operators have changed; assembled matrices are discarded.
     void
     has_changed();
 
-    /// Sum of the matrices of the cells that are taken. Collective.
+    /// Assemble the cells for which `takes` is true. Collective.
     virtual void
     assemble(LA::SparseMatrix &K, const std::function<bool(const Cell &)> &takes) const = 0;
 
@@ -77,9 +77,11 @@ namespace Signorini
     std::optional<CellOperator<float>>  in_single_precision;
 
   private:
-    unsigned int                              my_version = 1;
-    mutable LA::Vector                        marked; ///< rows that were asked for, empty: none
-    mutable std::unique_ptr<LA::SparseMatrix> some_rows, whole; ///< null: nobody asked
+    unsigned int my_version = 1;
+    /// Degrees of freedom whose rows have been requested (nonzero); empty: none.
+    mutable LA::Vector marked;
+    /// The matrices that have been requested; null: none.
+    mutable std::unique_ptr<LA::SparseMatrix> some_rows, whole;
   };
 
   /// The stiffness of linear elasticity by cells.

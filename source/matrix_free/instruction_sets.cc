@@ -13,7 +13,8 @@ namespace Signorini
 {
   namespace
   {
-    /// What the environment asks for; empty: nothing.
+    /// The instruction set that the environment variable SIGNORINI_INSTRUCTION_SET selects; empty:
+    /// none. Throws SceneError if it is not available.
     std::string
     set_of_environment()
     {

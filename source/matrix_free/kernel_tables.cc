@@ -8,6 +8,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Values of the nodal shape functions at the Gauss points of a line, and derivatives there of the
+  // polynomials through the Gauss points.
   template <typename Number, int degree>
   KernelTables<Number, degree>::KernelTables()
   {

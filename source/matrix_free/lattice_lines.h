@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of the processor along the lines of a lattice of nodes or points, for kernels that
-// Highway compiles once for each instruction set: this file is read once for each of them, too. Not
-// for others than matrix_free/cell_kernel.cc.
+// Operations on vector registers along the lines of a lattice of nodes or points, for kernels that
+// Highway compiles once for each instruction set: this file is included once for each of them, by
+// matrix_free/cell_kernel.cc and the like only.
 
 #if defined(SIGNORINI_LATTICE_LINES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SIGNORINI_LATTICE_LINES_H
@@ -21,7 +21,7 @@ namespace Signorini
   {
     namespace hn = hwy::HWY_NAMESPACE;
 
-    /// Numbers of as many cells as a vector has places.
+    /// Vectors with one lane for each cell of a batch, and their number of lanes.
     template <typename Number>
     using Tag = hn::ScalableTag<Number>;
     template <typename Number>
@@ -51,8 +51,8 @@ namespace Signorini
     }
 
 #if HWY_TARGET != HWY_SCALAR
-    /// Four numbers from each of as many places as a vector has, the first place of each four in
-    /// one vector, the second in the next.
+    /// Load blocks of four consecutive numbers, one from each of as many slots as a vector has
+    /// blocks.
     template <typename D, int n_blocks = hn::MaxLanes(D()) / 4>
     HWY_INLINE hn::Vec<D>
                load_blocks(const D d, const std::uint32_t *slot, const float *from)
@@ -68,7 +68,8 @@ namespace Signorini
         }
     }
 
-    /// The components x, y, z of nodes whose first numbers stand at places. Reads one number more.
+    /// Gather the components x, y, z of nodes from the slots of their first components, by
+    /// transposing blocks of four. Reads one number beyond the last component.
     HWY_INLINE void
     gather_nodes(const std::uint32_t *slot, const float *from, float *x, float *y, float *z)
     {
@@ -85,12 +86,14 @@ namespace Signorini
     }
 #endif
 
-    /// Of an n x n x n lattice: from one point of a line along a direction to the next.
+    /// The distance in an n x n x n lattice from one point of a line along a direction to the next.
     template <int direction, int n, typename Number>
     constexpr int line_stride = width<Number> *(direction == 0 ? 1 :
                                                 direction == 1 ? n :
                                                                  n * n);
 
+    /// The position of the first point of a line along a direction; lines are numbered from 0 to
+    /// n^2 - 1.
     template <int direction, int n, typename Number>
     HWY_INLINE int
     first_of_line(const int line)
@@ -100,8 +103,8 @@ namespace Signorini
                                                line);
     }
 
-    /// out(q) = sum of M(q, i) in(i) along all lines of a direction of an n x n x n lattice, or
-    /// M(i, q) in(i) if transposed. `in` may be `out`.
+    /// Apply a matrix along all lines of one direction of an n x n x n lattice: out(q) = sum_i M(q,
+    /// i) in(i), or M(i, q) in(i) if transposed; added to `out` if `add`. `in` may be `out`.
     template <int direction, bool transposed, bool add, int n, typename Number>
     HWY_INLINE void
     contract(const Number (&M)[n][n], const Number *in, Number *out)

@@ -11,7 +11,7 @@ namespace Signorini
 
   namespace
   {
-    /// The degrees of freedom of nodes, each once.
+    /// The degrees of freedom of the nodes of several lists, each once, sorted.
     std::vector<types::global_dof_index>
     dofs_of(const std::vector<const std::vector<std::uint32_t> *> &lists, const IndexSet &owned)
     {
@@ -35,7 +35,8 @@ namespace Signorini
       return result;
     }
 
-    /// Of other ranks: those of the cells, and those that these hang on.
+    /// The degrees of freedom of other ranks that are needed: those of the cells, and those that
+    /// constraints of these refer to.
     IndexSet
     ghosts_of(const IndexSet                             &owned,
               const std::vector<types::global_dof_index> &touched,
@@ -69,6 +70,8 @@ namespace Signorini
                                      const AffineConstraints<double> &constraints,
                                      const MPI_Comm                   comm)
   {
+    // Constrained degrees of freedom of the cells, with their constraints as compressed rows over
+    // local indices.
     const std::vector<types::global_dof_index> touched = dofs_of(nodes, owned);
     exchange = std::make_unique<LA::GhostExchange<Number>>(owned,
                                                            ghosts_of(owned, touched, constraints),
@@ -91,12 +94,15 @@ namespace Signorini
           }
       }
     first.push_back(elements.size());
+    // One element more, since kernels may read beyond the last one.
     of_u.resize(exchange->n_owned() + exchange->n_ghosts() + 1);
     of_f.resize(of_u.size());
   }
 
 
 
+  // x = C u: owned values, ghosts, then constrained values as combinations of the others.
+  // Collective.
   template <typename Number>
   const Number *
   LocalVectors<Number>::resolve(const Number *u) const
@@ -126,6 +132,8 @@ namespace Signorini
 
 
 
+  // Add C^T f: forces on constrained degrees of freedom go to those on which they depend; then
+  // ghosts to their owners. Collective.
   template <typename Number>
   Number *
   LocalVectors<Number>::condense() const
@@ -142,6 +150,7 @@ namespace Signorini
 
 
 
+  // The diagonal of C^T K C, as far as it comes from the diagonal of K.
   template <typename Number>
   Number *
   LocalVectors<Number>::condense_diagonal() const

@@ -12,23 +12,24 @@
 
 namespace Signorini
 {
-  /// Between vectors of all degrees of freedom and what a rank needs of them for the cells that it
-  /// owns: an array with its own degrees of freedom first, and then copies of those of others that
-  /// these cells touch, or that what they touch hangs on. Homogeneous constraints, u = C u_free,
-  /// are dealt with here, so that loops over cells know nothing of them.
+  /// Conversion between distributed vectors of degrees of freedom and the arrays of a rank that
+  /// loops over cells read and write: the owned degrees of freedom first, followed by copies of
+  /// those of other ranks that the cells of this rank, or constraints of their degrees of freedom,
+  /// refer to. Homogeneous constraints u = C u_free are applied here, outside of the loops over
+  /// cells.
   template <typename Number>
   class LocalVectors
   {
   public:
     /// Collective.
-    /// @param nodes by their first degrees of freedom of three, those that this rank needs; lists
-    /// may name one more than once
+    /// @param nodes lists of nodes that this rank needs, by their first degrees of freedom of
+    /// three; a node may occur repeatedly
     LocalVectors(const dealii::IndexSet                                &owned,
                  const std::vector<const std::vector<std::uint32_t> *> &nodes,
                  const dealii::AffineConstraints<double>               &constraints,
                  MPI_Comm                                               comm);
 
-    /// Where a degree of freedom is in the arrays.
+    /// The position of a degree of freedom in the arrays.
     std::uint32_t
     local_index(const dealii::types::global_dof_index dof) const
     {

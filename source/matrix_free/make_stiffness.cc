@@ -9,7 +9,7 @@ namespace Signorini
 {
   namespace
   {
-    /// Those that follow large deformation have a tangent of their own.
+    /// True if there are follower pressures, whose tangent the kernels do not have.
     template <int dim>
     bool
     has_pressures(const Elasticity<dim> &elasticity)
@@ -27,6 +27,8 @@ namespace Signorini
               const Elasticity<dim>              &elasticity,
               const bool                          is_to_be_refined)
   {
+    // Without a wish: matrix-free in space where kernels exist, if there are multigrid levels of
+    // meshes or degrees or the bodies are nonlinear, unless the preconditioner needs the matrix.
     const auto &triangulation = elasticity.mesh().triangulation();
     const bool  is_possible   = dim == 3 && elasticity.degree() <= largest_kernel_degree &&
                              !(elasticity.is_finite_strain() && has_pressures(elasticity)),

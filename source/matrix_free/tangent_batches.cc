@@ -5,6 +5,8 @@
 
 namespace Signorini
 {
+  // Interleave the tangents of the cells of a batch: [batch][point][number][cell]. The last batch
+  // is filled up with copies of the last cell, with zero tangents.
   TangentBatches::TangentBatches(const KernelCells &cells, const std::size_t width)
     : width(width)
     , n_nodes(cells.nodes_per_cell())

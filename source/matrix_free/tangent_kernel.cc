@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled once for each instruction set, as cell_kernel.cc is.
+// This file is compiled once for each instruction set, as cell_kernel.cc.
 
 #include "matrix_free/tangent_kernel.h"
 
@@ -22,6 +22,7 @@ namespace Signorini
   {
     namespace hn = hwy::HWY_NAMESPACE;
 
+    /// Load tangents, which are stored in single precision for both precisions of the products.
     template <typename Number>
     HWY_INLINE Lanes<Number>
                load_single_precision(const float *from)
@@ -32,7 +33,8 @@ namespace Signorini
         return hn::PromoteTo(Tag<double>(), hn::Load(hn::Rebind<float, Tag<double>>(), from));
     }
 
-    /// One tangent a cell.
+    /// Products with one mean tangent for each cell (in reference coordinates, with weights), in
+    /// Legendre polynomials: for multigrid levels, in single precision.
     template <typename Number, int degree>
     class MeanTangentKernel final
       : public CellSweep<MeanTangentKernel<Number, degree>, Number, degree>
@@ -40,6 +42,8 @@ namespace Signorini
     public:
       explicit MeanTangentKernel(const KernelCells &cells)
         : batches(cells, W)
+      // Integrals of products of derivatives of each shape function over the unit cell, for the
+      // diagonals.
       {
         for (int i = 0; i < n_nodes; ++i)
           for (int d = 0; d < 3; ++d)
@@ -81,7 +85,8 @@ namespace Signorini
         Lattice::from_all_modes(modes.f, u);
       }
 
-      /// What the gradient's part with L_T adds to the forces.
+      /// Add to the forces the contribution of the gradient's component along L_T, see
+      /// Kernel::add_mode(); components whose degree is already the highest vanish.
       template <int T>
       HWY_INLINE void
       add_mode(Modes &modes) const
@@ -136,11 +141,12 @@ namespace Signorini
       const Lattice        lattice;
       const TangentBatches batches;
 
-      /// Of the derivatives of a node's function by unit coordinates, over the unit cell.
+      /// int dN_i/dxi_d dN_i/dxi_e over the unit cell: [node][d][e].
       Number products[n_nodes][3][3];
     };
 
-    /// One tangent a point.
+    /// Products with one tangent for each Gauss point, by sum factorisation: the consistent tangent
+    /// of Newton's method at finite strain.
     template <typename Number, int degree>
     class PointTangentKernel final
       : public CellSweep<PointTangentKernel<Number, degree>, Number, degree>
@@ -212,7 +218,8 @@ namespace Signorini
       const TangentBatches batches;
     };
 
-    // Names of templates here must not be those of cell_kernel.cc: they are in one namespace.
+    // All instruction sets of both files are in one namespace, so that names of templates here must
+    // differ from those in cell_kernel.cc.
     template <typename Number, int degree>
     std::unique_ptr<CellKernel<Number>>
     make_tangent_kernel_of_degree(const KernelCells &cells)

@@ -7,6 +7,8 @@ namespace Signorini
 
   namespace
   {
+    /// Create an operator, or give an existing one the new tangents; its vectors and exchanges are
+    /// kept.
     template <typename Number>
     void
     set(std::optional<CellOperator<Number>> &cells, const CellSpace &space)
@@ -31,6 +33,9 @@ namespace Signorini
 
 
 
+  // Tangents at all quadrature points of all cells at displacement u (with ghosts); the operators
+  // are set by update(). If a cell is inverted, its body is named and the operators stay as they
+  // are. Local.
   std::string
   TangentStiffness::evaluate(const LA::Vector &u)
   {
@@ -57,6 +62,9 @@ namespace Signorini
 
 
 
+  // From the tangents at points: the operator in double precision with all of them, the one in
+  // single precision and the coarser levels with the means of the cells. Memory: 45 floats for each
+  // point while both exist.
   void
   TangentStiffness::update()
   {
@@ -64,6 +72,7 @@ namespace Signorini
     space.diagonal_terms = elasticity.diagonal_terms();
     set(in_double_precision, space);
 
+    // Weights are in the tangents, so that the mean over the cell is the sum over its points.
     for (KernelCells &cells : space.cells)
       {
         const std::size_t n_points = cells.nodes_per_cell();
@@ -75,6 +84,8 @@ namespace Signorini
       }
     set(in_single_precision, space);
 
+    // The means by active cell, for the tangents of coarser levels; the cells of each degree are in
+    // the order of the mesh.
     means.resize(elasticity.mesh().triangulation().n_active_cells());
     std::vector<std::size_t> n_before(space.cells.size(), 0);
     for (const auto &cell : elasticity.dof_handler().active_cell_iterators())
@@ -90,6 +101,7 @@ namespace Signorini
 
 
 
+  // Rows or the whole matrix are assembled from cell tangents at the point of the last update.
   void
   TangentStiffness::assemble(LA::SparseMatrix                        &K,
                              const std::function<bool(const Cell &)> &takes) const

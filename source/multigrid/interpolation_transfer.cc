@@ -21,6 +21,8 @@ namespace Signorini
 
 
 
+  // Nodes are sorted by their number of vertices, a power of two, so that loops have a fixed inner
+  // length.
   void
   InterpolationTransfer::Nodes::add(const Index        node,
                                     const Index *const vertices,
@@ -51,6 +53,8 @@ namespace Signorini
                below.constraints,
                comm)
   {
+    // Renumber nodes and vertices to local arrays, and mark the components of nodes that are free
+    // on the finer level.
     for (unsigned int i = 0; i < nodes.of.size(); ++i)
       {
         for (std::uint32_t &vertex : nodes.of[i].vertices)
@@ -65,6 +69,7 @@ namespace Signorini
             node = fine.index_within_set(node);
           }
       }
+    // Degrees of freedom of rigid bodies are the same on both levels.
     for (Index i = 0; i < n_rigid; ++i)
       if (const Index dof = fine.size() - n_rigid + i;
           fine.is_element(dof) && !above.constraints.is_constrained(dof))
@@ -74,6 +79,7 @@ namespace Signorini
 
 
 
+  /// Call act(node, free components, vertices, number of vertices) for all nodes of this rank.
   template <typename Action>
   void
   InterpolationTransfer::for_each_node(const Action &act) const
@@ -88,6 +94,8 @@ namespace Signorini
 
 
 
+  // Prolongation u_fine += P C u_coarse: means of vertices, zero at constrained degrees of freedom
+  // of the finer level.
   void
   InterpolationTransfer::vmult_add(float *of_fine, const float *of_coarse) const
   {
@@ -108,6 +116,7 @@ namespace Signorini
 
 
 
+  // Restriction u_coarse = C^T P^T f_fine, the exact transpose.
   void
   InterpolationTransfer::Tvmult(float *of_coarse, const float *of_fine) const
   {
@@ -128,7 +137,7 @@ namespace Signorini
 
 
 
-  /// Those of this rank.
+  // The rows of P of owned degrees of freedom, constraints of the coarser level condensed.
   std::unordered_map<InterpolationTransfer::Index, InterpolationTransfer::Row>
   InterpolationTransfer::rows(const std::vector<Index> &dofs) const
   {
@@ -156,7 +165,8 @@ namespace Signorini
   LA::SparseMatrix
   InterpolationTransfer::times(const LA::SparseMatrix &B) const
   {
-    // Rows of P that meet a column of B: those of this rank, and those of others, whom it asks.
+    // The rows of P that belong to columns of B: those of this rank are computed, those of other
+    // ranks are requested from their owners. Two exchanges between neighbours.
     const MPI_Comm           comm    = B.get_mpi_communicator();
     const std::vector<Index> columns = LA::global_columns(B);
     std::vector<Index>       own, others;
@@ -182,6 +192,7 @@ namespace Signorini
       for (unsigned int i = 0; i < list.size(); ++i)
         P[questions[rank][i]] = list[i];
 
+    // B P row by row, as sums over the entries of B.
     std::vector<Row> result(B.local_size());
     for (unsigned int i = 0; i < result.size(); ++i)
       {

@@ -13,7 +13,7 @@ namespace Signorini
 
   namespace
   {
-    /// What the leaves of a rank add to a cell.
+    /// The part of a cell's tangent that comes from the leaves of one rank.
     struct Message
     {
       int           level;
@@ -29,6 +29,7 @@ namespace Signorini
       }
     };
 
+    /// sum += factor * term.
     void
     add(const CellTangent &term, const float factor, CellTangent &sum)
     {
@@ -44,6 +45,9 @@ namespace Signorini
                                const MPI_Comm           comm)
     : of_leaves(of_leaves)
   {
+    // Each leaf adds its tangent to all its ancestors, divided by four on each level
+    // (doc/theory, 7.1), since both derivatives in the reference coordinates of a child are half of
+    // those in its parent's.
     for (const SpaceFillingCurve::PlacedCell &leaf : curve.leaves())
       {
         const CellTangent      &tangent = of_leaves[leaf.cell->active_cell_index()];
@@ -63,6 +67,8 @@ namespace Signorini
 
 
 
+  // Cells with leaves on several ranks: partial sums are sent to the rank that owns the cell, the
+  // one that has its first leaf on the curve. Collective.
   void
   LevelTangents::send_to_owners(const SpaceFillingCurve &curve, const MPI_Comm comm)
   {

@@ -25,6 +25,7 @@ namespace Signorini
         dofs.get_triangulation());
     }
 
+    /// A request for the name of the vertex at a corner of a leaf of another rank.
     struct NumberRequest
     {
       SpaceFillingCurve::Position position; ///< of the leaf
@@ -38,6 +39,7 @@ namespace Signorini
       }
     };
 
+    /// The name of a vertex, and the constraints of its components.
     struct Answer
     {
       Index                                                     name;
@@ -61,6 +63,9 @@ namespace Signorini
 
 
 
+  // The name of a vertex on all levels is its first degree of freedom on the finest mesh. Names at
+  // vertices of owned cells are read from the degrees of freedom; those of vertices of coarser
+  // cells whose leaf is on another rank are requested.
   LevelVertices::LevelVertices(const DoFHandler<space_dim>     &dofs,
                                const AffineConstraints<double> &hanging,
                                const AffineConstraints<double> &constraints)
@@ -91,7 +96,8 @@ namespace Signorini
 
 
 
-  /// Corners of cells whose leaf there is another rank's.
+  // Request the names and constraints of corners of ancestors whose leaf at the corner is on
+  // another rank. Two exchanges between neighbours. Collective.
   void
   LevelVertices::query_other_ranks(const MPI_Comm comm)
   {
@@ -132,6 +138,7 @@ namespace Signorini
 
 
 
+  // The constraints of a vertex may refer to vertices that no cell of this rank has.
   void
   LevelVertices::add_masters(std::vector<Index> &list) const
   {
@@ -147,7 +154,7 @@ namespace Signorini
 
   namespace
   {
-    /// Who owns which degrees of freedom of the finest mesh.
+    /// The owners of the degrees of freedom of the finest mesh, by the ranges of the ranks.
     class Owners
     {
     public:
@@ -164,7 +171,7 @@ namespace Signorini
         return std::upper_bound(ends.begin(), ends.end(), dof) - ends.begin();
       }
 
-      /// Those that are not of this rank, each once.
+      /// The degrees of freedom of a list that other ranks own, each once, by rank.
       std::map<unsigned int, std::vector<Index>>
       from_other_ranks(const std::vector<Index> &list, const LA::OwnRange &own) const
       {
@@ -186,6 +193,10 @@ namespace Signorini
 
 
 
+  // Vertices of cells of this level are numbered on the rank that owns their name. Each rank
+  // announces the corners of its cells to their owners, the owners number them contiguously over
+  // the ranks, and the numbers of known names of other ranks are requested. Three exchanges between
+  // neighbours. Collective.
   VertexNumbers::VertexNumbers(const std::vector<Index> &corners,
                                const std::vector<Index> &known,
                                const IndexSet           &owned,
@@ -194,7 +205,8 @@ namespace Signorini
     : on_finest(owned)
     , numbers(on_finest.size() / space_dim, dealii::numbers::invalid_dof_index)
   {
-    const Owners      owners(owned, comm);
+    const Owners owners(owned, comm);
+    // Which of the names of this rank occur as corners, on any rank.
     std::vector<bool> is_present(numbers.size(), false);
     for (const Index name : corners)
       if (on_finest.has(name))
@@ -207,6 +219,8 @@ namespace Signorini
       if (is_present[i])
         my_names.push_back(on_finest.dof(space_dim * i));
 
+    // Contiguous numbers; three degrees of freedom for each vertex, those of rigid bodies last on
+    // the last rank.
     const auto  counts = Utilities::MPI::all_gather(comm, my_names.size());
     const auto  rank   = Utilities::MPI::this_mpi_process(comm);
     const Index before = std::accumulate(counts.begin(), counts.begin() + rank, Index(0)),
@@ -218,6 +232,7 @@ namespace Signorini
     for (unsigned int i = 0; i < my_names.size(); ++i)
       numbers[on_finest.local_index(my_names[i]) / space_dim] = before + i;
 
+    // Numbers of vertices of other ranks; names that are no vertices of this level have none.
     const auto questions = owners.from_other_ranks(known, on_finest);
     std::map<unsigned int, std::vector<Index>> answers;
     for (const auto &[other, list] : Utilities::MPI::some_to_some(comm, questions))

@@ -21,9 +21,10 @@ namespace Signorini
 
   namespace
   {
-    /// Few entries, each degree of freedom once.
+    /// A sparse row with few entries, each degree of freedom once.
     using Row = std::vector<std::pair<types::global_dof_index, double>>;
 
+    /// Add to an entry of a row, or create it.
     void
     add_entry(const types::global_dof_index dof, const double value, Row &row)
     {
@@ -56,6 +57,8 @@ namespace Signorini
   }
 
   template <int dim>
+  // Degrees of freedom of rigid bodies follow those of the mesh, as in the fine space, with the
+  // same owner.
   void
   LinearSpace<dim>::number(const Elasticity<dim> &fine)
   {
@@ -68,7 +71,9 @@ namespace Signorini
       owned.add_range(n, n + n_rigid);
   }
 
-  /// As the supports do with the nodes there of the fine space.
+  // Vertices are constrained as the nodes of the fine space there. Constraints of other nodes
+  // cannot be represented in general, see CoarseConstraintPenalty. Values are zero: a level
+  // corrects an error.
   template <int dim>
   void
   LinearSpace<dim>::constrain_vertices(const Elasticity<dim> &fine)
@@ -105,6 +110,7 @@ namespace Signorini
         }
   }
 
+  // Prescribed motions of rigid bodies are constrained on all levels.
   template <int dim>
   void
   LinearSpace<dim>::constrain_rigid_bodies(const Elasticity<dim> &fine)
@@ -118,7 +124,8 @@ namespace Signorini
 
   namespace
   {
-    /// The value at each node of a cell of a finite element as combinations of those at vertices.
+    /// The interpolation of the displacement of degree one at the nodes of a cell of the fine
+    /// space, as rows over the degrees of freedom at vertices.
     template <int dim>
     class NodeRows
     {
@@ -160,8 +167,8 @@ namespace Signorini
       const LinearSpace<dim> &space;
     };
 
-    /// Calls visit(i, cell, number of i in the cell, its degrees of freedom, those of degree one)
-    /// for each locally owned degree of freedom of the mesh once.
+    /// Call visit(cell, i, fine indices of the cell, indices of degree one) for each locally owned
+    /// degree of freedom of the mesh once, where i is its number in the cell.
     template <int dim, typename Visitor>
     void
     visit_nodes(const Elasticity<dim> &fine, const LinearSpace<dim> &space, const Visitor &visit)
@@ -191,7 +198,7 @@ namespace Signorini
 
   namespace
   {
-    /// The vertices of a cell of which a node is the mean.
+    /// The vertices of a cell whose mean is the position of a node.
     template <int dim>
     std::vector<unsigned int>
     vertices_of_mean(const Point<dim> &node)
@@ -203,6 +210,8 @@ namespace Signorini
       return result;
     }
 
+    /// The prolongation in space without a matrix: each node of degree two is the mean of 1, 2, 4
+    /// or 8 vertices.
     std::unique_ptr<const Prolongation>
     means_of_vertices(const Elasticity<3> &fine, const LinearSpace<3> &space)
     {
@@ -235,6 +244,8 @@ namespace Signorini
         fine.mesh().communicator());
     }
 
+    /// The prolongation as a matrix, for plane models: rows of constrained degrees of freedom are
+    /// empty. Collective.
     template <int dim>
     std::unique_ptr<const Prolongation>
     assembled_prolongation(const Elasticity<dim> &fine, const LinearSpace<dim> &space)

@@ -13,6 +13,7 @@ namespace Signorini
 
   namespace
   {
+    /// The rigid-body modes on the space of degree one.
     template <int dim>
     std::vector<std::vector<double>>
     modes_of(const Elasticity<dim> &elasticity, const LinearSpace<dim> &space)
@@ -20,6 +21,7 @@ namespace Signorini
       return rigid_body_modes(elasticity.mesh(), space.dofs, space.elements, space.owned);
     }
 
+    /// The space of degree one as the finest mesh of the coarser levels.
     LinearDisplacements
     displacements_of(const Elasticity<3>  &elasticity,
                      const LinearSpace<3> &space,
@@ -35,6 +37,8 @@ namespace Signorini
               tangents};
     }
 
+    /// The matrix of the space of degree one: from tangents where there are some, otherwise from
+    /// the materials, with the penalty for lost constraints and the diagonal terms. Collective.
     template <int dim>
     LA::SparseMatrix
     assembled(const Elasticity<dim>         &elasticity,
@@ -67,7 +71,7 @@ namespace Signorini
       return K;
     }
 
-    /// Below bodies of degree one.
+    /// Coarser meshes below a space of degree one; none in the plane.
     template <int dim>
     Spaces
     coarser_meshes(const Elasticity<dim> &elasticity, const CellTangents *tangents)
@@ -84,7 +88,10 @@ namespace Signorini
       return {};
     }
 
-    /// Below degree one, itself a level below bodies that have more. Takes P if there are any.
+    /// Coarser meshes below a space of degree one, which is itself a level below bodies of higher
+    /// degree and then has products only.
+    /// @param P prolongation from the space of degree one, moved into the result if there are
+    /// coarser meshes
     template <int dim>
     Spaces
     coarser_meshes(const Elasticity<dim>               &elasticity,
@@ -116,6 +123,8 @@ namespace Signorini
               const Stiffness       &stiffness,
               const bool             to_coarser_meshes)
   {
+    // Laws without tangents by cell have no geometric levels: their hierarchy consists of
+    // aggregates.
     const CellTangents *const tangents = stiffness.tangents();
     if (elasticity.is_nonlinear() && !tangents)
       return {};
@@ -134,6 +143,7 @@ namespace Signorini
           !result.levels.empty())
         return result;
 
+    // No coarser meshes: the space of degree one is the last geometric level and needs a matrix.
     Spaces result;
     result.levels.emplace_back(std::move(P), assembled(elasticity, space, tangents, lost, terms));
     result.modes = modes_of(elasticity, space);

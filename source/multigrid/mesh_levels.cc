@@ -22,6 +22,7 @@ namespace Signorini
     using Index = types::global_dof_index;
     using Cell  = SpaceFillingCurve::Cell;
 
+    /// Add the corners and the moduli of a cell.
     void
     add_material(const Cell &cell, const Material &material, KernelCells &cells)
     {
@@ -35,8 +36,9 @@ namespace Signorini
 
     using PlacedCell = SpaceFillingCurve::PlacedCell;
 
-    /// Calls act(place) for what this rank knows of the cells that there are if none is finer than
-    /// a level: its own leaves, and those that have such leaves in them.
+    /// Call act(place) for the cells of the mesh in which no cell is finer than `level`, as far as
+    /// this rank has leaves in them: its own leaves up to that level, and cells of that level with
+    /// finer leaves. A cell with leaves on several ranks is visited by each of them.
     template <typename Action>
     void
     for_each_cell(const int level, const SpaceFillingCurve &curve, const Action &act)
@@ -49,31 +51,38 @@ namespace Signorini
           act(cell_on_curve);
     }
 
+    /// The construction of the levels below the finest mesh by global coarsening: on each level all
+    /// cells of the finest refinement level are replaced by their parents (doc/theory, 7.1). Starts
+    /// on the finest mesh; coarsen() proceeds by one level. Refers to its arguments.
     class Levels
     {
     public:
       Levels(const LinearDisplacements &linear, const Elasticity<dim> &elasticity);
 
-      /// Collective.
+      /// True if there is a coarser mesh, the present one is too large for a factorisation, and no
+      /// constraint would be lost on the coarser one. Collective.
       bool
       can_coarsen() const;
 
-      /// Go to the next coarser one. Returns the prolongation from there. Collective.
+      /// Proceed to the next coarser level. Collective. @return the prolongation from there to the
+      /// level before
       std::unique_ptr<const Prolongation>
       coarsen();
 
-      /// Of the present one, if that is not the finest.
+      /// The space of the present level. Valid after coarsen().
       const CellSpace &
       space() const
       {
         return present;
       }
 
+      /// The rigid-body modes on the present level, mode by mode.
       std::vector<std::vector<double>>
       modes() const;
 
     private:
-      /// The vertices of which one is the mean on the next coarser level, by name.
+      /// The vertices of the next coarser level, by name, whose mean is a vertex of the present
+      /// one.
       struct Parents
       {
         std::array<Index, n_corners> names;
@@ -121,7 +130,8 @@ namespace Signorini
         tangents.emplace(*linear.tangents, vertices.curve(), comm);
     }
 
-    /// Of cells on this rank, and what they hang on.
+    // The names of the corners of cells on this rank, and of the vertices that their constraints
+    // refer to.
     std::vector<Index>
     Levels::known_names(const int at) const
     {
@@ -134,6 +144,7 @@ namespace Signorini
       return known;
     }
 
+    // Number the vertices of a level: each cell is counted by its owner only.
     VertexNumbers
     Levels::number_vertices(const int at, const std::vector<Index> &known) const
     {
@@ -147,6 +158,8 @@ namespace Signorini
       return VertexNumbers(corners, known, linear.dofs.locally_owned_dofs(), n_rigid, comm);
     }
 
+    // The space of a level: numbering, constraints, and the cells that this rank owns with their
+    // tangents or moduli. The operator of a level is its own discretisation.
     CellSpace
     Levels::make_space(const int                 at,
                        const std::vector<Index> &known,
@@ -174,6 +187,8 @@ namespace Signorini
       return space;
     }
 
+    // The constraints of vertices are those on the finest mesh, by name: a vertex that hangs or is
+    // supported there does so on all levels on which it exists.
     void
     Levels::constrain(const std::vector<Index> &known,
                       const VertexNumbers      &of_level,
@@ -207,7 +222,8 @@ namespace Signorini
       constraints.close();
     }
 
-    /// Of its parent, if the cell is of the present level, or the corner itself.
+    // A cell of the present level is replaced by its parent: its corner is a corner of the parent,
+    // or the middle of an edge, face or the whole. Corners of coarser cells stay.
     Levels::Parents
     Levels::parents(const PlacedCell &cell_on_curve, const unsigned int corner) const
     {
@@ -216,8 +232,8 @@ namespace Signorini
         result.names[result.n++] = vertices.name(cell_on_curve.cell, corner);
       else
         {
-          // Along a direction in which child and corner are on the same side, it is the parent's
-          // corner; along the others, in the middle.
+          // In directions in which child and corner are on the same side, the vertex has the
+          // coordinate of the parent's corner; in the others it is in the middle.
           const Cell         parent = cell_on_curve.cell->parent();
           const unsigned int child  = SpaceFillingCurve::child_number(cell_on_curve),
                              middle = child ^ corner;
@@ -228,7 +244,8 @@ namespace Signorini
       return result;
     }
 
-    /// Is anything held that hangs on what is not, one level coarser?
+    // True on all ranks if a supported vertex of the present level would depend on coarser vertices
+    // that are not supported: the coarser level could not represent the support. Collective.
     bool
     Levels::loses_constraints() const
     {
@@ -255,7 +272,8 @@ namespace Signorini
       return Utilities::MPI::max(any ? 1 : 0, comm) == 1;
     }
 
-    /// Of the present level, that this rank owns; by the vertices of the next coarser one.
+    // The vertices of the present level that this rank owns, each once, as means of vertices of the
+    // next coarser level.
     InterpolationTransfer::Nodes
     Levels::nodes_on(const VertexNumbers &coarse) const
     {
@@ -307,6 +325,7 @@ namespace Signorini
     }
 
     std::vector<std::vector<double>>
+    // The modes of the finest mesh at the vertices that this level has.
     Levels::modes() const
     {
       std::vector<std::vector<double>> result(linear.modes.size());
@@ -351,6 +370,8 @@ namespace Signorini
 
 
 
+  // Levels from finer to coarser; the last one gets an assembled matrix, for aggregation or
+  // factorisation, the others products only. Collective.
   Spaces
   mesh_levels(const LinearDisplacements &linear, const Elasticity<3> &elasticity)
   {

@@ -12,7 +12,8 @@ namespace Signorini
 
   namespace
   {
-    /// Where the number of a child of a cell of this level stands: more levels than p4est has.
+    /// The position of the bits of a child's number in a position on the curve (three bits for each
+    /// level, the coarsest first); p4est has fewer levels than fit.
     unsigned int
     shift(const unsigned int level)
     {
@@ -40,6 +41,8 @@ namespace Signorini
     first                       = Utilities::MPI::all_gather(triangulation.get_communicator(),
                                        my_leaves.empty() ? Position(none, 0) :
                                                                                  my_leaves.front().position);
+    // Ranks without leaves get the first position of the next rank, so that owner() finds none on
+    // them.
     for (unsigned int rank = first.size(); rank-- > 0;)
       if (first[rank].first == none && rank + 1 < first.size())
         first[rank] = first[rank + 1];
@@ -47,6 +50,8 @@ namespace Signorini
 
 
 
+  // Collect the leaves of this rank below a cell, and the ancestors that have such leaves. Returns
+  // true if there are any.
   bool
   SpaceFillingCurve::collect(const Cell &cell, const Position &position)
   {
@@ -69,6 +74,8 @@ namespace Signorini
 
 
 
+  // Leaves are distributed in the order of the curve; the owner of a position is the last rank
+  // whose first leaf is not behind it.
   unsigned int
   SpaceFillingCurve::owner(const Position &position) const
   {
@@ -77,6 +84,7 @@ namespace Signorini
 
 
 
+  // The leaf at a corner of a cell: the child with the number of the corner on all finer levels.
   SpaceFillingCurve::Position
   SpaceFillingCurve::at_corner(const PlacedCell &cell_on_curve, const unsigned int corner)
   {

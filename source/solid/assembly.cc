@@ -49,6 +49,8 @@ namespace Signorini
     const std::function<bool(const Cell &)>                       &takes,
     const std::function<void(const Cell &, FullMatrix<double> &)> &matrix_of) const
   {
+    // Pattern of the selected cells with constraints eliminated, and the diagonal of all owned
+    // degrees of freedom.
     LA::SparsityPattern                  pattern(owned, owned, relevant, mesh.communicator());
     std::vector<types::global_dof_index> indices;
     for (const auto &cell : dofs.active_cell_iterators())
@@ -62,6 +64,8 @@ namespace Signorini
     pattern.compress();
     K.reinit(pattern);
 
+    // Cell matrices are distributed with the constraints: K = C^T K_cells C, constrained rows
+    // diagonal.
     FullMatrix<double> cell_matrix;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned() && takes(cell))

@@ -32,14 +32,17 @@ namespace Signorini
                       const dealii::IndexSet                  &owned,
                       const dealii::IndexSet                  &relevant);
 
-    /// K gets the sum over the locally owned cells that `takes` takes, and a place on each
-    /// diagonal. Collective.
+    /// Assemble K from the locally owned cells for which `takes` is true. The pattern has all
+    /// diagonal entries. Collective.
+    /// @param K is reinitialised
     void
     assemble(
       LA::SparseMatrix                        &K,
       const std::function<bool(const Cell &)> &takes = [](const Cell &) { return true; }) const;
 
-    /// Assemble K from other cell matrices than those of the undeformed materials.
+    /// Assemble K from given cell matrices, such as tangents, instead of those of the undeformed
+    /// materials. Collective.
+    /// @param matrix_of computes the matrix of a cell, of the size of its degrees of freedom
     void
     assemble(
       LA::SparseMatrix                                                      &K,

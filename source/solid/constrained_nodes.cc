@@ -22,6 +22,7 @@ namespace Signorini
 
   namespace
   {
+    /// The unit vector of axis d.
     template <int dim>
     Tensor<1, dim>
     axis(const unsigned int d)
@@ -31,7 +32,8 @@ namespace Signorini
       return e;
     }
 
-    /// Faces along the axes hold one component alone, to the last digit.
+    /// Set a unit vector that is an axis up to rounding to that axis exactly, so that faces along
+    /// the axes constrain one component and couple none.
     template <int dim>
     Tensor<1, dim>
     without_rounding(Tensor<1, dim> n)
@@ -42,7 +44,9 @@ namespace Signorini
       return n;
     }
 
-    /// Normals of the faces around a node, those of one smooth surface summed up.
+    /// Add a face normal to the sum of those of the same smooth surface at a node, those within 50
+    /// degrees of each other; start a new sum otherwise: the node is at an edge or corner, and is
+    /// constrained in several directions.
     template <int dim>
     void
     add_normal(const Tensor<1, dim> &n, std::vector<Tensor<1, dim>> &sums)
@@ -57,7 +61,7 @@ namespace Signorini
       sums.push_back(n);
     }
 
-    /// The nodes of the faces of a cell, one for each vector that stands there.
+    /// The nodes on one face of the reference cell, and the evaluation of the normals there.
     template <int dim>
     struct FaceNodes
     {
@@ -77,6 +81,9 @@ namespace Signorini
       }
     };
 
+    /// Finds the constrained nodes of supports by boundaries, node sets and points. Visits locally
+    /// owned and ghost cells, so that each rank knows the constraints of all its relevant degrees
+    /// of freedom. Hanging nodes are skipped. Refers to its arguments.
     template <int dim>
     class NodeConstrainer
     {
@@ -97,8 +104,9 @@ namespace Signorini
           }
       }
 
-      /// Calls visit(node, normal of the face there) for the nodes of the faces of a boundary, face
-      /// by face.
+      /// Call visit(node, normal) for the nodes of the faces of a boundary, face by face; the
+      /// normal is that of the true surface at the node, zero if not wanted. A node is visited once
+      /// for each face that has it.
       template <typename Visit>
       void
       on_boundary(const BoundaryIds &ids, const bool with_normals, const Visit &visit)
@@ -121,7 +129,10 @@ namespace Signorini
                 }
       }
 
-      /// Calls visit(node) for the nodes of a set of the coarse mesh.
+      /// Call visit(node) for the nodes of a set of the coarse mesh, and for the nodes on edges,
+      /// faces and cells all of whose corners are in the set. Throws SceneError if nodes of the set
+      /// do not exist in the finite-element mesh. Collective.
+      /// @param place location of the key in the scene, for messages
       template <typename Visit>
       void
       on_set(const std::string &name, const std::string &place, const Visit &visit)
@@ -143,8 +154,9 @@ namespace Signorini
             "Degree = 2 for this body, or use a set that contains the corners");
       }
 
-      /// Calls visit(node) for the node at a point; throws if there is none, or if it is not clear
-      /// of which body.
+      /// Call visit(node) for the node at a point, within 1e-6 of the cell's diameter. Throws
+      /// SceneError on all ranks if there is none, or if several bodies have a node there and none
+      /// is named. Collective.
       template <typename Visit>
       void
       on_point(const NodeChoice &choice, const Visit &visit)
@@ -160,6 +172,7 @@ namespace Signorini
             {
               const double reach = 1e-6 * cell->diameter(), far = cell->center().distance(x);
               nearest = std::min(nearest, far);
+              // Cells whose center is farther away than their diameter cannot have the point.
               if (far > cell->diameter())
                 continue;
               read(cell);
@@ -186,7 +199,7 @@ namespace Signorini
                            ": several bodies have a node there; say which one by 'Point body'");
       }
 
-      /// All nodes of a support that are named by sets and points.
+      /// Call visit(node) for all nodes of a support that are named by sets and points. Collective.
       template <typename Visit>
       void
       on_nodes(const NodeChoice &choice, const Visit &visit)
@@ -197,7 +210,8 @@ namespace Signorini
           on_point(choice, visit);
       }
 
-      /// The axis of an axisymmetric body: there is no radial displacement.
+      /// Constrain the radial displacement of nodes on the axis of axisymmetric models. Throws
+      /// SceneError on all ranks if a body extends to negative radii. Collective.
       void
       constrain_axis()
       {
@@ -232,6 +246,7 @@ namespace Signorini
     private:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
+      /// Set the present cell.
       void
       read(const Cell &cell)
       {
@@ -248,7 +263,8 @@ namespace Signorini
         return (*positions)[fe->component_to_system_index(0, i)];
       }
 
-      /// The entry of the cell's node i; null if it hangs.
+      /// The entry of the present cell's node i in the result, which is created if there is none;
+      /// null if the node hangs.
       ConstrainedNode<dim> *
       constrained_node(const unsigned int i)
       {
@@ -275,6 +291,8 @@ namespace Signorini
       std::vector<types::global_dof_index> indices;
     };
 
+    /// Constrain the given components of a support of type `displacement`. Nodes are visited by
+    /// several faces but constrained once.
     template <int dim>
     void
     constrain_components(NodeConstrainer<dim> &finder,
@@ -284,7 +302,7 @@ namespace Signorini
       const auto hold = [&](ConstrainedNode<dim> &node) {
         if (!node.prescribed_directions.empty() &&
             node.prescribed_directions.back().support == &support)
-          return; // from the face or cell beside
+          return;
         for (unsigned int d = 0; d < dim; ++d)
           if (support.displacement.prescribed(d))
             node.prescribed_directions.push_back({axis<dim>(d), &support});
@@ -296,6 +314,8 @@ namespace Signorini
       finder.on_nodes(support.nodes, hold);
     }
 
+    /// Throws SceneError on all ranks if the normals of a plane of symmetry differ by more than
+    /// 1e-6 in a component. Collective.
     template <int dim>
     void
     check_plane(const Mesh<dim>                   &mesh,
@@ -314,6 +334,9 @@ namespace Signorini
                            "roller to constrain a curved surface in normal direction");
     }
 
+    /// Constrain the normal direction of a symmetry plane or roller, or the given direction of a
+    /// roller. Normals of the faces around a node are summed up for each smooth part of the
+    /// surface, and the constraint is along their mean.
     template <int dim>
     void
     constrain_normals(NodeConstrainer<dim> &finder,
@@ -345,7 +368,8 @@ namespace Signorini
         {
           for (Tensor<1, dim> &n : directions)
             n /= n.norm();
-          // Ranks see the faces around a node in different order.
+          // The order in which faces around a node are visited depends on the rank; directions are
+          // sorted, so that all ranks eliminate in the same order.
           std::sort(directions.begin(), directions.end(), [](const auto &a, const auto &b) {
             for (unsigned int d = 0; d < dim; ++d)
               if (std::abs(a[d] - b[d]) > 1e-6)
@@ -360,6 +384,8 @@ namespace Signorini
 
 
 
+  // Gram-Schmidt; a direction that depends on earlier ones gives zero and keeps its place in the
+  // list.
   template <int dim>
   std::vector<Tensor<1, dim>>
   ConstrainedNode<dim>::orthonormal() const

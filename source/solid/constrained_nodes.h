@@ -27,10 +27,14 @@ namespace Signorini
   template <int dim>
   struct ConstrainedNode
   {
+    /// Degrees of freedom of the components.
     std::array<dealii::types::global_dof_index, dim> dofs;
-    dealii::Point<dim>                               position;
-    unsigned int                                     piece;      ///< of Mesh::pieces()
-    std::vector<DirectionConstraint<dim>> prescribed_directions; ///< in the order of the supports
+    /// Position in the reference configuration [length].
+    dealii::Point<dim> position;
+    /// Number of the connected piece of its body, in Mesh::pieces().
+    unsigned int piece;
+    /// The constrained directions, in the order of the supports; not necessarily independent.
+    std::vector<DirectionConstraint<dim>> prescribed_directions;
 
     /// The part of a vector along the directions that are not constrained.
     dealii::Tensor<1, dim>
@@ -47,11 +51,11 @@ namespace Signorini
   using ConstrainedNodes = std::map<dealii::types::global_dof_index, ConstrainedNode<dim>>;
 
   /// Find the nodes of locally owned and ghost cells that are constrained by supports acting at
-  /// time t. A set of nodes stands for these, and for all nodes on edges, faces and cells of the
-  /// coarse mesh all of whose corners are in it; hanging nodes follow their neighbours and are
-  /// skipped. On curved boundaries, a node has the mean normal of its faces where their normals
-  /// differ by less than 50 degrees, and several directions at corners. Throws SceneError where a
-  /// symmetry plane is not plane. Collective.
+  /// time t. A set of nodes stands for its nodes, and for all nodes on edges, faces and cells of
+  /// the coarse mesh all of whose corners are in it; hanging nodes are skipped, since their
+  /// neighbours determine them. On curved boundaries, a node has the mean normal of its faces where
+  /// their normals differ by less than 50 degrees, and several directions at corners. Throws
+  /// SceneError where a symmetry plane is not plane. Collective.
   template <int dim>
   ConstrainedNodes<dim>
   find_constrained_nodes(const Mesh<dim>                         &mesh,

@@ -19,6 +19,7 @@ namespace Signorini
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         F[i][j] += gradient[i][j];
+    // Hoop stretch 1 + u_r/R; on the axis its limit 1 + du_r/dR.
     if (model == Model::axisymmetric)
       F[2][2] += X[0] > 1e-10 * std::abs(X[1]) ? u[0] / X[0] : gradient[0][0];
     return F;
@@ -28,8 +29,8 @@ namespace Signorini
 
   namespace
   {
-    /// The contribution of m ln J: S = m C^-1, whose derivative is -m P with P_ijkl = (A_ik A_jl +
-    /// A_il A_jk)/2 and A = C^-1.
+    /// Add the contribution of m ln J to the energy (doc/theory, (6.16)): S = m C^-1. The tangent 2
+    /// dS/dC is -2 m P with P_ijkl = (A_ik A_jl + A_il A_jk)/2 and A = C^-1.
     void
     add_volumetric_stress(const double                 m,
                           const SymmetricTensor<2, 3> &C,
@@ -51,7 +52,10 @@ namespace Signorini
 
 
 
-    /// The response with S_zz = 0, by Newton's method for the logarithm of C_zz.
+    /// The response with S_zz = 0, by Newton's method for ln C_zz with steps of at most 1/2
+    /// (doc/theory, (6.10)). Ends when S_zz is rounding beside its slope; throws std::domain_error
+    /// after 100 steps, or where the slope is not positive.
+    /// @param C in: in-plane components, C_zz as start; out: with C_zz
     ConstitutiveResponse
     without_thickness_stress(const MaterialPoint &point, SymmetricTensor<2, 3> &C)
     {
@@ -117,6 +121,7 @@ namespace Signorini
               Tensor<2, 3>        &F,
               const ResponseOrder  wanted)
   {
+    // The argument of the law is C = F^T F, at small strain 1 + 2 eps.
     const bool            is_finite_strain = point.strain_measure == StrainMeasure::finite;
     SymmetricTensor<2, 3> C                = is_finite_strain ? symmetrize(transpose(F) * F) :
                                                                 2. * symmetrize(F) - unit_symmetric_tensor<3>();
@@ -129,6 +134,8 @@ namespace Signorini
           state.stress += point.volumetric_stress * unit_symmetric_tensor<3>();
         return state;
       }
+    // Plane stress: solve for the thickness, then condense it out of the tangent (doc/theory,
+    // (6.11)).
     ConstitutiveResponse        state  = without_thickness_stress(point, C);
     const SymmetricTensor<4, 3> T      = state.tangent;
     const double                across = T[2][2][2][2];
@@ -144,6 +151,8 @@ namespace Signorini
 
 
 
+  // Inverted points (J <= 0) and failures of the plane-stress iteration give no response, instead
+  // of an exception.
   std::optional<ConstitutiveResponse>
   response_if_any(const Model          model,
                   const MaterialPoint &point,

@@ -9,10 +9,11 @@
 
 namespace Signorini
 {
-  /// F = I + Grad u in space (doc/theory, 6.1). Axisymmetric: F_zz = 1 + u_r/R; plane stress: 1,
-  /// see fill_thickness().
-  /// @param gradient of the displacement: [component][derivative]
-  /// @param u the displacement at X, at rest
+  /// The deformation gradient F = I + Grad u in three dimensions (doc/theory, 6.1). Axisymmetric:
+  /// F_zz = 1 + u_r/R; plane strain: 1; plane stress: 1, which response_at() replaces.
+  /// @param gradient gradient of the displacement: [component][derivative]
+  /// @param u displacement at X
+  /// @param X point in the reference configuration
   template <int dim>
   dealii::Tensor<2, 3>
   deformation_gradient(Model                         model,
@@ -23,8 +24,12 @@ namespace Signorini
   /// A material at a point of a body, with the data beside the strain that its law needs.
   struct MaterialPoint
   {
-    /// Refers to the material. Without a constitutive law of its own it has that of linear
-    /// elasticity, lambda tr(eps) I + 2 mu eps.
+    /// Refers to the material. Without a constitutive law the material is linear elastic, lambda
+    /// tr(eps) I + 2 mu eps.
+    /// @param volumetric_stress m of a body in displacement-pressure form [force/area]
+    /// @param internal internal variables at the start of the load step; null: none
+    /// @param duration of the load step [time]
+    /// @param temperature_rise T - T_0
     explicit MaterialPoint(const Material &material,
                            double          volumetric_stress = 0,
                            const double   *internal          = nullptr,
@@ -34,11 +39,14 @@ namespace Signorini
     /// A point of a material whose law has no internal variables.
     MaterialPoint(const ConstitutiveLaw &law, double volumetric_stress = 0);
 
+    /// The response of the law: stress S, and tangent 2 dS/dC and energy as far as wanted. @param C
+    /// C = F^T F at finite strain, 1 + 2 eps at small strain
     ConstitutiveResponse
     at(const dealii::SymmetricTensor<2, 3> &C, ResponseOrder wanted) const;
 
     StrainMeasure strain_measure;
-    double        volumetric_stress; ///< m, of a mixed body
+    /// The volumetric stress m of a body in displacement-pressure form [force/area]; otherwise 0.
+    double volumetric_stress;
 
   private:
     const ConstitutiveLaw     *law; ///< null: linear elasticity
@@ -47,10 +55,11 @@ namespace Signorini
     double                     duration, temperature_rise;
   };
 
-  /// The response where a body is deformed by F, whose volumetric stress m, if it has one of its
-  /// own, adds m ln J to W (see VolumetricStress). In plane stress F_zz becomes that which makes
-  /// S_zz zero, and the tangent that of the stresses in the plane. Throws std::domain_error if
-  /// there is none. J = det F is positive.
+  /// The response of a material to the deformation gradient F; the volumetric stress m of a body in
+  /// displacement-pressure form adds m ln J to the energy (doc/theory, (6.16)). In plane stress
+  /// F_zz is set to the value for which S_zz = 0, and the tangent is condensed to the in-plane
+  /// components (6.11). Throws std::domain_error if there is none.
+  /// @param F with det F > 0; in plane stress F_zz is set
   ConstitutiveResponse
   response_at(Model                 model,
               const MaterialPoint  &point,
@@ -65,7 +74,8 @@ namespace Signorini
                   dealii::Tensor<2, 3> &F,
                   ResponseOrder         wanted = ResponseOrder::tangent);
 
-  /// sigma = F S F^T/J, the stress on areas as they are now, tension positive; of small strain S.
+  /// The Cauchy stress sigma = F S F^T/J on current areas [force/area], tension positive; at small
+  /// strain S.
   dealii::SymmetricTensor<2, 3>
   cauchy_stress(Model model, const MaterialPoint &point, dealii::Tensor<2, 3> F);
 } // namespace Signorini

@@ -15,13 +15,16 @@ namespace Signorini
 
   namespace
   {
-    /// At a point, or summed up; not numbers where the law has no stress.
+    /// Densities of work at a point [force/area], or their integrals; NaN where the law has no
+    /// stress.
     struct Work
     {
       double of_small = 0; ///< |sigma : Grad u|
       double change   = 0; ///< |(P - sigma) : Grad u|
     };
 
+    /// The integrands of doc/theory, (6.21) at a point: |sigma : Grad u| at small strain, and |(P -
+    /// sigma) : Grad u| with P of the hyperelastic law at the same displacement gradient.
     template <int dim>
     Work
     work_at(const Elasticity<dim>   &elasticity,
@@ -94,7 +97,9 @@ namespace Signorini
                  part       = Utilities::MPI::sum(sum.change, comm);
     change.strain           = Utilities::MPI::max(change.strain, comm);
     change.largest_rotation = Utilities::MPI::max(change.largest_rotation, comm);
-    change.work = part < whole ? part / whole : part == 0 ? 0. : 1.; // folded: not a number
+    // An inverted point gives NaN, for which both comparisons are false: the change counts as
+    // complete.
+    change.work = part < whole ? part / whole : part == 0 ? 0. : 1.;
     return change;
   }
 

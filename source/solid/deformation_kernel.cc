@@ -57,6 +57,7 @@ namespace Signorini
 
 
 
+  // The gradients dN_i/dX_J and, in axisymmetric models, N_i/R of the present point.
   template <int dim>
   void
   DeformationKernel<dim>::read_slopes(const unsigned int q)
@@ -74,16 +75,22 @@ namespace Signorini
 
 
 
+  // dP_aJ/dF_bL = delta_ab S_JL + F_aI T_IJKL F_bK (doc/theory, (6.3)) between the components of
+  // gradients; only the lower triangle is computed. At small strain F is 1 and the first term is
+  // omitted.
   template <int dim>
   typename DeformationKernel<dim>::Tangent
   DeformationKernel<dim>::derivative(const Tensor<2, 3> &F, const ConstitutiveResponse &state) const
   {
+    // A component is the pair (a, J) of a gradient entry; the last one of axisymmetric models is
+    // the hoop entry (2, 2).
     const auto place = [](const unsigned int component) {
       return component < dim * dim ?
                std::pair<unsigned int, unsigned int>(component / dim, component % dim) :
                std::pair<unsigned int, unsigned int>(2, 2);
     };
-    // F_aI T_IJKL first, then F_bK: the tensor of fourth order is read but once.
+    // Expand the symmetric tensor once, then contract with F_aI before F_bK, so that the tensor of
+    // fourth order is read only once.
     double T[3][3][3][3];
     using Pairs = SymmetricPairs;
     for (unsigned int p = 0; p < Pairs::size; ++p)
@@ -119,6 +126,8 @@ namespace Signorini
 
 
 
+  // The response of the material at quadrature point q, with volumetric stress, history and
+  // temperature of the point.
   template <int dim>
   std::optional<ConstitutiveResponse>
   DeformationKernel<dim>::state(const Cell         &cell,
@@ -143,6 +152,8 @@ namespace Signorini
 
 
 
+  // The tangent in reference coordinates of the cell, w J^-1 (dP/dF) J^-T, of which 45 entries are
+  // stored (doc/theory, 7.1).
   template <int dim>
   CellTangent
   DeformationKernel<dim>::in_unit_coordinates(const Tangent &D, const unsigned int q) const
@@ -199,6 +210,7 @@ namespace Signorini
 
 
 
+  // f_i += w P_dJ dN_i/dX_J, with the hoop part P_zz N_i/R of the radial component.
   template <int dim>
   void
   DeformationKernel<dim>::add_forces(const Tensor<2, 3> &P,
@@ -217,6 +229,8 @@ namespace Signorini
 
 
 
+  // K_ij += w dN_i/dX D dN_j/dX: first the stress due to function i for all gradients, then its
+  // product with function j <= i.
   template <int dim>
   void
   DeformationKernel<dim>::add_tangent(const Tangent &D, const double weight)
@@ -250,6 +264,8 @@ namespace Signorini
 
 
 
+  // Quadrature over the cell: forces (6.2) and, if wanted, the tangent (6.3). Cost: O(points x
+  // functions^2) for the tangent.
   template <int dim>
   bool
   DeformationKernel<dim>::assemble(const Cell           &cell,
@@ -278,6 +294,8 @@ namespace Signorini
       }
     if (!tangent)
       return true;
+    // The lower triangle of `sums`, numbered node by node, becomes the full symmetric matrix in the
+    // numbering of the cell.
     tangent->reinit(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j <= i; ++j)

@@ -15,20 +15,20 @@
 
 namespace Signorini
 {
-  /// Forces of one cell by its constitutive law, int P : Grad v dV over the cell at rest; and how
-  /// they change with its displacement, int Grad v : (dP/dF) : Grad du dV. At finite strain P = F
-  /// S (doc/theory, 6.1), and dP_aJ/dF_bL = delta_ab S_JL + F_aI (2 dS/dC)_IJKL F_bK; at small
-  /// strain P is sigma, and dP/dF = 2 dS/dC.
+  /// Internal forces of one cell by its constitutive law, int P : Grad v dV over the reference cell
+  /// (doc/theory, (6.2)), and their derivative int Grad v : (dP/dF) : Grad du dV (6.3). At finite
+  /// strain P = F S; at small strain P is sigma, and dP/dF = 2 dS/dC.
   template <int dim>
   class DeformationKernel
   {
   public:
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    /// Refers to the volumetric stress of mixed bodies, to the history of materials, to
-    /// temperatures.
-    /// @param elements that cells have, by their index
-    /// @param history null: no law remembers anything
+    /// Refers to the volumetric stress of bodies in displacement-pressure form, to the history of
+    /// materials and to temperatures.
+    /// @param elements the elements of cells, by active FE index
+    /// @param volumetric_stress null: no body is in displacement-pressure form
+    /// @param history null: no law has internal variables
     /// @param thermal null: no temperature changes
     DeformationKernel(const Mesh<dim>                     &mesh,
                       const dealii::hp::FECollection<dim> &elements,
@@ -37,10 +37,12 @@ namespace Signorini
                       const MaterialHistory<dim>          *history           = nullptr,
                       const ThermalStrain<dim>            *thermal           = nullptr);
 
-    /// Returns false, and leaves nothing that means anything, where the cell is folded: det F <= 0.
-    /// @param u the displacement at the degrees of freedom of the cell
-    /// @param forces takes the size of the cell
-    /// @param tangent likewise; null: not wanted
+    /// Compute the forces of a cell and their derivative.
+    /// @param u displacement at the degrees of freedom of the cell [length]
+    /// @param forces resized to the degrees of freedom of the cell [force]
+    /// @param tangent matrix of the same size [force/length]; null: not wanted
+    /// @return false if the cell is inverted, det F <= 0 at a quadrature point; the results are
+    /// then undefined
     bool
     assemble(const Cell                   &cell,
              const Material               &material,
@@ -48,16 +50,18 @@ namespace Signorini
              dealii::Vector<double>       &forces,
              dealii::FullMatrix<double>   *tangent = nullptr);
 
-    /// In three dimensions: the same derivative at each point of integration, in unit coordinates.
-    /// Returns false, and leaves nothing that means anything, where the cell is folded.
+    /// In space: the derivative dP/dF at each integration point in the reference coordinates of the
+    /// cell, with weights, as 45 numbers.
+    /// @param points one entry for each integration point
+    /// @return false if the cell is inverted; the result is then undefined
     bool
     tangents(const Cell                   &cell,
              const Material               &material,
              const dealii::Vector<double> &u,
              CellTangents                 &points);
 
-    /// Internal variables of the law at the end of this load step, point by point; nothing where
-    /// the cell is folded.
+    /// Internal variables of the law at the end of the load step with displacement u, point by
+    /// point; empty where the cell is inverted.
     PointVariables
     internal(const Cell &cell, const Material &material, const dealii::Vector<double> &u);
 
@@ -74,43 +78,51 @@ namespace Signorini
 
     void
     reinit(const Cell &cell);
+    /// The deformation gradient F at point q of the present cell.
     dealii::Tensor<2, 3>
     gradient(unsigned int q, const dealii::Vector<double> &u) const;
     /// Read the gradients of the shape functions at point q into `slopes`.
     void
     read_slopes(unsigned int q);
+    /// The components of dP/dF at a point.
     Tangent
     derivative(const dealii::Tensor<2, 3> &F, const ConstitutiveResponse &state) const;
-    /// @param F deformation gradient; becomes 1 at small strain
+    /// The response at point q of the present cell; none where det F <= 0. @param F deformation
+    /// gradient; becomes 1 at small strain
     std::optional<ConstitutiveResponse>
     state(const Cell           &cell,
           unsigned int          q,
           const Material       &material,
           ResponseOrder         wanted,
           dealii::Tensor<2, 3> &F);
+    /// dP/dF with its weight, transformed to the reference coordinates of the cell.
     CellTangent
     in_unit_coordinates(const Tangent &D, unsigned int q) const;
+    /// forces += weight int P : Grad N.
     void
     add_forces(const dealii::Tensor<2, 3> &P, double weight, dealii::Vector<double> &forces) const;
     /// Add the entries on and below the diagonal to `sums`.
     void
     add_tangent(const Tangent &D, double weight);
 
-    const Model                                  model;
-    const VolumetricStress<dim> *const           volumetric_stress; ///< null: none
-    const MaterialHistory<dim> *const            history;           ///< likewise
-    const ThermalStrain<dim> *const              thermal;           ///< likewise
+    const Model                        model;
+    const VolumetricStress<dim> *const volumetric_stress; ///< null: none
+    /// Null: none.
+    const MaterialHistory<dim> *const history;
+    /// Null: none.
+    const ThermalStrain<dim> *const              thermal;
     const unsigned int                           n_components;
     const dealii::hp::FECollection<dim>          elements; ///< scalar: the values refer to them
     dealii::hp::FEValues<dim>                    all_values;
     const std::vector<std::vector<unsigned int>> all_dofs; ///< see dofs_of_nodes()
 
     // Of the present cell:
-    const dealii::FEValues<dim>     *values   = nullptr;
-    const std::vector<unsigned int> *dofs     = nullptr;
-    bool                             is_small = false; ///< its strain measure
-    std::vector<double>              ratios;
-    std::vector<double>              sums; ///< of the tangent, node by node, row by row
+    const dealii::FEValues<dim>     *values = nullptr;
+    const std::vector<unsigned int> *dofs   = nullptr;
+    /// True if the present material has the measure of small strain.
+    bool                is_small = false;
+    std::vector<double> ratios;
+    std::vector<double> sums; ///< of the tangent, node by node, row by row
     /// At the present point: the gradient of each node's shape function, and its value divided by
     /// the radius.
     std::vector<std::array<double, dim + 1>> slopes;

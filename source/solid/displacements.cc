@@ -32,6 +32,8 @@ namespace Signorini
   {
     Assert(degrees.size() == 1 || degrees.size() == mesh.n_bodies(),
            ExcDimensionMismatch(degrees.size(), mesh.n_bodies()));
+    // One element for each different degree; bodies share no nodes, so that nothing has to be
+    // constrained between elements of different degree.
     const std::set<unsigned int> different(degrees.begin(), degrees.end());
     for (const unsigned int degree : different)
       elements.push_back(FESystem<dim>(FE_Q<dim>(degree), dim));
@@ -44,6 +46,8 @@ namespace Signorini
 
 
 
+  // The order matters: hanging nodes depend on the numbering, constrained nodes on hanging nodes
+  // (these are skipped), and constraints on both.
   template <int dim>
   void
   Displacements<dim>::distribute_dofs(const double t)
@@ -78,7 +82,8 @@ namespace Signorini
 
 
 
-  // The indices of the mesh, and those of the rigid bodies behind them.
+  // Number all degrees of freedom: those of the mesh first, as deal.II numbers them, then those of
+  // the moving rigid bodies, which the last rank owns and all ranks may read.
   template <int dim>
   void
   Displacements<dim>::number_dofs()
@@ -98,6 +103,8 @@ namespace Signorini
 
 
   template <int dim>
+  // A constraint with entries couples a component of a node to others of the same node: the support
+  // is not along an axis. Collective.
   bool
   Displacements<dim>::find_inclined_supports() const
   {
@@ -113,7 +120,8 @@ namespace Signorini
 
   namespace
   {
-    /// Throws SceneError where a formula has no finite value at time t.
+    /// Throws SceneError if a formula of a rigid body's motion or load has no finite value at time
+    /// t.
     template <int dim>
     void
     check_motion(const RigidBody<dim> &body, const double t)
@@ -146,6 +154,8 @@ namespace Signorini
 
 
   template <int dim>
+  // All constraints at time t: hanging nodes, supports of the present set with their values at t,
+  // prescribed motions of rigid bodies. Prescribed rotations are multiplied by the length scale.
   void
   Displacements<dim>::make_constraints(const double t)
   {
@@ -171,7 +181,8 @@ namespace Signorini
   LA::Vector
   Displacements<dim>::with_ghosts(const LA::Vector &u) const
   {
-    // Copies share the partition, which takes longer to make than all else here.
+    // Copies of a vector share its partition, whose construction costs more than the exchange of
+    // values.
     if (zero_with_ghosts.size() == 0)
       zero_with_ghosts.reinit(dofs.locally_owned_dofs(),
                               locally_relevant.get_view(0, dofs.n_dofs()),
@@ -179,6 +190,7 @@ namespace Signorini
     LA::Vector ghosted = zero_with_ghosts;
     if (u.size() == dofs.n_dofs())
       ghosted = u;
+    // A vector with degrees of freedom of rigid bodies is restricted to the mesh first.
     else
       {
         LA::Vector part = zero_mesh_vector();
@@ -207,6 +219,7 @@ namespace Signorini
   std::vector<double>
   Displacements<dim>::rigid_motion(const LA::Vector &u) const
   {
+    // The rank that owns a value contributes it, the others zero.
     std::vector<double> values(n_rigid_dofs(), 0.);
     for (unsigned int i = 0; i < values.size(); ++i)
       if (locally_owned.is_element(dofs.n_dofs() + i))

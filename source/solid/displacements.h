@@ -18,10 +18,10 @@ namespace Signorini
 {
   /// The space of displacements on the present mesh: continuous finite elements of one degree for
   /// each body, hanging nodes, the constraints that supports and rigid bodies prescribe at a time,
-  /// and vectors of such displacements. It knows neither constitutive laws nor forces.
+  /// and vectors of such displacements. Constitutive laws and forces are not part of it.
   ///
-  /// The degrees of freedom of moving rigid bodies follow those of the mesh; the last rank owns
-  /// them.
+  /// Degrees of freedom of the mesh are followed by those of the moving rigid bodies, which the
+  /// last rank owns.
   template <int dim>
   class Displacements
   {
@@ -65,12 +65,14 @@ namespace Signorini
       return elements.max_degree();
     }
 
+    /// The polynomial degree of a body.
     unsigned int
     degree(const unsigned int body) const
     {
       return elements[element_of_body[body]].degree;
     }
 
+    /// The degrees of freedom that this rank owns, of the mesh and of rigid bodies.
     const dealii::IndexSet &
     owned() const
     {
@@ -87,6 +89,7 @@ namespace Signorini
 
     // Constraints
 
+    /// The constraints of hanging nodes alone, for locally relevant degrees of freedom.
     const dealii::AffineConstraints<double> &
     hanging_nodes() const
     {
@@ -107,7 +110,8 @@ namespace Signorini
       return my_time;
     }
 
-    /// Set constrained degrees of freedom to the values that the constraints imply.
+    /// Set constrained degrees of freedom to the values that the constraints imply. Collective.
+    /// @param u without ghosts
     void
     distribute(LA::Vector &u) const
     {
@@ -121,7 +125,8 @@ namespace Signorini
       return my_supports;
     }
 
-    /// The time whose supports the constraints are of: supports begin and end, see Support::acts().
+    /// The time at which the set of active supports was determined: supports start and end, see
+    /// Support::acts(). The values of their displacements are those at time().
     double
     time_of_supports() const
     {
@@ -132,6 +137,7 @@ namespace Signorini
     bool
     has_supports_of(double t) const;
 
+    /// The nodes of locally owned and ghost cells that the active supports constrain.
     const ConstrainedNodes<dim> &
     constrained_nodes() const
     {
@@ -169,9 +175,13 @@ namespace Signorini
       return my_rotation_length_scale;
     }
 
-    /// The values of all degrees of freedom of rigid bodies, on all ranks. Collective.
+    /// The values of all degrees of freedom of rigid bodies, the same on all ranks: for each body
+    /// its translation [length], then its rotation times rotation_length_scale() [length].
+    /// Collective.
     std::vector<double>
     rigid_motion(const LA::Vector &u) const;
+    /// Set the degrees of freedom of rigid bodies in a vector. Collective. @param values as of
+    /// rigid_motion()
     void
     set_rigid_motion(const std::vector<double> &values, LA::Vector &u) const;
 
@@ -184,8 +194,9 @@ namespace Signorini
       return LA::Vector(locally_owned, my_mesh.communicator());
     }
 
-    /// The part of a vector that belongs to the mesh, with ghosts, to be read on locally owned and
-    /// ghost cells.
+    /// The part of a vector that belongs to the mesh, with ghosts, for reading on locally owned and
+    /// ghost cells. Collective.
+    /// @param u with or without the degrees of freedom of rigid bodies
     LA::Vector
     with_ghosts(const LA::Vector &u) const;
 
@@ -201,8 +212,8 @@ namespace Signorini
     set_mesh_part(const LA::Vector &part, LA::Vector &u) const;
 
   protected:
-    // What follows changes them; a class that keeps more for the same degrees of freedom and the
-    // same time calls it.
+    // The following change the space. A derived class that stores more for the same degrees of
+    // freedom or the same time calls them.
 
     /// @param degrees polynomial degree of the displacement, one a body or one for all
     Displacements(const Mesh<dim>                   &mesh,
@@ -213,13 +224,13 @@ namespace Signorini
 
     ~Displacements() = default;
 
-    /// Distribute degrees of freedom on the mesh as it is now, and prescribe what the supports that
-    /// act at time t do then.
+    /// Distribute degrees of freedom on the present mesh, find hanging and constrained nodes, and
+    /// make the constraints of the supports that act at time t with their values at t. Collective.
     void
     distribute_dofs(double t);
 
-    /// Evaluate what is prescribed at time t by the supports of time_of_supports(). Throws
-    /// SceneError where a formula of a rigid body has no finite value. Collective.
+    /// Make the constraints at time t, of the same supports as before. Throws SceneError where a
+    /// formula of a rigid body has no finite value. Collective.
     void
     prescribe(double t);
 

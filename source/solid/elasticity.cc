@@ -19,6 +19,7 @@ namespace Signorini
 
   namespace
   {
+    /// Degrees given once for all bodies, or one for each, as one for each body.
     template <int dim>
     std::vector<unsigned int>
     one_per_body(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
@@ -26,6 +27,7 @@ namespace Signorini
       return degrees.size() == 1 ? std::vector<unsigned int>(mesh.n_bodies(), degrees[0]) : degrees;
     }
 
+    /// Degrees as one for each material id: that of its body.
     template <int dim>
     std::vector<unsigned int>
     one_per_material(const std::vector<unsigned int> &degrees, const Mesh<dim> &mesh)
@@ -66,6 +68,8 @@ namespace Signorini
   void
   Elasticity<dim>::setup(const double t)
   {
+    // Degrees of freedom and constraints first; fields with values by cell are reset, since the
+    // mesh is another one.
     this->distribute_dofs(t);
     unsupported.find();
     stabilisation = unsupported.stabilisation(materials, rigid_stiffness(), strength);
@@ -86,7 +90,8 @@ namespace Signorini
 
 
 
-  // Of a rigid body, whose own is infinite: about that of the bodies that it touches.
+  // Stiffness that stands for that of a rigid body, which is infinite [force/length]: about that of
+  // the bodies that it touches, E times a length (in the plane, per unit thickness, E).
   template <int dim>
   double
   Elasticity<dim>::rigid_stiffness() const
@@ -126,6 +131,8 @@ namespace Signorini
 
 
 
+  // Diagonal terms of K: the stabilisation of unconstrained modes, and a regular entry for each
+  // prescribed degree of freedom of a rigid body, which no cell contributes to. Collective.
   template <int dim>
   LA::Vector
   Elasticity<dim>::diagonal_terms() const
@@ -142,6 +149,8 @@ namespace Signorini
 
 
 
+  // f of K u = f: loads of cells and rigid bodies, with the inhomogeneous constraints eliminated at
+  // small strain; zero at constrained degrees of freedom.
   template <int dim>
   LA::Vector
   Elasticity<dim>::load() const
@@ -156,6 +165,8 @@ namespace Signorini
 
 
 
+  // Loads cell by cell: body forces, nodal forces, surface loads and thermal strain (doc/theory,
+  // (1.4)). Where displacements are prescribed, elimination needs the cell matrix: f_i -= K_ij u_j.
   template <int dim>
   void
   Elasticity<dim>::add_cells(LA::Vector &f) const
@@ -180,7 +191,8 @@ namespace Signorini
             !is_nonlinear() && std::any_of(indices.begin(), indices.end(), [&](const auto i) {
               return constraints.is_inhomogeneously_constrained(i);
             });
-          // Only these few cells need their matrix again: K of the others stays untouched.
+          // The matrix of a cell is computed again only where a displacement is prescribed; K
+          // itself is not touched.
           if (moved)
             kernel.assemble(cell, material, cell_matrix);
           if (moved)
@@ -188,6 +200,7 @@ namespace Signorini
           else if (loaded)
             constraints.distribute_local_to_global(cell_load, indices, f);
         }
+    // A fault on one rank is reported on all of them.
     for (const std::string &fault :
          Utilities::MPI::all_gather(this->mesh().communicator(), load_kernel.fault()))
       if (!fault.empty())
@@ -209,6 +222,8 @@ namespace Signorini
 
 
 
+  // Moments are applied as J_l^T M at the pose of the last geometry update (doc/theory, 5.5), since
+  // the unknowns are rotation vectors and not spins.
   template <int dim>
   void
   Elasticity<dim>::rotate_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const
@@ -244,6 +259,8 @@ namespace Signorini
                           const Point<dim>        &x) const
   {
     const Material &material = materials[cell.material_id()];
+    // Bodies with a constitutive law: Cauchy stress from the deformation gradient; thermal and
+    // volumetric parts are in the material point.
     if (material.constitutive_law)
       {
         std::vector<double> internal;
@@ -251,6 +268,7 @@ namespace Signorini
                              material_point(cell, x, internal),
                              deformation_gradient(this->model(), gradient, u, x));
       }
+    // Linear elasticity: sigma = C : (eps - eps_T), plus m I of the displacement-pressure form.
     const double                volumetric = my_volumetric_stress.value(cell, x);
     const SymmetricTensor<2, 3> of_displacement =
       thermal_strain.expands(cell.material_id()) ?
@@ -261,6 +279,8 @@ namespace Signorini
 
 
 
+  // Internal variables at any point of a cell are interpolated by the polynomial through its
+  // integration points.
   template <int dim>
   MaterialPoint
   Elasticity<dim>::material_point(const CellAccessor<dim> &cell,
@@ -285,6 +305,9 @@ namespace Signorini
 
 
 
+  // Evaluate the law once more at the converged displacement, whose response has the internal
+  // variables alpha_(n+1) (doc/theory, (6.9)). Only cells of laws with internal variables.
+  // Collective because of the ghost values.
   template <int dim>
   CellVariables
   Elasticity<dim>::internal_variables(const LA::Vector &u) const

@@ -14,16 +14,21 @@
 
 namespace Signorini
 {
-  /// Linear elasticity of all bodies on the present mesh: sum over bodies of the virtual work
-  /// int sigma(u):eps(v) dV = int b.v dV + int t.v dA (doc/theory, 1.1), discretised to K d = f
-  /// (38)-(41) in the space of displacements that it extends. K is assembled once per mesh;
-  /// supports, loads and thermal strains, which are loads here, depend on time.
+  /// Elasticity of all bodies on the present mesh: the virtual work int sigma(u):eps(v) dV = int
+  /// b.v dV + int t.v dA for all v (doc/theory, (1.3), (1.4)), discretised to K u = f in the space
+  /// of displacements that it extends. K is assembled once per mesh and set of supports; supports,
+  /// loads and thermal strains, which are loads here, depend on time. Bodies with a constitutive
+  /// law have their forces elsewhere (DeformationKernel); K is then that of the undeformed
+  /// material.
   template <int dim>
   class Elasticity : public Displacements<dim>
   {
   public:
-    /// @param degrees polynomial degree of the displacement, one a body or one for all
-    /// @param expansions thermal ones, one a body, or none
+    /// @param materials by material id
+    /// @param degrees polynomial degree of the displacement, one for each body or one for all
+    /// @param rigid_bodies the rigid bodies that move
+    /// @param stabilisation factor of stabilising_stiffness()
+    /// @param expansions thermal expansions by material id, or none
     Elasticity(const Mesh<dim>                 &mesh,
                const std::vector<Material>     &materials,
                const std::vector<Support<dim>> &supports,
@@ -39,12 +44,14 @@ namespace Signorini
     /// afterwards, from where it is found soonest.
     static constexpr double default_stabilisation = 0.25;
 
-    /// Distribute degrees of freedom on the mesh as it is now, with the supports that act at time
-    /// t. K, and all that is made of its constraints, is another one where these change.
+    /// Distribute degrees of freedom on the present mesh, with the supports that act at time t. K,
+    /// and everything derived from its constraints, has to be made again after a change of mesh or
+    /// supports. Collective.
     void
     setup(double t = 0);
 
-    /// Assemble K; once per mesh. That of mixed bodies knows nothing of their volumetric stress.
+    /// Assemble K; once per mesh. For bodies in displacement-pressure form it has the deviatoric
+    /// part only (lambda = 0). Collective.
     void
     assemble();
 
@@ -54,15 +61,16 @@ namespace Signorini
     set_time(double t);
 
     /// K with hanging nodes condensed and prescribed displacements eliminated (their rows and
-    /// columns are diagonal).
+    /// columns are diagonal) [force/length]. Valid after assemble().
     const LA::SparseMatrix &
     stiffness() const
     {
       return matrix;
     }
 
-    /// The diagonal terms of K beyond the stiffness of cells: entries for prescribed motions of
-    /// rigid bodies, and the stabilisation of unconstrained rigid-body modes.
+    /// The diagonal terms of K beyond the stiffness of cells [force/length], without ghosts:
+    /// entries for prescribed motions of rigid bodies, and the stabilisation of unconstrained
+    /// rigid-body modes. Collective.
     LA::Vector
     diagonal_terms() const;
 
@@ -71,10 +79,10 @@ namespace Signorini
     StiffnessAssembly<dim>
     assembly() const;
 
-    /// Right-hand side at the time of set_time(): loads and forces of thermal strain, and at small
-    /// deformation, to go with stiffness(), minus the forces of the prescribed displacements. Zero
-    /// at constrained degrees of freedom. Throws SceneError where a load is not a number.
-    /// Collective.
+    /// Right-hand side at the time of set_time() [force], without ghosts: loads and forces of
+    /// thermal strain; at small strain also minus the forces of the prescribed displacements, as
+    /// stiffness() requires. Zero at constrained degrees of freedom. Throws SceneError on all ranks
+    /// where a load is not a number. Collective.
     LA::Vector
     load() const;
 
@@ -96,23 +104,27 @@ namespace Signorini
       });
     }
 
-    /// A material at a point of a locally owned or ghost cell, with its volumetric stress and its
-    /// history.
-    /// @param internal gets the internal variables, which the result refers to
+    /// A material at a point of a locally owned or ghost cell, with its volumetric stress, internal
+    /// variables at the start of the load step, its duration, and the temperature change.
+    /// @param x the point in the reference configuration
+    /// @param internal set to the internal variables, to which the result refers
     MaterialPoint
     material_point(const dealii::CellAccessor<dim> &cell,
                    const dealii::Point<dim>        &x,
                    std::vector<double>             &internal) const;
 
-    /// In a vector of load(): transform the moments on rigid bodies for the rotations that they
-    /// have undergone, see RigidPose::on_rotations(). Collective.
+    /// In a vector of load(), replace the moments on rigid bodies by their work-conjugates to the
+    /// rotation unknowns, J_l^T M, see RigidPose::on_rotations(). Collective.
+    /// @param rigid_motion see rigid_motion()
     void
     rotate_moments(const std::vector<double> &rigid_motion, LA::Vector &load) const;
 
-    /// The stress in space, without the thermal strain, at a point x of a locally owned or ghost
-    /// cell; Cauchy's of large deformation. In mixed bodies with volumetric_stress() as it is now.
-    /// @param gradient of the displacement: [component][derivative]
-    /// @param u the displacement at x
+    /// The Cauchy stress at a point x of a locally owned or ghost cell [force/area], tension
+    /// positive, three-dimensional in all models; with the present volumetric_stress() in bodies in
+    /// displacement-pressure form. It is the stress of the elastic strain, without the thermal
+    /// strain.
+    /// @param gradient gradient of the displacement: [component][derivative]
+    /// @param u displacement at x
     dealii::SymmetricTensor<2, 3>
     stress(const dealii::CellAccessor<dim> &cell,
            const dealii::Tensor<2, dim>    &gradient,
@@ -172,7 +184,8 @@ namespace Signorini
       return my_history;
     }
 
-    /// Internal variables of all owned cells at the end of a load step that has come to u.
+    /// Internal variables of all owned cells of laws that have some, at the end of a load step with
+    /// displacement u. Collective.
     CellVariables
     internal_variables(const LA::Vector &u) const;
 
@@ -185,6 +198,7 @@ namespace Signorini
     }
 
     std::vector<std::string>
+    /// The names of these modes, as in "ball: translation z", in the same order.
     unsupported_mode_names() const
     {
       return unsupported.names();
@@ -197,8 +211,9 @@ namespace Signorini
       return stabilisation.size() > 0;
     }
 
-    /// What K has on its diagonal beyond the stiffness where unconstrained rigid-body modes would
-    /// make it singular; empty if there are none. Newton's method takes it out of the residual.
+    /// The stabilising stiffness, a diagonal [force/length]: K has it where unconstrained
+    /// rigid-body modes would make it singular; empty if there are none. The residual of Newton's
+    /// method does not contain it.
     const LA::Vector &
     stabilising_stiffness() const
     {
@@ -215,13 +230,14 @@ namespace Signorini
 
     const std::vector<Material>  materials;
     const std::vector<Load<dim>> my_loads;
-    const double                 strength; ///< of the stabilisation
-    ThermalStrain<dim>           thermal_strain;
-    VolumetricStress<dim>        my_volumetric_stress;
-    MaterialHistory<dim>         my_history;
-    LA::SparseMatrix             matrix;
-    UnsupportedModes<dim>        unsupported;
-    LA::Vector                   stabilisation;
+    /// Dimensionless factor of the stabilisation.
+    const double          strength;
+    ThermalStrain<dim>    thermal_strain;
+    VolumetricStress<dim> my_volumetric_stress;
+    MaterialHistory<dim>  my_history;
+    LA::SparseMatrix      matrix;
+    UnsupportedModes<dim> unsupported;
+    LA::Vector            stabilisation;
   };
 
   /// The surface loads at the present time. Collective.

@@ -10,6 +10,9 @@ namespace Signorini
 
   namespace
   {
+    /// Evaluate the finite element values on a cell of the mesh (the values refer to the scalar
+    /// element and not to the DoFHandler's), with the element, mapping and rule of the cell's
+    /// degree.
     template <int dim>
     const FEValues<dim> &
     reinit(hp::FEValues<dim> &values, const typename DoFHandler<dim>::active_cell_iterator &cell)
@@ -51,6 +54,8 @@ namespace Signorini
 
 
 
+  // Element stiffness by the blocks of pairs of nodes (doc/theory, (1.5)): one tensor G of scalar
+  // gradients yields dim^2 entries. Only pairs j <= i are integrated; the matrix is symmetric.
   template <int dim>
   void
   StiffnessKernel<dim>::assemble(const Cell         &cell,
@@ -97,9 +102,10 @@ namespace Signorini
 
 
 
-  // With h_i = N_i/r, the radial component has the hoop strain h_i, so that
-  // K_ab += int lambda (d_a N_i h_j delta_b0 + h_i d_b N_j delta_a0) + (lambda + 2 mu) h_i h_j
-  // delta_a0 delta_b0.
+  // The hoop strain u_r/r of axisymmetric models (doc/theory, (1.7)). With h_i = N_i/r, the radial
+  // component of node i has the hoop strain h_i, so that K_ab += int lambda (d_a N_i h_j delta_b0 +
+  // h_i d_b N_j delta_a0) + (lambda + 2 mu) h_i h_j delta_a0 delta_b0. Gauss points are inside of
+  // cells, so that r > 0.
   template <int dim>
   void
   StiffnessKernel<dim>::add_hoop(const std::vector<unsigned int> &dof,
@@ -152,6 +158,8 @@ namespace Signorini
                       update_values | update_quadrature_points | update_normal_vectors |
                         update_JxW_values)
   {
+    // Body forces are sorted by material id for whole bodies and by coarse cell for sets of cells,
+    // so that a cell finds its own without a search.
     for (const Load<dim> &load : loads)
       {
         const std::set<std::string> names(load.bodies.begin(), load.bodies.end());
@@ -213,6 +221,7 @@ namespace Signorini
 
   template <int dim>
   std::vector<const Load<dim> *>
+  // A load that names both a body and a set of its cells acts once.
   LoadKernel<dim>::body_forces(const Cell &cell) const
   {
     std::vector<const Load<dim> *> result;
@@ -229,6 +238,8 @@ namespace Signorini
 
 
 
+  // int b . N_i dV with k + 2 Gauss points in each direction for degree k, since b is a formula of
+  // the position.
   template <int dim>
   void
   LoadKernel<dim>::add_body_force(const Cell      &cell,
@@ -251,6 +262,8 @@ namespace Signorini
 
 
 
+  // A force at a point of a cell is distributed by the shape functions there; at a node it acts on
+  // that node alone.
   template <int dim>
   void
   LoadKernel<dim>::add_nodal_forces(const Cell &cell, Vector<double> &cell_load)
@@ -274,6 +287,7 @@ namespace Signorini
 
 
 
+  // int (t - p N) . N_i dA over a face of the true boundary (doc/theory, (1.4)).
   template <int dim>
   void
   LoadKernel<dim>::add_surface_loads(const Cell        &cell,

@@ -34,7 +34,7 @@ namespace Signorini
     assemble(const Cell &cell, const Material &material, dealii::FullMatrix<double> &cell_matrix);
 
   private:
-    /// Axisymmetric: what the hoop strain u_r/r adds.
+    /// Add the part of the hoop strain u_r/r of axisymmetric models.
     void
     add_hoop(const std::vector<unsigned int> &dof,
              double                           lambda,
@@ -64,7 +64,9 @@ namespace Signorini
                const std::vector<Load<dim>>        &loads,
                double                               t);
 
-    /// Returns false if nothing acts on the cell. cell_load takes its size.
+    /// Compute the load vector of a cell.
+    /// @param cell_load resized to the degrees of freedom of the cell [force]
+    /// @return false if nothing acts on the cell
     bool
     assemble(const Cell &cell, dealii::Vector<double> &cell_load);
 
@@ -77,7 +79,7 @@ namespace Signorini
     }
 
   private:
-    /// Remember what is wrong with a value that is not finite.
+    /// Store a message if a value is not finite, the first time.
     void
     check(double                    size,
           const Load<dim>          &load,

@@ -15,7 +15,8 @@ namespace Signorini
 
   namespace
   {
-    /// The polynomial through the points of a cell.
+    /// The value at a point of the reference cell of the tensor-product polynomial through the
+    /// Gauss points of a cell, for each internal variable.
     template <int dim>
     std::vector<double>
     interpolated(const PointVariables &from, const Point<dim> &unit_point)
@@ -35,8 +36,8 @@ namespace Signorini
       return result;
     }
 
-    /// At a place of a cell, by what is known of it, of its parent, or of its children; nothing if
-    /// none is known.
+    /// Internal variables at a point of the cell `id`, interpolated from the cell itself, from its
+    /// parent, or from the child that has the point; empty if none of them is known.
     template <int dim>
     std::vector<double>
     gathered_at(const CellVariables &known, const CellId &id, const Point<dim> &unit_point)
@@ -74,6 +75,7 @@ namespace Signorini
 
 
 
+  // All cells of this rank and ghost cells get zeros.
   template <int dim>
   void
   MaterialHistory<dim>::reinit()
@@ -103,6 +105,8 @@ namespace Signorini
       return;
     reinit();
     my_duration = duration;
+    // Cells that may be sources: the cell, its parent (after refinement) and its children (after
+    // coarsening). Values may be on any rank and are gathered in one exchange.
     std::vector<CellId> wanted;
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (!cell->is_artificial() && n_internal(cell->material_id()) > 0)
@@ -123,7 +127,8 @@ namespace Signorini
         if (const auto own = known.find(id);
             own != known.end() && own->second.points_per_line == variables.points_per_line)
           {
-            variables.values = own->second.values; // to the last digit
+            // An unchanged cell keeps its values exactly.
+            variables.values = own->second.values;
             continue;
           }
         const QGauss<dim>  rule(variables.points_per_line);

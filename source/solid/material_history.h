@@ -13,8 +13,9 @@
 
 namespace Signorini
 {
-  /// Internal variables at the points of integration of a cell, which are those of a Gauss rule
-  /// with so many points a line, lexicographic; point by point.
+  /// Internal variables at the integration points of a cell, those of a Gauss rule with
+  /// `points_per_line` points in each direction, in lexicographic order; the variables of a point
+  /// are adjacent.
   struct PointVariables
   {
     unsigned int        points_per_line = 0;
@@ -32,9 +33,9 @@ namespace Signorini
   /// outlive both.
   using CellVariables = std::map<dealii::CellId, PointVariables>;
 
-  /// What constitutive laws remember from the load step before, on the present mesh. Cells that
-  /// were there then have the same numbers; those that come from a larger one, or from smaller
-  /// ones, have the polynomial through the points of these.
+  /// The internal variables of constitutive laws at the start of the load step, on the present
+  /// mesh. Unchanged cells keep their values; cells that come from a coarser cell, or from finer
+  /// ones, interpolate by the polynomial through the integration points of these (doc/theory, 6.3).
   template <int dim>
   class MaterialHistory
   {
@@ -46,31 +47,32 @@ namespace Signorini
                     const dealii::DoFHandler<dim> &dof_handler,
                     const std::vector<Material>   &materials);
 
-    /// No law has internal variables: there is nothing to do, and nothing is stored.
+    /// True if no law has internal variables; then nothing is stored.
     bool
     empty() const
     {
       return n_variables.empty();
     }
 
-    /// The mesh has changed: all variables are zero.
+    /// Adapt to a new mesh; all variables become zero.
     void
     reinit();
 
-    /// A load step starts. Collective.
-    /// @param before variables at the end of the last one, on any ranks; zero where nothing is
-    /// known
-    /// @param duration of the load step
+    /// Set the variables at the start of a load step. Collective.
+    /// @param before variables at the end of the last load step, each cell on any rank; zero where
+    /// there are none
+    /// @param duration duration of the load step [time]
     void
     start(const CellVariables &before, double duration);
 
+    /// The duration of the present load step [time].
     double
     duration() const
     {
       return my_duration;
     }
 
-    /// Changes with each start().
+    /// A number that changes with each start() and reinit().
     unsigned int
     version() const
     {
@@ -84,7 +86,7 @@ namespace Signorini
       return empty() ? 0 : n_variables[material_id];
     }
 
-    // Of a locally owned or ghost cell:
+    // Values of a locally owned or ghost cell:
 
     /// The internal variables at an integration point; null if the law has none.
     const double *

@@ -57,6 +57,8 @@ namespace Signorini
 
 
 
+  // Plane stress eliminates eps_zz, which changes lambda to 2 lambda mu/(lambda + 2 mu)
+  // (doc/theory, 1.2).
   double
   in_plane_lambda(const Model model, const Material &material)
   {
@@ -79,7 +81,7 @@ namespace Signorini
       for (unsigned int j = 0; j <= i; ++j)
         result[i][j] = (gradient[i][j] + gradient[j][i]) / 2;
     if (model == Model::axisymmetric)
-      // So close to the axis the quotient is that of roundings.
+      // Close to the axis u_r/r is a quotient of rounding errors; its limit is du_r/dr.
       result[2][2] = x[0] > 1e-10 * std::abs(x[1]) ? u[0] / x[0] : gradient[0][0];
     else if (model == Model::plane_stress)
       result[2][2] = -material.lambda() / (material.lambda() + 2 * material.mu()) * trace(result);
@@ -88,6 +90,7 @@ namespace Signorini
 
 
 
+  // The strain that produces stress, eps - eps_T.
   template <int dim>
   SymmetricTensor<2, 3>
   elastic_strain(const Model           model,
@@ -97,7 +100,8 @@ namespace Signorini
                  const Point<dim>     &x,
                  const Tensor<1, 3>   &thermal_strain)
   {
-    // In plane stress the sheet takes the eps_zz that makes sigma_zz zero, whatever the rise does.
+    // In plane stress eps_zz follows from sigma_zz = 0 with the in-plane elastic strains, whatever
+    // the thermal strain across is.
     Tensor<2, dim> elastic = gradient;
     for (unsigned int d = 0; d < dim; ++d)
       elastic[d][d] -= thermal_strain[d];

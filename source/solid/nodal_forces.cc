@@ -7,6 +7,7 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // A total force is shared equally by the nodes of the sets.
   template <int dim>
   Tensor<1, dim>
   NodalForces<dim>::Force::value(const double t) const
@@ -30,7 +31,9 @@ namespace Signorini
 
 
 
-  /// Each node on the first coarse cell that has it. Sets of one load may overlap.
+  // Each node of the sets of a load acts once, on the first coarse cell that has it: sets of one
+  // load may overlap. Nodes that the mesh import inserted are no nodes of the file, and get no
+  // force.
   template <int dim>
   void
   NodalForces<dim>::add_set(const Mesh<dim>                &mesh,
@@ -48,8 +51,8 @@ namespace Signorini
     std::set<NodeLocation<dim>, decltype(precedes)> nodes(precedes);
     for (const std::string &set : sets)
       for (const auto &places : mesh.node_set(set))
-        if (!places.at(0)
-               .is_inserted) // what a force on each node was meant for are those of the file
+        // Nodes inserted by the subdivision of cells are left out.
+        if (!places.at(0).is_inserted)
           nodes.insert(places.at(0));
 
     std::map<unsigned int, std::vector<Point<dim>>> by_coarse_cell;
@@ -59,6 +62,7 @@ namespace Signorini
       if (cell->is_locally_owned())
         if (const auto found = by_coarse_cell.find(cell->id().get_coarse_cell_id());
             found != by_coarse_cell.end())
+          // The node belongs to exactly one of the active cells that touch it.
           for (Point<dim> unit : found->second)
             if (descend(cell->id(), unit))
               by_cell[cell->active_cell_index()].push_back(

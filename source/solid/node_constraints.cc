@@ -14,7 +14,8 @@ namespace Signorini
 
   namespace
   {
-    /// n.u = value, by Gauss elimination the value of component `pivot`.
+    /// The equation n . u = value at a node, solved for the component `pivot`: n[pivot] = 1 after
+    /// elimination.
     template <int dim>
     struct Equation
     {
@@ -23,7 +24,11 @@ namespace Signorini
       unsigned int   pivot;
     };
 
-    /// Takes one more equation in. Returns false if it contradicts those before.
+    /// Gauss-Jordan elimination with one more equation: eliminate the earlier pivots from it,
+    /// choose its largest entry as pivot, and eliminate that from the others. An equation that
+    /// depends on earlier ones is dropped if it agrees with them.
+    /// @param negligible difference of displacements that counts as agreement [length]
+    /// @return false if the equation contradicts the earlier ones
     template <int dim>
     bool
     eliminate(std::vector<Equation<dim>> &equations, Equation<dim> next, const double negligible)
@@ -37,7 +42,8 @@ namespace Signorini
           largest = std::max(largest, std::abs(factor * one.value));
         }
       for (unsigned int d = 0; d < dim; ++d)
-        // The same on all ranks, whatever their roundings are.
+        // A later component becomes the pivot only if it is larger by more than rounding, so that
+        // all ranks choose the same.
         if (std::abs(next.n[d]) > (1 + 1e-6) * std::abs(next.n[next.pivot]))
           next.pivot = d;
       const double factor = next.n[next.pivot];
@@ -55,6 +61,8 @@ namespace Signorini
       return true;
     }
 
+    /// The prescribed displacement along a direction at time t [length]; zero on the axis of
+    /// symmetry.
     template <int dim>
     double
     prescribed(const ConstrainedNode<dim>     &node,
@@ -69,6 +77,7 @@ namespace Signorini
                constraint_at_node.support->normal_displacement.value(node.position, t);
     }
 
+    /// The message about a prescribed value that is not finite.
     template <int dim>
     std::string
     not_finite(const Support<dim> &support, const Point<dim> &x, const double t)
@@ -82,6 +91,7 @@ namespace Signorini
                                    t);
     }
 
+    /// The message about a support that contradicts an earlier one or the axis of symmetry.
     template <int dim>
     std::string
     contradiction(const ConstrainedNode<dim> &node, const Support<dim> &support, const double t)
@@ -97,6 +107,8 @@ namespace Signorini
 
 
 
+  // One line of constraints for each independent direction of a node: u_pivot = value - sum of the
+  // others. Messages are gathered, so that all ranks throw the same one.
   template <int dim>
   void
   constrain(const ConstrainedNodes<dim> &nodes,

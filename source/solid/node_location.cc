@@ -17,7 +17,8 @@ namespace Signorini
 
   namespace
   {
-    // Places of coarse nodes are multiples of 1/2, those of others are exact in binary numbers.
+    // Reference coordinates of coarse nodes are multiples of 1/2, and those of refined ones are
+    // exact binary fractions; the tolerance is far below their spacing.
     template <int dim>
     bool
     are_same(const Point<dim> &a, const Point<dim> &b)
@@ -34,6 +35,9 @@ namespace Signorini
 
 
 
+  // Nodes are sorted by the coarse cells that have them. Nodes that lie between corners of the set
+  // (mid-side nodes of a file of degree 2) exist in the sense of the set even if the mesh has no
+  // node there.
   template <int dim>
   ListedNodes<dim>::ListedNodes(const NodeSet<dim> &nodes)
     : is_there(nodes.size(), 0)
@@ -49,6 +53,8 @@ namespace Signorini
 
 
 
+  // The point is transformed to reference coordinates of the coarse cell, through all its
+  // ancestors.
   template <int dim>
   bool
   ListedNodes<dim>::contains(const CellId &cell, const Point<dim> &unit)
@@ -69,7 +75,8 @@ namespace Signorini
 
 
 
-  /// Of the vertex, edge, face or cell whose inside has the point.
+  // True if all corners of the vertex, edge, face or cell of the coarse cell in whose interior the
+  // point lies are in the set.
   template <int dim>
   bool
   ListedNodes<dim>::has_corners_around(const std::vector<Listed> &listed,
@@ -80,6 +87,8 @@ namespace Signorini
         const Point<dim> corner    = GeometryInfo<dim>::unit_cell_vertex(v);
         bool             is_around = true, is_listed = false;
         for (unsigned int d = 0; d < dim; ++d)
+          // A corner belongs to that entity if it agrees in all coordinates in which the point is
+          // at an end.
           is_around &= !is_at_end(unit[d]) || unit[d] == corner[d];
         for (const Listed &one : listed)
           is_listed |= are_same(one.unit, corner);
@@ -102,6 +111,8 @@ namespace Signorini
 
 
 
+  // Follow the descendants; at an interface x = 1/2 the point belongs to the child with the lower
+  // number.
   template <int dim>
   bool
   descend(const CellId &cell, Point<dim> &unit)
@@ -122,7 +133,8 @@ namespace Signorini
 
   namespace
   {
-    /// What decides between cells, wherever they are.
+    /// The order of the cells that may contain a point, which does not depend on ranks: by
+    /// distance, then by the global id of the cell.
     struct Claim
     {
       double       distance = std::numeric_limits<double>::infinity();
@@ -143,9 +155,13 @@ namespace Signorini
       }
     };
 
-    constexpr double same = 1e-6, farthest = 0.02; // in units of the cell
+    // Distances in reference coordinates: below `same` the cell contains the point; beyond
+    // `farthest` it does not.
+    constexpr double same = 1e-6, farthest = 0.02;
 
-    /// From the unit cell, zero on its faces; infinite far away.
+    /// The distance of a point from a cell in its reference coordinates, zero inside and on its
+    /// faces; infinite if the point is far away or the mapping cannot be inverted.
+    /// @param unit set to the nearest point of the cell, in reference coordinates
     template <int dim>
     double
     distance_from(const Mesh<dim>                                         &mesh,
@@ -173,6 +189,8 @@ namespace Signorini
 
 
 
+  // Each rank finds its best cell; the best of all ranks wins, and exactly one rank has it. Cost:
+  // one inversion of the mapping for each cell whose box has the point.
   template <int dim>
   PointLocation<dim>
   locate(const Mesh<dim>   &mesh,

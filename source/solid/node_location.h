@@ -16,6 +16,7 @@ namespace Signorini
   public:
     explicit ListedNodes(const NodeSet<dim> &nodes);
 
+    /// True if a coarse cell has a node of the set.
     bool
     has_some(const unsigned int coarse_cell) const
     {
@@ -33,6 +34,7 @@ namespace Signorini
     n_missing(MPI_Comm comm) const;
 
   private:
+    /// A node of the set in a coarse cell.
     struct Listed
     {
       dealii::Point<dim> unit; ///< in the coarse cell
@@ -42,8 +44,11 @@ namespace Signorini
     bool
     has_corners_around(const std::vector<Listed> &listed, const dealii::Point<dim> &unit) const;
 
-    std::map<unsigned int, std::vector<Listed>> by_cell; ///< coarse
-    std::vector<unsigned int>                   is_there;
+    /// The nodes of the set by the coarse cells that have them.
+    std::map<unsigned int, std::vector<Listed>> by_cell;
+    /// Flags of the nodes of the set: 1 if the node has been found to exist in the mesh on this
+    /// rank.
+    std::vector<unsigned int> is_there;
   };
 
   /// Transform a point from a coarse cell to one of its descendants. Returns false if the point

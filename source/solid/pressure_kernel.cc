@@ -13,6 +13,7 @@ namespace Signorini
 
   namespace
   {
+    /// True if the load is a pressure on boundaries, which follows the surface at finite strain.
     template <int dim>
     bool
     is_follower_load(const Load<dim> &load)
@@ -69,6 +70,8 @@ namespace Signorini
 
 
 
+  // The sum of the pressures of several loads on the same boundary at the reference position x; the
+  // first value that is not finite is kept as a message.
   template <int dim>
   double
   PressureKernel<dim>::pressure(const Loads &loads, const Point<dim> &x)
@@ -124,6 +127,7 @@ namespace Signorini
 
 
 
+  // Follower pressure: forces (6.4) and their derivative (6.5), integrated over the reference face.
   template <int dim>
   void
   PressureKernel<dim>::add_face(const Loads          &loads,
@@ -139,7 +143,7 @@ namespace Signorini
         const Tensor<2, 3> F = gradient_at_point(model, *gradients, *dofs, q, u), G = invert(F);
         const double       weight =
           -pressure(loads, x) * determinant(F) * values->JxW(q) * measure(model, x);
-        // Among the components of the mesh: the hoop has no part in normals.
+        // Normals have no hoop component, so that the in-plane part of F^-T suffices.
         const auto pulled_back = [&](const Tensor<1, dim> &at_rest) {
           Tensor<1, dim> result; // F^-T v
           for (unsigned int a = 0; a < dim; ++a)
@@ -155,8 +159,9 @@ namespace Signorini
           continue;
         for (unsigned int j = 0; j < n_nodes; ++j)
           {
-            const Tensor<1, dim> slope  = pulled_back(gradients->shape_grad(j, q));
-            Tensor<1, dim>       volume = slope; // tr(Grad w G) of w = N_j e_b
+            const Tensor<1, dim> slope = pulled_back(gradients->shape_grad(j, q));
+            // tr(Grad w F^-1) of w = N_j e_b, with the hoop part of axisymmetric models.
+            Tensor<1, dim> volume = slope;
             if (model == Model::axisymmetric)
               volume[0] += values->shape_value(j, q) / gradients->quadrature_point(q)[0] * G[2][2];
             for (unsigned int i = 0; i < n_nodes; ++i)

@@ -12,17 +12,17 @@
 
 namespace Signorini
 {
-  /// The loads that do not follow the bodies: all at small deformation, all but pressures at large.
+  /// The loads whose direction and area do not follow the deformation: all at small strain, all but
+  /// pressures at finite strain.
   template <int dim>
   std::vector<Load<dim>>
   dead_loads(const Elasticity<dim> &elasticity);
 
-  /// Forces of pressures on the faces of one cell as they are now, of large deformation:
-  /// -int p cof(F) N . v dA over the face at rest, since n da = cof(F) N dA with
-  /// cof(F) = J F^-T (Nanson); p is that of the place at rest. And how they change, with
-  /// G = F^-1, n = F^-T N and a displacement w:
-  /// -int p J (tr(Grad w G) n - G^T (Grad w)^T n) . v dA.
-  /// Where the edge of the loaded surface is not held, that is not symmetric.
+  /// Forces of follower pressures on the faces of one cell (doc/theory, (6.4)): -int p cof(F) N . v
+  /// dA over the reference face, since n da = cof(F) N dA with cof(F) = J F^-T (Nanson's formula);
+  /// p is that at the reference position. Their derivative for a displacement w is, with G = F^-1
+  /// and n = F^-T N, -int p J (tr(Grad w G) n - G^T (Grad w)^T n) . v dA  (6.5). It is not
+  /// symmetric if the edge of the loaded surface can move.
   template <int dim>
   class PressureKernel
   {
@@ -40,10 +40,11 @@ namespace Signorini
       return by_boundary.empty();
     }
 
-    /// Returns false, and leaves nothing that means anything, where no pressure acts on the cell.
-    /// @param u the displacement at the degrees of freedom of the cell, which is not folded
-    /// @param forces takes the size of the cell
-    /// @param tangent likewise, dforces/du; null: not wanted
+    /// Compute the forces on the faces of a cell and their derivative.
+    /// @param u displacement at the degrees of freedom of the cell, which is not inverted [length]
+    /// @param forces resized to the degrees of freedom of the cell [force]
+    /// @param tangent dforces/du, of the same size; null: not wanted
+    /// @return false if no pressure acts on the cell; the results are then undefined
     bool
     assemble(const Cell                   &cell,
              const dealii::Vector<double> &u,

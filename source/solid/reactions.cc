@@ -16,7 +16,7 @@ namespace Signorini
 
   namespace
   {
-    /// Internal forces and those of thermal strain on the nodes of a cell.
+    /// The internal forces of a cell minus its loads, with thermal strain and volumetric stress.
     template <int dim>
     class CellForces
     {
@@ -34,8 +34,11 @@ namespace Signorini
         , of_volume(e)
       {}
 
-      /// Internal forces minus the load. Adds forces of thermal strain to the load: they are in
-      /// balance within the body, so that they are no part of what acts on it.
+      /// Internal forces minus loads of a cell; valid until the next call. Forces of thermal strain
+      /// are added to cell_load: they are in equilibrium within the body, so that they are no part
+      /// of the resultant of loads.
+      /// @param ghosted displacement with ghost values
+      /// @param cell_load in: loads of the cell; out: with the forces of thermal strain
       const Vector<double> &
       residual(const typename DoFHandler<dim>::active_cell_iterator &cell,
                const LA::Vector                                     &ghosted,
@@ -59,7 +62,7 @@ namespace Signorini
       }
 
     private:
-      /// Small deformation: B^T m.
+      /// Small strain: add B_m^T m, the forces of the volumetric stress (doc/theory, (6.20)).
       void
       add_volumetric_stress(const typename DoFHandler<dim>::active_cell_iterator &cell)
       {
@@ -83,7 +86,7 @@ namespace Signorini
 
 
 
-    /// Adds up what loads and supports exert.
+    /// Sums of the forces and moments of loads and supports, by support and by body.
     template <int dim>
     class Sums
     {
@@ -98,11 +101,14 @@ namespace Signorini
         result.bodies.resize(elasticity.mesh().n_bodies());
       }
 
-      /// The loads, and what is left of internal forces minus loads on the cells where they or
-      /// supports are, hanging nodes condensed.
+      /// Sum up the loads, and return the residual, internal forces minus loads, assembled over the
+      /// cells that have loads or constrained degrees of freedom, hanging nodes condensed. At
+      /// constrained degrees of freedom it is complete. Collective.
       LA::Vector
       add_loads();
 
+      /// Sum up the forces of the supports: the residual at constrained nodes of this rank, by
+      /// direction.
       void
       add_supports(const LA::Vector &residual);
 
@@ -112,8 +118,8 @@ namespace Signorini
     private:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-      /// The position of a node at x, for moments: at finite strain the current one.
-      /// @param indices of its degrees of freedom
+      /// The position of a node for moments: x at small strain, the displaced one at finite strain.
+      /// @param indices degrees of freedom of the node
       template <typename Indices>
       Point<dim>
       place(const Point<dim> &x, const Indices &indices) const;
@@ -160,8 +166,9 @@ namespace Signorini
       for (unsigned int i = 0; i < nodes.size(); ++i)
         {
           const auto [component, node] = fe.system_to_component_index(i);
+          // The radial forces of axisymmetric loads are in equilibrium around the circumference.
           if (axisymmetric && component == 0)
-            continue; // the circumference is in balance
+            continue;
           Tensor<1, dim> force;
           force[component] = cell_load[i];
           std::array<types::global_dof_index, dim> of_node;
@@ -221,7 +228,8 @@ namespace Signorini
 
 
 
-    // Where supports meet, the first one takes what it can.
+    // Where several supports constrain a node, directions are orthonormalised in the order of the
+    // supports, and each support has the force along its own part.
     template <int dim>
     void
     Sums<dim>::add_support(const ConstrainedNode<dim> &node, const Tensor<1, dim> &force)
@@ -264,6 +272,7 @@ namespace Signorini
       const MPI_Comm communicator = elasticity.mesh().communicator();
       resultant.force             = Utilities::MPI::sum(resultant.force, communicator);
       resultant.moment            = Utilities::MPI::sum(resultant.moment, communicator);
+      // Moments of axisymmetric loads vanish.
       if (axisymmetric)
         resultant.moment = 0;
     }
@@ -284,6 +293,7 @@ namespace Signorini
 
 
 
+  // Reaction = internal forces - loads - contact forces at the constrained nodes.
   template <int dim>
   Reactions<dim>
   reactions(const Elasticity<dim> &elasticity, const LA::Vector &u, const LA::Vector &contact_force)

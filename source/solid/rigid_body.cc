@@ -13,7 +13,8 @@ namespace Signorini
   {
     const std::array<std::string, 3> axes = {{"x", "y", "z"}};
 
-    /// A force where the motion is prescribed would have no effect.
+    /// Reports a force in a component whose motion is prescribed, where it would have no effect, or
+    /// is not given.
     template <int dim, int n>
     void
     check_driven(const Section                  &section,
@@ -118,6 +119,7 @@ namespace Signorini
 
 
 
+  // The largest distance between the reference point and a corner of the box.
   template <int dim>
   double
   RigidBody<dim>::arm(const BoundingBox<dim> &box) const

@@ -17,6 +17,8 @@ namespace Signorini
 
 
 
+  // Component c of the translations (0 or 1) and of the rotations e_r x x, with x relative to the
+  // center in units of half the diagonal: all entries are at most about one.
   template <int dim>
   std::array<double, RigidBodyModes<dim>::n>
   RigidBodyModes<dim>::at(const Point<dim> &point, const unsigned int c) const
@@ -46,7 +48,8 @@ namespace Signorini
     const RigidBodyModes<dim>        all(mesh.extent());
     std::vector<std::vector<double>> modes(RigidBodyModes<dim>::n,
                                            std::vector<double>(owned.n_elements()));
-    // Rigid bodies are not connected to others, but each of their nodes can move.
+    // A rigid body has two nodes, of translation and rotation, that are coupled to no others; for
+    // aggregation each of their components counts as a translation.
     for (auto i = dofs.n_dofs(); i < owned.size(); ++i)
       if (owned.is_element(i))
         modes[(i - dofs.n_dofs()) % dim][owned.index_within_set(i)] = 1;
@@ -83,6 +86,7 @@ namespace Signorini
 
 
 
+  // Degrees of freedom of rigid bodies keep the initial value, the number of bodies.
   template <int dim>
   std::vector<unsigned int>
   bodies_of_dofs(const Displacements<dim> &displacements)

@@ -8,8 +8,8 @@
 
 namespace Signorini
 {
-  /// A body's motions without deformation, as modes of size one: dim translations, then rotations
-  /// about the center of a box in units of half its diagonal.
+  /// The rigid-body modes of a body, of size about one: dim translations, then rotations about the
+  /// center of a box, scaled by half its diagonal.
   template <int dim>
   class RigidBodyModes
   {
@@ -34,10 +34,10 @@ namespace Signorini
     double             my_size;
   };
 
-  /// The modes on the locally owned degrees of freedom, mode by mode. One set serves all bodies:
-  /// aggregates of the multigrid method never contain nodes of two bodies, and on one body a
-  /// rotation about another center differs by a translation only.
-  /// @param owned degrees of freedom of the mesh, and of rigid bodies behind them
+  /// The rigid-body modes on the locally owned degrees of freedom, mode by mode, as near null space
+  /// of multigrid. One set serves all bodies: aggregates never contain nodes of two bodies, and on
+  /// one body a rotation about another center differs by a translation only.
+  /// @param owned degrees of freedom of the mesh, followed by those of rigid bodies
   template <int dim>
   std::vector<std::vector<double>>
   rigid_body_modes(const Mesh<dim>                     &mesh,

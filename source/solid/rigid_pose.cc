@@ -10,6 +10,7 @@ namespace Signorini
 
   namespace
   {
+    /// The matrix W with W v = w x v.
     Tensor<2, 3>
     cross_matrix(const Tensor<1, 3> &w)
     {
@@ -21,7 +22,8 @@ namespace Signorini
       return result;
     }
 
-    /// (1 - cos a)/a^2 and (a - sin a)/a^3, by series where they are differences of what is equal.
+    /// The coefficients (1 - cos a)/a^2 and (a - sin a)/a^3 of the rotation (doc/theory, (5.10),
+    /// (5.11)); below a = 0.01 by their series, since the differences cancel.
     std::array<double, 2>
     coefficients(const double a)
     {
@@ -44,6 +46,9 @@ namespace Signorini
 
 
 
+  // Rotation matrix R = exp(W) and left Jacobian J_l by Rodrigues' formula (doc/theory, (5.10),
+  // (5.11)). The Jacobian is divided by the length scale, since the unknowns are rotations times
+  // that length.
   template <int dim>
   RigidPose<dim>::RigidPose(const Point<dim>                 &reference,
                             const std::array<double, n_dofs> &motion,
@@ -86,6 +91,7 @@ namespace Signorini
 
 
 
+  // The row n . u^M of doc/theory, (5.13).
   template <int dim>
   std::array<double, RigidPose<dim>::n_dofs>
   RigidPose<dim>::row(const Point<dim> &x, const Vector &n) const
@@ -128,6 +134,7 @@ namespace Signorini
 
 
 
+  // Inverse of on_rotations().
   template <int dim>
   typename RigidPose<dim>::Moment
   RigidPose<dim>::moment_of(const Moment &on_rotations) const
@@ -136,7 +143,9 @@ namespace Signorini
     const double     scale    = std::pow(jacobian.norm(), n_rotations);
     if (std::abs(determinant(jacobian)) > singular * scale)
       return on_rotations * invert(jacobian);
-    // J leaves the axis as it is, and takes what is across to nothing.
+    // At a full turn J_l is singular: it keeps the component along the axis of rotation and
+    // annihilates those across. A component along a coordinate axis that is that axis is known, the
+    // others are not (NaN).
     Moment       result;
     const double rotation_length_scale = std::sqrt(1 / (jacobian * transpose(jacobian)).norm());
     for (unsigned int i = 0; i < n_rotations; ++i)

@@ -11,8 +11,8 @@
 
 namespace Signorini
 {
-  /// A stiffness K as the smoother of a multigrid level needs it. Vectors are arrays of this rank's
-  /// degrees of freedom; those of levels are in single precision, which suffices for a
+  /// A stiffness K as the smoother of a multigrid level uses it. Vectors are arrays of the owned
+  /// degrees of freedom of this rank; on levels they are in single precision, which suffices for a
   /// preconditioner.
   template <typename Number>
   class StiffnessOperator
@@ -20,7 +20,9 @@ namespace Signorini
   public:
     virtual ~StiffnessOperator() = default;
 
-    /// K x, in an array that may be changed, and is valid until the next call. Collective.
+    /// The product K x, in an array that the caller may change, valid until the next call.
+    /// Collective.
+    /// @param x owned degrees of freedom of this rank
     virtual Number *
     product(const Number *x) const = 0;
 
@@ -29,7 +31,7 @@ namespace Signorini
     virtual std::vector<Number>
     diagonal() const = 0;
 
-    /// The l1 norm of each row, or an approximation of it. It is large beside the diagonal where
+    /// The l1 norm of each row, or an approximation of it. Its ratio to the diagonal is large where
     /// cells are of bad shape.
     virtual std::vector<Number>
     row_l1_norms() const = 0;
@@ -79,8 +81,9 @@ namespace Signorini
     mutable std::vector<float> result;
   };
 
-  /// The stiffness K, the derivative of the internal forces by the displacement, as solvers need
-  /// it. The assembled matrix is only made for those who cannot do without.
+  /// The stiffness K of the bodies, the derivative of the internal forces with respect to the
+  /// displacement, as the solvers use it. Products do not need an assembled matrix; it is assembled
+  /// only where a preconditioner asks for it.
   class Stiffness
   {
   public:
@@ -90,6 +93,7 @@ namespace Signorini
     virtual void
     vmult(LA::Vector &dst, const LA::Vector &src) const = 0;
 
+    /// dst += K src. Collective.
     virtual void
     vmult_add(LA::Vector &dst, const LA::Vector &src) const = 0;
 

@@ -15,7 +15,8 @@ namespace Signorini
 
   namespace
   {
-    /// Names may have faces in common, which are loaded once.
+    /// The boundary ids of a load, each once: boundaries of different names may share faces, which
+    /// are loaded once.
     template <int dim>
     BoundaryIds
     boundaries_of(const Mesh<dim> &mesh, const Load<dim> &load)
@@ -50,7 +51,8 @@ namespace Signorini
 
 
 
-  /// By the rule that integrates total forces.
+  // The areas of loads with a total force, by the quadrature that integrates the traction, so that
+  // the resultant is exact. Collective.
   template <int dim>
   void
   SurfaceLoads<dim>::measure_boundaries(const Mesh<dim>             &mesh,
@@ -116,6 +118,7 @@ namespace Signorini
           result.traction += traction;
         if (check_finite_value(pressure, *load, "Pressure", load->pressure.formula(), x))
           result.pressure += pressure;
+        // A total force acts as a uniform traction over its boundaries.
         const auto area = areas.find(load);
         if (area == areas.end())
           continue;

@@ -38,12 +38,14 @@ namespace Signorini
                  const std::vector<Load<dim>>        &loads,
                  double                               t);
 
+    /// True if there are no surface loads.
     bool
     empty() const
     {
       return by_boundary.empty();
     }
 
+    /// True if a load acts on faces with this boundary id.
     bool
     act_on(const dealii::types::boundary_id id) const
     {

@@ -19,9 +19,10 @@ namespace Signorini
 
   namespace
   {
+    // No time compares equal to it: temperatures are not evaluated yet.
     constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
-    /// As exact as loads are integrated.
+    /// Finite element values with points and weights only, by the rule that integrates loads.
     template <int dim>
     FEValues<dim>
     points_in_cells(const Mesh<dim> &mesh, const unsigned int degree)
@@ -33,7 +34,7 @@ namespace Signorini
                            update_quadrature_points | update_JxW_values);
     }
 
-    /// Of this rank, and those around that it knows of.
+    /// Call visit(cell) for the locally owned and ghost cells of a material.
     template <int dim, typename Visit>
     void
     for_known_cells(const Mesh<dim> &mesh, const unsigned int id, const Visit &visit)
@@ -83,6 +84,8 @@ namespace Signorini
 
 
 
+  // The polynomials 1 and (x - center)/diameter of a cell; degree 1 of the displacement has the
+  // constant only.
   template <int dim>
   typename ThermalStrain<dim>::Monomials
   ThermalStrain<dim>::monomials(const Cell &cell, const Point<dim> &x) const
@@ -98,6 +101,8 @@ namespace Signorini
 
 
 
+  // The temperature at a quadrature point: the formula of the material, with the value of the field
+  // from the mesh file if it refers to one.
   template <int dim>
   double
   ThermalStrain<dim>::temperature(const FEValues<dim> &values,
@@ -132,7 +137,8 @@ namespace Signorini
 
 
 
-  // The best fit with the weights of the quadrature.
+  // L2 projection of T - T_0 onto polynomials of one degree less than the displacement (doc/theory,
+  // (6.12)), by the normal equations of the cell. Missing coefficients of degree 1 stay zero.
   template <int dim>
   void
   ThermalStrain<dim>::fit(const FEValues<dim> &values,
@@ -169,6 +175,8 @@ namespace Signorini
   void
   ThermalStrain<dim>::set_time(const double t)
   {
+    // Each material is evaluated only if its time has changed and its temperature depends on time
+    // or has never been evaluated.
     for (unsigned int id = 0; id < expansions.size(); ++id)
       {
         const ThermalExpansion<dim> &one = expansions[id];
@@ -176,8 +184,9 @@ namespace Signorini
           continue;
         times[id] = t;
         std::vector<Point<dim>> bad;
-        FEValues<dim>           values  = points_in_cells(mesh, degrees[id]);
-        const double            uniform = one.depends_on_place() ? 0. : one.value({}, t, 0);
+        FEValues<dim>           values = points_in_cells(mesh, degrees[id]);
+        // A uniform temperature needs no projection.
+        const double uniform = one.depends_on_place() ? 0. : one.value({}, t, 0);
         for_known_cells(mesh, id, [&](const auto &cell) {
           double *own = &of_cells[cell->active_cell_index() * n_coefficients];
           if (one.depends_on_place())
@@ -225,6 +234,8 @@ namespace Signorini
 
 
 
+  // sigma_i = lambda sum_j alpha_j + 2 mu alpha_i. In plane stress the thickness expands freely, so
+  // that only in-plane components contribute and act.
   template <int dim>
   Tensor<1, 3>
   ThermalStrain<dim>::stress_of_unit_rise(const Material &material, const unsigned int id) const
@@ -253,6 +264,7 @@ namespace Signorini
 
 
 
+  // The coefficients of active cells are numbered as the cells are globally, rank by rank.
   template <int dim>
   IndexSet
   ThermalStrain<dim>::owned() const
@@ -282,6 +294,8 @@ namespace Signorini
 
 
 
+  // Uniform temperatures are known without the cells; others are sampled at the quadrature points,
+  // with two reductions.
   template <int dim>
   std::pair<double, double>
   ThermalStrain<dim>::range(const unsigned int id, const double t) const
@@ -316,6 +330,7 @@ namespace Signorini
 
   namespace
   {
+    /// The Gauss rules of the stiffness, one for each element.
     template <int dim>
     hp::QCollection<dim>
     rules_of_stiffness(const hp::FECollection<dim> &elements)
@@ -344,6 +359,8 @@ namespace Signorini
 
 
 
+  // int (C : eps_T) : eps(v) dV with the quadrature of the stiffness, so that both cancel for free
+  // expansion.
   template <int dim>
   bool
   ThermalLoad<dim>::add(const DofCell &cell, const Material &material, Vector<double> &cell_load)
@@ -362,6 +379,7 @@ namespace Signorini
           {
             const unsigned int d = cell->get_fe().system_to_component_index(i).first;
             cell_load[i] += weight * stress[d] * values.shape_grad(i, q)[d];
+            // The hoop component works on u_r/r.
             if (model == Model::axisymmetric && d == 0)
               cell_load[i] += weight * stress[2] * values.shape_value(i, q) / x[0];
           }

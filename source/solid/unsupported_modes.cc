@@ -16,7 +16,7 @@ namespace Signorini
 
   namespace
   {
-    /// Named by its largest component.
+    /// The name of a combination of rigid-body modes: that of its largest component.
     template <int dim>
     std::string
     mode_name(const Vector<double> &mode)
@@ -29,6 +29,7 @@ namespace Signorini
       return RigidBody<dim>::name_of(largest);
     }
 
+    /// The rigid-body modes of each connected piece, about the center of its bounding box.
     template <int dim>
     std::vector<RigidBodyModes<dim>>
     modes_of_pieces(const Mesh<dim> &mesh)
@@ -39,7 +40,7 @@ namespace Signorini
       return result;
     }
 
-    /// Calls visit(body, i) for the free components of rigid bodies.
+    /// Call visit(body, i) for the free components i of moving rigid bodies.
     template <int dim, typename Visit>
     void
     for_free_components(const std::vector<RigidBody<dim>> &bodies, const Visit &visit)
@@ -50,7 +51,9 @@ namespace Signorini
             visit(body, i);
     }
 
-    /// Combinations of the modes in which nothing with this Gram matrix moves: its kernel.
+    /// Orthonormal combinations of the modes in the kernel of a Gram matrix of constrained
+    /// directions: those that move no constrained direction. Eigenvalues below 1e-8 of the matrix
+    /// norm (plus 1) count as zero.
     template <int dim>
     std::vector<Vector<double>>
     kernel_of(const FullMatrix<double> &gram)
@@ -83,8 +86,9 @@ namespace Signorini
 
 
 
-  // Piece by piece, of the modes over the directions that supports hold: modes in its kernel move
-  // nothing there.
+  // For each piece the Gram matrix G_ab = sum over constrained directions n of (n . z_a)(n . z_b)
+  // of its rigid-body modes z. Modes in its kernel are unconstrained by supports. Nodes are summed
+  // on their owners, then over ranks. Collective.
   template <int dim>
   std::vector<FullMatrix<double>>
   UnsupportedModes<dim>::gram_of_constrained_directions() const
@@ -123,7 +127,8 @@ namespace Signorini
     for (unsigned int piece = 0; piece < gram.size(); ++piece)
       {
         if (displacements.model() == Model::axisymmetric)
-          // The hoop holds the radius, and so all but the translation along the axis.
+          // Radial displacements and tilting are resisted by the hoop strain; only the translation
+          // along the axis can be free.
           for (const unsigned int a : {0, 2})
             gram[piece](a, a) += 1 + gram[piece].linfty_norm();
         for (const Vector<double> &modes : kernel_of<dim>(gram[piece]))
@@ -161,6 +166,9 @@ namespace Signorini
 
 
 
+  // Diagonal stiffness Sigma of doc/theory, 4.10: for each piece with free modes, strength E/L^2
+  // per volume, distributed equally to the degrees of freedom of each cell, so that modes of size
+  // one have about the stiffness strength E L.
   template <int dim>
   LA::Vector
   UnsupportedModes<dim>::stabilisation(const std::vector<Material> &materials,
@@ -204,6 +212,7 @@ namespace Signorini
 
 
 
+  // The values of the modes at the nodes of their piece; zero at constrained degrees of freedom.
   template <int dim>
   void
   UnsupportedModes<dim>::set_motions_of_pieces(std::vector<UnconstrainedMode> &result) const

@@ -13,9 +13,9 @@
 
 namespace Signorini
 {
-  /// The rigid-body modes that no support constrains: of each connected piece of an elastic body,
-  /// and of rigid bodies along their free components; and the stabilisation that makes K regular in
-  /// spite of them.
+  /// The rigid-body modes that no support constrains (doc/theory, 4.10): those of each connected
+  /// piece of an elastic body, and those of rigid bodies along their free components; and the
+  /// stabilisation that makes K regular.
   template <int dim>
   class UnsupportedModes
   {
@@ -23,10 +23,11 @@ namespace Signorini
     /// Keeps a reference to the displacements.
     UnsupportedModes(const Displacements<dim> &displacements);
 
-    /// Find the modes; to be called when degrees of freedom have been distributed. Collective.
+    /// Find the modes, after degrees of freedom have been distributed. Collective.
     void
     find();
 
+    /// True if there are any. Valid after find().
     bool
     any() const;
 
@@ -43,7 +44,7 @@ namespace Signorini
     /// times `of_rigid_bodies`. Zero at constrained degrees of freedom; empty if there are no
     /// modes.
     /// @param materials by their ids
-    /// @param of_rigid_bodies takes the place of the stiffness of rigid bodies
+    /// @param of_rigid_bodies stiffness to which that of rigid bodies is related [force/length]
     /// @param strength dimensionless, see Elasticity::default_stabilisation
     LA::Vector
     stabilisation(const std::vector<Material> &materials,
@@ -54,7 +55,8 @@ namespace Signorini
     /// A combination of the rigid-body modes of one connected piece of an elastic body.
     struct PieceMotion
     {
-      unsigned int           piece;
+      unsigned int piece;
+      /// Coefficients of RigidBodyModes, of Euclidean norm one.
       dealii::Vector<double> modes;
     };
 

@@ -23,6 +23,9 @@ namespace Signorini
 
 
 
+  // Rows of the volume constraint (doc/theory, (6.17)): int phi_k theta_v dV and its derivative
+  // B_m, with theta_v = tr(eps - eps_T) at small strain or ln J at finite strain, whose derivative
+  // is tr(Grad w F^-1).
   template <int dim>
   bool
   VolumeKernel<dim>::assemble(const Cell           &cell,

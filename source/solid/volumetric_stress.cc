@@ -35,6 +35,8 @@ namespace Signorini
 
 
 
+  // Make degrees of freedom, bases and the ghosted vector for the present mesh; coefficients are
+  // zero.
   template <int dim>
   void
   VolumetricStress<dim>::reinit()
@@ -50,6 +52,7 @@ namespace Signorini
 
 
 
+  // Cells of other bodies have the element without functions.
   template <int dim>
   void
   VolumetricStress<dim>::distribute_dofs()
@@ -63,11 +66,13 @@ namespace Signorini
 
 
 
+  // One orthogonal basis for each owned and ghost cell of bodies in this form, evaluated with the
+  // quadrature of their stiffness (three points in each direction).
   template <int dim>
   void
   VolumetricStress<dim>::make_bases()
   {
-    // As the stiffness of these cells is integrated.
+    // The quadrature of the stiffness of these cells.
     FEValues<dim> values(mesh.mapping(),
                          elements[0],
                          QGauss<dim>(3),
@@ -82,6 +87,8 @@ namespace Signorini
           Basis one;
           one.indices.resize(functions_per_cell);
           cell->get_dof_indices(one.indices);
+          // The cell size h as the edge of a cube with the same diagonal; functions are of the size
+          // mu/h.
           const double h = cell->diameter() / std::sqrt(double(dim));
           orthogonalise(values, mu[cell->material_id()] / h, one);
           of_cells.push_back(one);
@@ -90,7 +97,9 @@ namespace Signorini
 
 
 
-  // By Gram and Schmidt's method.
+  // Gram-Schmidt orthogonalisation of 1 and the coordinates relative to the centroid, with the
+  // scalar product of the cell's quadrature (doc/theory, 6.6); then all functions are scaled to the
+  // norm unit^2 times the volume, so that mass matrices are diagonal with one value for each cell.
   template <int dim>
   void
   VolumetricStress<dim>::orthogonalise(const FEValues<dim> &values,
@@ -141,6 +150,7 @@ namespace Signorini
 
 
 
+  // The rows are lower triangular: function i has the coordinates up to i - 1.
   template <int dim>
   typename VolumetricStress<dim>::Functions
   VolumetricStress<dim>::functions(const Cell &cell, const Point<dim> &x) const
@@ -189,6 +199,7 @@ namespace Signorini
 
 
 
+  // Ghost cells get the coefficients of their owners. Collective.
   template <int dim>
   void
   VolumetricStress<dim>::set_coefficients(const LA::Vector &values)

@@ -41,7 +41,8 @@ namespace Signorini
     /// Keeps a reference to the mesh. @param materials by their ids
     VolumetricStress(const Mesh<dim> &mesh, const std::vector<Material> &materials, Model model);
 
-    /// To be called when the mesh has changed; sets the stress to zero. Collective.
+    /// Distribute degrees of freedom and compute the bases after a change of the mesh; sets the
+    /// stress to zero. Collective.
     void
     reinit();
 
@@ -59,12 +60,14 @@ namespace Signorini
       return !empty() && mixed[cell.material_id()];
     }
 
-    // Of a locally owned or ghost cell of a mixed body:
+    // Functions of a locally owned or ghost cell of a body in displacement-pressure form:
 
     /// m at a point x of a cell [force/area]; zero on other bodies.
     double
     value(const Cell &cell, const dealii::Point<dim> &x) const;
 
+    /// The functions phi of a cell at a point x of the reference configuration [force/volume]; m is
+    /// the sum of coefficient times function.
     Functions
     functions(const Cell &cell, const dealii::Point<dim> &x) const;
 
@@ -89,7 +92,7 @@ namespace Signorini
       return basis(cell).coefficients;
     }
 
-    // Of all cells:
+    // Functions of the coefficients of all cells:
 
     /// The coefficients that this rank owns.
     const dealii::IndexSet &
@@ -114,10 +117,15 @@ namespace Signorini
     set_coefficients(const LA::Vector &values);
 
   private:
+    /// The basis and the coefficients of one cell.
     struct Basis
     {
-      dealii::Point<dim>                           center;
-      std::array<Functions, functions_per_cell>    rows; ///< by 1 and x - center, lower triangle
+      /// Centroid of the cell, by the quadrature of its stiffness.
+      dealii::Point<dim> center;
+      /// Coefficients of each function for 1 and the components of x - center, a lower triangular
+      /// matrix.
+      std::array<Functions, functions_per_cell> rows;
+      /// See size().
       double                                       size = 0;
       std::vector<dealii::types::global_dof_index> indices;
       Functions                                    coefficients{};
@@ -136,10 +144,12 @@ namespace Signorini
     void
     orthogonalise(const dealii::FEValues<dim> &values, double unit, Basis &basis) const;
 
-    const Mesh<dim>                    &mesh;
-    const Model                         model;
-    std::vector<bool>                   mixed; ///< one a body; empty: none of them
-    std::vector<double>                 mu;    ///< of each body
+    const Mesh<dim> &mesh;
+    const Model      model;
+    /// By material id: true for displacement-pressure form; empty if no material has it.
+    std::vector<bool> mixed;
+    /// Shear modulus by material id [force/area].
+    std::vector<double>                 mu;
     const dealii::hp::FECollection<dim> elements;
     dealii::DoFHandler<dim>             dofs; ///< numbers only; of cells of other bodies none
     std::vector<Basis>                  of_cells;
