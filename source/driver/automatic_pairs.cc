@@ -13,8 +13,8 @@ namespace Signorini
 
   namespace
   {
-    /// Two bodies whose boxes say that one may lie deeper in the other than pairs were looked for,
-    /// and which have none.
+    /// Warn about pairs of bodies without contact pair whose bounding boxes overlap deeper than the
+    /// distance within which pairs were searched.
     template <int dim>
     void
     warn_about_penetrations(const Mesh<dim>                     &mesh,
@@ -43,7 +43,8 @@ namespace Signorini
           }
     }
 
-    /// Nothing of it moves along its normal, at any time: a boundary that is held, or an obstacle.
+    /// True if the surface does not move along its normal at any time: a supported boundary, or an
+    /// obstacle at rest.
     template <int dim>
     bool
     is_held(const Scene<dim> &scene, const std::string &surface)

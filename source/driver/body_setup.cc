@@ -16,9 +16,11 @@ namespace Signorini
         bodies.emplace_back(body.name, body.mesh);
         bodies.back().second.degree = decisions.degrees[bodies.size() - 1];
       }
+    // Contact surfaces are weighted in the distribution of the mesh; obstacles have none.
     std::vector<std::pair<std::string, std::string>> contact_surfaces;
     for (const ContactPair<dim> &pair : decisions.pairs)
       contact_surfaces.emplace_back(pair.slave, scene.obstacle_of(pair) ? "" : pair.master);
+    // Meshes that are to be refined are distributed by p4est.
     MeshSettings<dim> settings = scene.mesh;
     if (!settings.distribution && scene.maximum_cycles() > 0)
       settings.distribution = Distribution::p4est;
@@ -31,7 +33,9 @@ namespace Signorini
   std::unique_ptr<Elasticity<dim>>
   make_elasticity(const Decisions<dim> &decisions, const Mesh<dim> &mesh)
   {
-    const Scene<dim>                  &scene = decisions.scene;
+    const Scene<dim> &scene = decisions.scene;
+    // One material, and one thermal expansion, for each material id: those of the body, then those
+    // of its cell sets.
     std::vector<Material>              materials;
     std::vector<ThermalExpansion<dim>> expansions;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
@@ -47,6 +51,7 @@ namespace Signorini
               expansions.back().coefficients = one.expansion;
           }
       }
+    // Only obstacles that can move have degrees of freedom.
     std::vector<RigidBody<dim>> rigid_bodies;
     for (const Obstacle<dim> &obstacle : scene.obstacles)
       if (obstacle.body.can_move())

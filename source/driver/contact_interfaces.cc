@@ -19,7 +19,7 @@ namespace Signorini
 
   namespace
   {
-    /// Relative to the size of the model: the accuracy of node positions in files.
+    /// The accuracy of node positions in mesh files, relative to the size of the model.
     constexpr double touching = 1e-6;
   } // namespace
 
@@ -36,6 +36,8 @@ namespace Signorini
     , timer(timer)
     , out(out)
   {
+    // The first candidate gap is the expected approach of surfaces; bodies without sufficient
+    // supports may move farther before they find contact.
     const double gap_decrease = std::max(largest_expected_approach(scene, elasticity.mesh()),
                                          touching * elasticity.mesh().size());
     candidate_gap.assign(decisions.pairs.size(),
@@ -66,7 +68,7 @@ namespace Signorini
 
   namespace
   {
-    /// The area of the points that have a projection.
+    /// The area of the contact points of all ranks. Collective.
     template <int dim>
     double
     area_of(const ContactSurface<dim> &surface, const MPI_Comm comm)
@@ -80,6 +82,10 @@ namespace Signorini
 
 
 
+  // Exchange slave and master of pair i in the reference configuration if Sides requires it
+  // (doc/theory, 3.6) and the settings allow it. The pair stays as it is, and is not tried again,
+  // if the method is not valid with the other slave, or if the other slave covers less than nine
+  // tenths of the area. Collective.
   template <int dim>
   void
   ContactInterfaces<dim>::exchange_sides(const Configuration<dim> &configuration,
@@ -130,11 +136,13 @@ namespace Signorini
   SearchTolerance
   ContactInterfaces<dim>::tolerance_from_solution(const unsigned int i) const
   {
-    constexpr double        room = 1.5; // if more is needed, search_radius_exceeded() sees it
+    // If surfaces move farther than this, search_radius_exceeded() detects it.
+    constexpr double        room = 1.5;
     const ContactPair<dim> &pair = decisions.pairs[i];
     const double            now  = room * last_approach[i],
                  so_far = pair.search_distance > 0 ? pair.search_distance : candidate_gap[i];
-    // Points whose gap is given by a formula may be anywhere, and elsewhere at another time.
+    // Gaps given by a formula do not depend on motions, and time-dependent ones change without
+    // them.
     if (!pair.can_separate || pair.gap_is_given() || has_time_dependent_gap(pair) || now == 0 ||
         now >= so_far)
       return {};
@@ -143,6 +151,9 @@ namespace Signorini
 
 
 
+  // In the reference configuration the estimated tolerances; in displaced ones they follow from the
+  // motion since the last search: the search radius covers the deepest penetration plus the
+  // approach since. Close to the solution few candidates suffice: at least half a face.
   template <int dim>
   std::vector<SearchTolerance>
   ContactInterfaces<dim>::search_tolerances(const Configuration<dim> &configuration)
@@ -170,7 +181,8 @@ namespace Signorini
           {
             const double now =
               my_surfaces[i].overlap + std::max(0., pair.closes_below) + approaches[i];
-            // Surfaces that are closed by the input may be far apart, however little moves.
+            // Pairs that are bilateral, or closed by the input, may be far apart even if nothing
+            // moves.
             limit = pair.can_separate && !pair.gap_is_given() ? now : std::max(limit, now);
           }
         result.push_back(
@@ -195,6 +207,8 @@ namespace Signorini
 
 
 
+  // Search all pairs, then number rows and assemble the gap operator. If the search fails (inverted
+  // cells), the former surfaces are kept, which belong to the rows that still exist. Collective.
   template <int dim>
   void
   ContactInterfaces<dim>::build(const Configuration<dim> &configuration,
@@ -226,7 +240,7 @@ namespace Signorini
         }
       catch (const SolverFailure &)
         {
-          my_surfaces = std::move(former); // those of the rows that are there
+          my_surfaces = std::move(former);
           throw;
         }
     }
@@ -234,6 +248,7 @@ namespace Signorini
     rows =
       std::make_unique<ContactRows>(make_contact_rows(elasticity, my_surfaces, method.sampling()));
     contact = make_gap_operator(configuration, my_surfaces, *rows, method);
+    // The penalty parameter of the error control applies to all pairs.
     contact->coefficients.epsilon *= decisions.penalty_factor;
     if (contact->has_stress() && contact->theta != method.theta() && !noted_theta)
       {
@@ -248,6 +263,7 @@ namespace Signorini
       const auto own = std::count(contact->origin.pair.begin(), contact->origin.pair.end(), i);
       return Utilities::MPI::sum(own, elasticity.mesh().communicator());
     };
+    // Pairs without any projection, or bilateral ones without any row, are errors of the input.
     for (unsigned int i = 0; i < my_surfaces.size(); ++i)
       {
         const ContactPair<dim> &pair = decisions.pairs[i];
@@ -310,6 +326,8 @@ namespace Signorini
 
 
 
+  // G of (5.9) for given tractions, about the displacement at which the surfaces were placed.
+  // Collective.
   template <int dim>
   void
   ContactInterfaces<dim>::build_geometric_stiffness(const PointVectors &traction)
@@ -323,6 +341,8 @@ namespace Signorini
 
 
 
+  // Keep from the old mesh what refers to pairs and not to meshes: search tolerances from the last
+  // solution. Faces on the next mesh are half as large.
   template <int dim>
   void
   ContactInterfaces<dim>::invalidate()
@@ -334,7 +354,7 @@ namespace Signorini
     rows.reset();
     build_displacement = LA::Vector();
     for (double &of_pair : candidate_gap_near_solution)
-      of_pair /= 2; // as its faces
+      of_pair /= 2;
   }
 
 
@@ -359,6 +379,8 @@ namespace Signorini
 
 
 
+  // Contact forces at points from the pressures of rows (ghosted), then the geometry error of each
+  // pair (doc/theory, 5.7); the largest estimated change of pressure counts.
   template <int dim>
   GeometryChange
   ContactInterfaces<dim>::neglected(const LA::Vector &u, const LA::Vector &pressure) const
@@ -399,6 +421,8 @@ namespace Signorini
 
 
 
+  // Surfaces have settled if no pair has approached by more than 2 % of a face since the last
+  // search.
   template <int dim>
   bool
   ContactInterfaces<dim>::is_geometry_current(const LA::Vector &u) const
@@ -413,6 +437,10 @@ namespace Signorini
 
 
 
+  // A bound of the approach of each pair is compared with the candidate gap of the search: faces
+  // beyond it were no candidates. Exceeded tolerances are doubled for the next search; tolerances
+  // known from coarser meshes are discarded first, without a message. Pairs with a search distance
+  // given by the user are not searched beyond it. Collective.
   template <int dim>
   bool
   ContactInterfaces<dim>::search_radius_exceeded(const LA::Vector &u)
@@ -453,6 +481,8 @@ namespace Signorini
 
 
 
+  // Radii grow by a factor of four up to the size of the model plus the expected motion, so that
+  // repeated calls end.
   template <int dim>
   bool
   ContactInterfaces<dim>::enlarge_search_radius()
@@ -479,6 +509,8 @@ namespace Signorini
 
 
 
+  // Interference factors and temperatures of the time t enter the gap operator without a new
+  // search.
   template <int dim>
   void
   ContactInterfaces<dim>::set_time(const double t)
@@ -525,6 +557,8 @@ namespace Signorini
 
 
 
+  // A node is over-constrained if rows of two pairs are active there. The numbers of one such pair
+  // of pairs are encoded in one integer, so that all ranks agree on the largest code. Collective.
   template <int dim>
   std::string
   ContactInterfaces<dim>::overconstrained_nodes(const LA::Vector &active) const
@@ -573,7 +607,7 @@ namespace Signorini
   double
   largest_expected_approach(const Scene<dim> &scene, const Mesh<dim> &mesh)
   {
-    // Both surfaces may move towards each other.
+    // Both surfaces may move towards each other, and estimates may be too small.
     return 3 * expected_motion(scene, mesh.extent());
   }
 

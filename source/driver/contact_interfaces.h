@@ -124,8 +124,8 @@ namespace Signorini
     bool
     enlarge_search_radius();
 
-    /// Set the time: the share of initial penetrations, and the stress due to the present
-    /// temperatures of the bodies.
+    /// Set the time for the gap operator: interference factors of the pairs, and the stress due to
+    /// the present temperatures of the bodies. Collective.
     void
     set_time(double t);
 
@@ -152,6 +152,7 @@ namespace Signorini
     LA::Vector
     displacement_since_build(const LA::Vector &u) const;
 
+    /// The surface of a pair, see make_contact_surface().
     ContactSurface<dim>
     surface_of(const Configuration<dim>  &configuration,
                const ContactPair<dim>    &pair,
@@ -163,6 +164,8 @@ namespace Signorini
     std::vector<SearchTolerance>
     search_tolerances(const Configuration<dim> &configuration);
 
+    /// The search tolerance of pair i in the reference configuration: from a solution on a coarser
+    /// mesh, or estimated.
     SearchTolerance
     reference_tolerance(unsigned int i) const;
 

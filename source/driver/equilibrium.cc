@@ -34,6 +34,8 @@ namespace Signorini
 
 
 
+  // Replace the state; the volumetric stress of the bodies follows, and the surfaces are placed for
+  // the next search.
   template <int dim>
   void
   Equilibrium<dim>::set_state(const State &other, const bool uses_current_geometry)
@@ -59,6 +61,9 @@ namespace Signorini
 
 
 
+  // Everything computed on the old mesh is void: the solver, the extrapolation, the volumetric
+  // stress (which starts from zero) and the gap operator. The displacement was transferred by the
+  // caller.
   template <int dim>
   void
   Equilibrium<dim>::invalidate()
@@ -105,6 +110,7 @@ namespace Signorini
 
 
 
+  // An iterate with NaN or infinite entries is of no use for output.
   template <int dim>
   std::optional<Snapshot<dim>>
   Equilibrium<dim>::failure(const unsigned int step) const
@@ -118,6 +124,8 @@ namespace Signorini
 
 
 
+  // At finite strain the extrapolated displacement is tried first, then the displacement of the
+  // last load step. Collective.
   template <int dim>
   bool
   Equilibrium<dim>::solve(const double t, const double tolerance)
@@ -137,7 +145,8 @@ namespace Signorini
 
   namespace
   {
-    /// True if `now` is what was expected, up to a small fraction of its change since `before`.
+    /// True if `now` equals the expected vector up to a tenth of its change since `before` (largest
+    /// components).
     bool
     continues_motion(const LA::Vector &before, const LA::Vector &expected, const LA::Vector &now)
     {
@@ -148,6 +157,8 @@ namespace Signorini
       return error.linfty_norm() <= small * change.linfty_norm() + 1e-12 * now.linfty_norm();
     }
 
+    /// Linear extrapolation: last + times (last - previous_solution). @param times ratio of the
+    /// lengths of the load steps
     LA::Vector
     extrapolated(const LA::Vector &previous_solution, const LA::Vector &last, const double times)
     {
@@ -165,7 +176,8 @@ namespace Signorini
   {
     if (!elasticity.is_finite_strain() || !previous_solution || t <= state.time)
       return {};
-    // Extrapolate only if supports, obstacles and loads continue as in the last load step.
+    // Extrapolate only if supports, obstacles and loads continue as in the last load step: the
+    // prescribed displacements and the load vector at t are compared with their own extrapolations.
     const double times   = (t - state.time) / (state.time - previous_solution->time);
     const auto   load_at = [this](const double time) {
       elasticity.set_time(time);
@@ -184,12 +196,18 @@ namespace Signorini
 
 
 
+  // One load step from a given start. On success time, internal variables, gap and active set of
+  // the solution are stored; at finite strain the solution is also checked for missed penetration,
+  // for stability (indefinite tangent) and for a jump (displacement rate). On failure the last
+  // iterate is kept for output, and state, active set and volumetric stress are restored. Returns
+  // false then. Collective.
   template <int dim>
   bool
   Equilibrium<dim>::solve_from(const std::optional<LA::Vector> &start,
                                const double                     t,
                                const double                     tolerance)
   {
+    // The start of the load step is stored only if the solution depends on the path.
     const State before = state;
     const bool  is_path_dependent_solution =
       scene.contact.chosen().is_path_dependent() || !elasticity.material_history().empty();
@@ -227,10 +245,12 @@ namespace Signorini
         my_report.reason +=
           contact.overconstrained_nodes(closed_points(configuration_solver.contact_state().status));
       }
+    // Negative curvature explains failures near buckling points; the hierarchy may be that of an
+    // indefinite tangent and is released.
     my_report.tangent_is_indefinite =
       elasticity.is_finite_strain() &&
       (configuration_solver.met_negative_curvature() || is_indefinite_on_path_from(before));
-    if (my_report.tangent_is_indefinite) // so may hierarchies
+    if (my_report.tangent_is_indefinite)
       configuration_solver.release();
     store_failure(t);
     state = before;
@@ -241,6 +261,9 @@ namespace Signorini
 
 
 
+  // Ratio of the displacement rate of this load step to that of the last one, if it indicates a
+  // snap-through: more than three times as fast as before, not explained by faster prescribed
+  // motions, and with an indefinite tangent on the path between both. Otherwise 0.
   template <int dim>
   double
   Equilibrium<dim>::speed_ratio_since(const State &before)
@@ -254,7 +277,8 @@ namespace Signorini
     LA::Vector prescribed_increment = before.displacement;
     elasticity.distribute(prescribed_increment);
     prescribed_increment -= before.displacement;
-    // A displacement rate that supports and obstacles prescribe is no snap-through either.
+    // A displacement rate that supports and obstacles prescribe is not a snap-through: it is
+    // compared with the ratio of prescribed rates.
     const double speed = way.l2_norm() / duration,
                  drive = prescribed_increment.l2_norm() / duration,
                  pushed =
@@ -271,6 +295,7 @@ namespace Signorini
 
 
 
+  // Test the tangent at a quarter, half and three quarters of the straight line.
   template <int dim>
   bool
   Equilibrium<dim>::is_indefinite_on_path_from(const State &before)
@@ -291,6 +316,7 @@ namespace Signorini
 
 
 
+  // Store the last iterate for output; points of oscillating status are marked by 2.
   template <int dim>
   void
   Equilibrium<dim>::store_failure(const double t)
@@ -309,6 +335,11 @@ namespace Signorini
 
 
 
+  // Solve at time t from an initial displacement. The steps are: prescribed values at t; with
+  // current geometry, a check that no obstacle tunnels in the increment; contact search where
+  // surfaces or gaps have changed; one solution on that configuration to a moderate tolerance; the
+  // decision whether the contact geometry has to be updated; updates until convergence
+  // (doc/theory, 5.2).
   template <int dim>
   bool
   Equilibrium<dim>::solve_from_start(const std::optional<LA::Vector> &start,
@@ -329,7 +360,10 @@ namespace Signorini
       {
         contact.check_tunnelling(last, state.displacement);
         LA::Vector configuration_displacement = state.displacement;
-        if (elasticity.is_finite_strain()) // what supports move alone would fold surfaces
+        // At finite strain the surfaces are searched at their last positions, with the obstacles
+        // moved: displacements that satisfy the supports at t, but are not in equilibrium, would
+        // fold cells.
+        if (elasticity.is_finite_strain())
           {
             configuration_displacement = last;
             elasticity.set_rigid_motion(elasticity.rigid_motion(state.displacement),
@@ -341,6 +375,8 @@ namespace Signorini
     else if (contact.is_outdated())
       configuration_solver.find_contact(false);
     StoppingCriteria stopping = first_stopping_criteria(tolerance, start.has_value());
+    // With Contact geometry = automatic, Newton's method may stop early, once, if the estimate says
+    // that an update is needed anyway.
     if (!my_uses_current_geometry && scene.contact.geometry == ContactGeometry::automatic)
       stopping.is_sufficient = [this, was_asked = false]() mutable {
         return !std::exchange(was_asked, true) && needs_geometry_update(false);
@@ -369,11 +405,14 @@ namespace Signorini
 
 
 
+  // Criteria between two updates: one Newton step each. With Uzawa's augmentation, which takes
+  // several steps, the number of steps is not limited, and the tolerance follows the last residual
+  // at finite strain.
   template <int dim>
   StoppingCriteria
   Equilibrium<dim>::next_stopping_criteria(const double tolerance, const double before) const
   {
-    // An augmentation takes several steps, so the number of steps must not be limited to one.
+    // Uzawa's method: a relative tolerance instead of one step.
     if (scene.contact.chosen().pressure_shift() == PressureShift::last_pressure)
       return {elasticity.is_finite_strain() ?
                 std::max(tolerance, before > 0 ? 5e-3 * before : 1e-4) :
@@ -383,6 +422,9 @@ namespace Signorini
 
 
 
+  // Decide between reference and current contact geometry (doc/theory, 5.7). With `automatic`, the
+  // neglected pressure change is estimated from the present iterate or solution; once an update is
+  // needed, the current geometry is used from then on.
   template <int dim>
   bool
   Equilibrium<dim>::needs_geometry_update(const bool is_solution)
@@ -393,6 +435,8 @@ namespace Signorini
     if (wanted == ContactGeometry::automatic)
       {
         TimerOutput::Scope scope(timer, "contact geometry");
+        // Obstacles given by a formula of the gap on the undeformed surface admit the reference
+        // geometry only.
         if (const std::string unknown = contact.obstacle_without_projection(); !unknown.empty())
           {
             if (is_solution)
@@ -423,6 +467,13 @@ namespace Signorini
 
 
 
+  // Geometry update until convergence (doc/theory, 5.2): place the surfaces at the last
+  // displacement, search, assemble the linearised gap and the contact geometric stiffness, and take
+  // one Newton step. Since all terms are consistently linearised, the sequence is Newton's method
+  // for the full problem. It ends when the first residual after an update satisfies (5.3), or at
+  // small strain when (5.4) predicts that the next one would; then a last solution to the full
+  // tolerance follows on that configuration. It fails after `most` updates, or `patience` without a
+  // smaller residual, so that it terminates.
   template <int dim>
   bool
   Equilibrium<dim>::update_geometry_until_converged(const double t,
@@ -433,9 +484,12 @@ namespace Signorini
     const unsigned int     most             = is_finite_strain ? 40 : 20;
     const double           enough           = std::max(tolerance, scene.newton.of_geometry);
     constexpr unsigned int patience = 8, most_rules = 5;
-    double                 before  = 0; // what was out of balance when surfaces were placed last
-    double                 least   = std::numeric_limits<double>::max(); // of placements so far
-    unsigned int           in_vain = 0;                                  // placements since then
+    // First residual of the previous update.
+    double before = 0;
+    // Smallest first residual so far.
+    double least = std::numeric_limits<double>::max();
+    // Number of updates since then.
+    unsigned int in_vain = 0;
     for (unsigned int n = 1; n <= most && in_vain < patience; ++n)
       {
         bool keeps_integration_points = false;
@@ -455,14 +509,15 @@ namespace Signorini
           }
         if (!solve_fixed_configuration(t, next_stopping_criteria(tolerance, before), true))
           return false;
+        // The first step of an update has the residual with the new surfaces and the old
+        // displacement.
         const NewtonStep &first = my_report.steps[previous_steps.size()];
         const double      now   = std::max(first.residual_of_bodies, first.gap_residual);
-        // Predict the residual of the next update, to save it. The residual falls faster than at
-        // the rate of the last two updates, since the iteration converges quadratically; with the
-        // same integration points an order of 1.5 is assumed. Forces of bodies are up to ten times
-        // as sensitive. Forces of pairs are then reported with the normals of this configuration,
-        // accurate to its residual. Not at finite strain, where the edges of two bodies may move
-        // past each other, which no tangent contains.
+        // Predict the residual of the next update, which may then be saved. It decreases faster
+        // than at the rate of the last two updates, since the iteration converges quadratically;
+        // with fixed integration points an order of 1.5 is assumed. Reported contact forces then
+        // have the normals of this configuration, accurate to its residual. No prediction at finite
+        // strain, where edges of two bodies may slide past each other, which no tangent contains.
         const double rate = before > 0 ? now / before : 1;
         const bool   is_foreseen =
           !is_finite_strain && rate <= 0.1 &&
@@ -482,6 +537,8 @@ namespace Signorini
         in_vain = now < least ? 0 : in_vain + 1;
         least   = std::min(least, now);
       }
+    // Advice for the message: rounding far from the origin, shorter load steps, or smoother
+    // integration.
     const bool by_segments =
       std::all_of(decisions.pairs.begin(), decisions.pairs.end(), [&](auto &pair) {
         return decisions.integration_of(pair).rule == Rule::segments;
@@ -507,6 +564,8 @@ namespace Signorini
 
 
 
+  // Solve on the present configuration; the report contains the steps of earlier configurations of
+  // this load step, too.
   template <int dim>
   bool
   Equilibrium<dim>::solve_fixed_configuration(const double            t,

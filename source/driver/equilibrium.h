@@ -10,9 +10,9 @@
 
 namespace Signorini
 {
-  /// Solves for equilibrium at a given time: on a fixed contact configuration, and where large
-  /// sliding counts, by updating the contact geometry until it converges. Exists as long as the
-  /// run; whatever depends on the mesh is made on demand, and invalidated when the mesh changes.
+  /// Solves for equilibrium at a given time: on a fixed contact configuration, and for large
+  /// sliding by updating the contact geometry until it converges. Exists as long as the run; what
+  /// depends on the mesh is made on demand, and discarded when the mesh changes.
   template <int dim>
   class Equilibrium
   {
@@ -38,9 +38,11 @@ namespace Signorini
       configuration_solver.find_contact(my_uses_current_geometry);
     }
 
-    /// Solve at time t, starting from `state`, which becomes the solution. Returns false, and
-    /// leaves it as it was, if there is none. Collective.
+    /// Solve at time t, starting from `state`, which becomes the solution. Collective.
+    /// @param t time, not earlier than that of the state
     /// @param tolerance of the residual, relative to the acting forces
+    /// @return false if there is no solution; `state` is then unchanged, and report() has the
+    /// reason
     bool
     solve(double t, double tolerance);
 
@@ -55,14 +57,17 @@ namespace Signorini
     void
     invalidate();
 
-    // Of the last solution:
+    // Results of the last solution:
 
+    /// The steps of Newton's method on all configurations of the last load step, or why it failed.
     const NewtonReport &
     report() const
     {
       return my_report;
     }
 
+    /// The last solution for output and evaluation; refers to `state` and the contact. @param step
+    /// number of the load step
     Snapshot<dim>
     snapshot(unsigned int step) const;
 
@@ -98,8 +103,10 @@ namespace Signorini
     /// this mesh and supports and loads continue as in it.
     std::optional<LA::Vector>
     predicted(double t);
+    /// One attempt of solve_from(), without restoring the state if it fails.
     bool
     solve_from_start(const std::optional<LA::Vector> &start, double t, double tolerance);
+    /// Store the last iterate of a failed load step, for failure().
     void
     store_failure(double t);
     /// The ratio of the displacement rate to that of the last load step, see
@@ -171,6 +178,7 @@ namespace Signorini
     };
     std::optional<PreviousSolution> previous_solution;
 
+    /// The last iterate of a failed load step.
     struct Failure
     {
       State        state;

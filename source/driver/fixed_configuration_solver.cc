@@ -33,6 +33,9 @@ namespace Signorini
 
 
 
+  // Search contact in the set configuration, assemble the gap operator, and restore pressures and
+  // internal variables from the state. The solver of the former gap operator is discarded; solids
+  // and hierarchies are kept.
   template <int dim>
   void
   FixedConfigurationSolver<dim>::find_contact(const bool is_near,
@@ -49,7 +52,9 @@ namespace Signorini
                                                                     configuration_displacement);
     contact.build(configuration, is_near, keeps_integration_points);
     restore_active_set();
-    my_contact.status = contact.gap_operator().zero(); // the law finds it better: there may be more
+    // The status is left empty: the law determines it from trial tractions, since there may be
+    // additional points.
+    my_contact.status = contact.gap_operator().zero();
     clock.stop();
   }
 
@@ -65,6 +70,8 @@ namespace Signorini
 
 
 
+  // Internal variables of contact and materials are those at the start of the load step, and slip
+  // is measured from there.
   template <int dim>
   void
   FixedConfigurationSolver<dim>::start_step()
@@ -84,6 +91,10 @@ namespace Signorini
 
 
 
+  // Solve, and repeat with enlarged candidates while surfaces may have come closer than the search
+  // radius, or while bodies without sufficient supports may find contact farther away. Each
+  // repetition enlarges the radius of a pair beyond the motion of the solution before, or up to the
+  // size of the model. Collective.
   template <int dim>
   bool
   FixedConfigurationSolver<dim>::solve(const double            t,
@@ -104,6 +115,9 @@ namespace Signorini
 
 
 
+  // One solution with Newton's method on the present candidates: load vector, prescribed
+  // displacements and gap data at time t, then the solution is stored in the state as a surface
+  // field.
   template <int dim>
   void
   FixedConfigurationSolver<dim>::solve_with_candidates(const double            t,
@@ -116,6 +130,7 @@ namespace Signorini
     {
       TimerOutput::Scope scope(timer, "assembly");
       LA::Vector         f = elasticity.load();
+      // Moments on rotated bodies, see Elasticity::rotate_moments().
       if (configuration_displacement.size() > 0)
         elasticity.rotate_moments(elasticity.rigid_motion(configuration_displacement), f);
       bodies->set_load(std::move(f));
@@ -135,13 +150,16 @@ namespace Signorini
 
 
 
+  // Make what does not exist yet: the solid's residual and stiffness, its hierarchy, the geometric
+  // stiffness for the last tractions, and the solver.
   template <int dim>
   void
   FixedConfigurationSolver<dim>::make_solver()
   {
     if (!bodies)
       assemble();
-    UnconstrainedModes unconstrained_modes = make_unconstrained_modes(); // may search farther
+    // This may search contact again with a larger radius.
+    UnconstrainedModes unconstrained_modes = make_unconstrained_modes();
     clock.start();
     if (!hierarchies)
       hierarchies.emplace(scene.solver, bodies->stiffness(), elasticity);
@@ -159,6 +177,8 @@ namespace Signorini
 
 
 
+  // The residual of the bodies: nonlinear if any material has a constitutive law; assembled or
+  // matrix-free stiffness.
   template <int dim>
   void
   FixedConfigurationSolver<dim>::assemble()
@@ -181,6 +201,9 @@ namespace Signorini
 
 
 
+  // The unconstrained rigid-body modes, after enlarging the search radius while some of them could
+  // not be constrained by the candidates. Throws if that remains so: SolverFailure in a displaced
+  // configuration, where smaller load steps may help, otherwise SceneError.
   template <int dim>
   UnconstrainedModes
   FixedConfigurationSolver<dim>::make_unconstrained_modes()
@@ -201,8 +224,7 @@ namespace Signorini
     if (motions.unconstrainable().empty() ||
         scene.newton.undetermined_modes != UnconstrainedModeTreatment::refuse)
       return motions;
-    if (configuration_displacement.size() > 0 &&
-        configuration_displacement.linfty_norm() > 0) // on the way to somewhere else
+    if (configuration_displacement.size() > 0 && configuration_displacement.linfty_norm() > 0)
       throw SolverFailure("in the current configuration contact cannot constrain " +
                           join(motions.unconstrainable()) + "; use smaller load steps");
     throw SceneError("Supports/Names: no support constrains " + join(motions.unconstrainable()) +
@@ -216,7 +238,8 @@ namespace Signorini
   DualSolution
   FixedConfigurationSolver<dim>::dual(const Functional &functional)
   {
-    constexpr double   reduction = 1e-3; // what recovery makes of it is not better
+    // Recovered stresses and error estimates are not more accurate than this.
+    constexpr double   reduction = 1e-3;
     TimerOutput::Scope scope(timer, "dual");
     clock.start();
     const DualSolution result = solver->newton.dual(state.displacement,
@@ -260,7 +283,8 @@ namespace Signorini
     had_negative_curvature = met_negative_curvature();
     if (solver)
       former_cycles += solver->linear_solver.multigrid_cycles();
-    solver.reset(); // it refers to what is replaced
+    // The solver refers to the gap operator and the solids that are replaced next.
+    solver.reset();
   }
 
 

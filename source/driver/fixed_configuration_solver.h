@@ -81,14 +81,16 @@ namespace Signorini
     void
     release();
 
-    // Of the last solution:
+    // Results of the last solution:
 
+    /// The steps of Newton's method, or why it failed.
     const NewtonReport &
     report() const
     {
       return my_report;
     }
 
+    /// Tractions, status and internal variables of the rows at the last iterate.
     const ContactState &
     contact_state() const
     {
@@ -113,8 +115,9 @@ namespace Signorini
     DualSolution
     dual(const Functional &functional);
 
-    // On this mesh so far:
+    // Costs on this mesh so far:
 
+    /// The number of multigrid cycles.
     unsigned int
     multigrid_cycles() const
     {
@@ -129,14 +132,20 @@ namespace Signorini
     }
 
   private:
+    /// Solve once on the present candidates.
     void
     solve_with_candidates(double t, const StoppingCriteria &stopping);
+    /// Make the solver and what it needs, as far as it does not exist.
     void
     make_solver();
+    /// Make the solids.
     void
     assemble();
+    /// The unconstrained rigid-body modes; may search contact again. See check_motions() for
+    /// exceptions.
     UnconstrainedModes
     make_unconstrained_modes();
+    /// Discard the solver; counters are kept.
     void
     reset_solver();
 

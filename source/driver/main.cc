@@ -33,6 +33,7 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
 5 ended by SIGTERM, SIGINT, SIGUSR1 or its time limit, with a checkpoint.
 )";
 
+  /// The command line, parsed.
   struct Arguments
   {
     std::string              scene, restart, action = "solve";
@@ -40,6 +41,8 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
     TemplateRequest          wanted;
   };
 
+  /// Parse the words of the command line. Throws SceneError for unknown options and combinations
+  /// that make no sense.
   Arguments
   parse(const std::vector<std::string> &words)
   {
@@ -107,8 +110,8 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
     return false;
   }
 
-  /// A process that is alone needs neither the daemon that Open MPI 4 would start beside it, nor
-  /// networks.
+  /// Set environment variables of Open MPI for a process that runs alone, so that it starts no
+  /// daemon (Open MPI 4) and opens no network; variables that are set are kept. Returns true.
   bool
   prepare_environment()
   {
@@ -120,8 +123,8 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
     return true;
   }
 
-  /// MPI and the libraries that need it. They do not see the command line, in which they would look
-  /// for options of theirs.
+  /// Initialises MPI and the libraries that need it, with an empty command line, in which they
+  /// would otherwise look for options of their own.
   class Libraries
   {
   public:
@@ -139,6 +142,9 @@ In parallel: mpirun -np N signorini SCENE.prm. Exit codes: 0 solved, 1 internal 
     dealii::Utilities::MPI::MPI_InitFinalize mpi;
   };
 
+  /// Do what the command line asks for. @param libraries initialised if the action needs MPI;
+  /// @param speaks true on the rank that writes messages
+  /// @return the exit code
   int
   act(const Arguments &arguments, std::unique_ptr<Libraries> &libraries, const bool speaks)
   {
@@ -170,8 +176,9 @@ int
 main(int argc, char **argv)
 {
   dealii::MultithreadInfo::set_thread_limit(1);
-  // To start MPI takes longer than to refuse a scene. Of several ranks, though, one is to speak for
-  // all, and none may be gone before it has.
+  // Starting MPI takes longer than rejecting a faulty scene, so that it is started later if this
+  // process is alone. Of several ranks one writes the messages for all, and none may have exited
+  // before.
   std::unique_ptr<Libraries> libraries;
   if (was_launched())
     libraries = std::make_unique<Libraries>();

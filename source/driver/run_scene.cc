@@ -16,6 +16,7 @@ namespace Signorini
 
   namespace
   {
+    /// A scene of one dimension that was read and checked.
     template <int dim>
     class Prepared : public PreparedScene
     {
@@ -53,7 +54,8 @@ namespace Signorini
       const bool               only_check, is_restart;
     };
 
-    /// The scene of a task, without its overrides, and its name.
+    /// The input of a task, without its overrides, and the name of the scene: from a file, or for a
+    /// restart from the origin stored in the output directory, whose changes are restricted.
     std::pair<RawSection, std::string>
     read_task(const SceneTask &task)
     {
@@ -101,6 +103,9 @@ namespace Signorini
 
 
 
+  // SceneError: all ranks read the same input and throw together, so that no rank waits for
+  // another. Any other exception may occur on one rank only: the ranks are then aborted, since the
+  // others may wait forever.
   int
   exit_code_of(const std::function<int()> &work, const bool speaks, std::ostream &err)
   {

@@ -23,6 +23,7 @@ namespace Signorini
 
   namespace
   {
+    /// A wall time for messages.
     std::string
     seconds(const double s)
     {
@@ -31,6 +32,7 @@ namespace Signorini
       return text.str();
     }
 
+    /// A report of a run that has no solution, for the given reason.
     NewtonReport
     unsolved(const std::string &why)
     {
@@ -51,7 +53,8 @@ namespace Signorini
     , decisions(this->scene)
     , comm(comm)
     , out(stream, Utilities::MPI::this_mpi_process(comm) == 0)
-    // Each rank measures for itself: no barriers, and no waiting for ranks that have failed.
+    // Each rank measures its own times: there are no barriers, and no rank waits for one that has
+    // failed.
     , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
     , control(this->scene.goals, this->scene.refinement)
     , tolerance(std::max(scene.newton.tolerance, scene.refinement.tolerance))
@@ -73,6 +76,7 @@ namespace Signorini
 
 
 
+  // Errors other than those of the output are recorded in the results before they are passed on.
   template <int dim>
   ExitCode
   Simulation<dim>::run()
@@ -90,7 +94,8 @@ namespace Signorini
       }
     catch (const OutputError &)
       {
-        throw; // the disk will not take that word either
+        // No record can be written either.
+        throw;
       }
     catch (const std::exception &error)
       {
@@ -101,6 +106,10 @@ namespace Signorini
 
 
 
+  // The run: meshes until the targets are met (each with one solution at the end of the load
+  // history, error estimate and refinement), then the whole load history on the last mesh, then the
+  // estimate for its end. Failures and interruptions end in finish() with exit code and report.
+  // Collective.
   template <int dim>
   ExitCode
   Simulation<dim>::solve_scene()
@@ -119,12 +128,14 @@ namespace Signorini
             if (!improve(control))
               break;
           }
+        // The loop may end on a mesh on which contact was not searched for yet.
         if (!end_judged_on)
           {
             equilibrium->find_contact();
             report_set_up();
           }
-        if (position.step > 0) // as it was between two load steps
+        // A restart between two load steps continues with the active set of the last one.
+        if (position.step > 0)
           equilibrium->configuration_solver.restore_active_set();
         pass_checkpoint();
         run_load_history();
@@ -162,6 +173,7 @@ namespace Signorini
 
 
 
+  // Mesh, elasticity and contact, from the scene or from a checkpoint.
   template <int dim>
   void
   Simulation<dim>::set_up()
@@ -176,7 +188,8 @@ namespace Signorini
           decisions.pairs          = automatic_pairs(scene, *mesh, out);
           decisions.pairs_are_open = false;
           decisions.check();
-          // Contact surfaces are refined, and weigh more where the mesh is distributed.
+          // The mesh is made again: contact surfaces are refined, and weigh more in its
+          // distribution.
           mesh = make_mesh(decisions, comm);
         }
     }
@@ -211,6 +224,8 @@ namespace Signorini
 
   template <int dim>
   void
+  // On the first mesh of a run that is not restarted: preflight checks of motions, probes and
+  // expected results, before anything is solved.
   Simulation<dim>::report_set_up()
   {
     out << "\nMesh " << position.cycle << ": " << elasticity->dof_handler().n_dofs()
@@ -237,11 +252,13 @@ namespace Signorini
 
 
 
+  // Probes must be inside of bodies and expected results must name entries that results will have;
+  // both are found by evaluating the outputs of the undeformed state.
   template <int dim>
   void
   Simulation<dim>::check_requests()
   {
-    // On a mesh that is to be refined, curved surfaces are not yet where they will be.
+    // On a mesh that is still to be refined, curved surfaces are not yet at their final positions.
     const bool is_final = scene.maximum_cycles() == 0;
     check_probes(*elasticity,
                  decisions.pairs,
@@ -292,6 +309,8 @@ namespace Signorini
 
 
 
+  // The end of the load history in one step, which mostly converges; otherwise in steps from the
+  // undeformed state. Collective.
   template <int dim>
   bool
   Simulation<dim>::solve_for_estimate()
@@ -323,12 +342,15 @@ namespace Signorini
 
 
 
+  // All load steps on the final mesh, each of which may refine it further if all steps are to meet
+  // the targets.
   template <int dim>
   void
   Simulation<dim>::run_load_history()
   {
-    // One step is the solution that was estimated, which others than the target's quantities are
-    // read from too; of several, some may have next to no forces.
+    // A single load step is the solution that was estimated, but other quantities than those of the
+    // targets are read from it, too; of several load steps, some may have almost no forces, to
+    // which the tolerance is relative. Hence the upper bound.
     constexpr double largest_tolerance = 1e-5;
     const bool       is_one            = scene.load_steps.ends().size() == 1;
     const double     final_tolerance =
@@ -348,6 +370,10 @@ namespace Signorini
 
 
 
+  // Adaptive load steps: between prescribed times (`ends`) a step that does not converge is halved,
+  // down to the shortest admissible one, and steps grow again by the number of Newton steps. Ends
+  // since each step advances the time by at least the shortest length, or the loop is left. Returns
+  // false if a step failed or `visit` ends it.
   template <int dim>
   bool
   Simulation<dim>::apply_load_history(const double                                  tolerance,
@@ -363,6 +389,7 @@ namespace Signorini
         start                 = end;
         while (t < end)
           {
+            // A remainder that is longer than a step by rounding is taken at once.
             const double next = end - t <= 1.001 * longest ? end : t + longest;
             if (ends.size() > 1 || next < end)
               out << "  load step " << number + 1 << ", t = " << next << std::endl;
@@ -392,6 +419,7 @@ namespace Signorini
 
 
 
+  // Output of a load step; collective.
   template <int dim>
   void
   Simulation<dim>::record_step(const unsigned int step)
@@ -431,7 +459,8 @@ namespace Signorini
   {
     const double          seconds = mesh_seconds(), cycles = multigrid_cycles();
     const LinearReference linear = [&]() {
-      equilibrium->configuration_solver.release(); // looks at the stiffness matrix
+      // The solver refers to the stiffness matrix.
+      equilibrium->configuration_solver.release();
       TimerOutput::Scope scope(timer, "linear reference");
       return solve_without_contact(*elasticity, scene.solver, scene.newton.tolerance);
     }();
@@ -440,6 +469,8 @@ namespace Signorini
 
 
 
+  /// True if external forces act, on bodies or on rigid obstacles: then displacement control is an
+  /// alternative near limit points.
   namespace
   {
     template <int dim>
@@ -459,6 +490,8 @@ namespace Signorini
 
 
 
+  // End of the run: advice by the kind of failure, last checkpoint and failed iterate where there
+  // is no solution, results, exit code. Collective.
   template <int dim>
   ExitCode
   Simulation<dim>::finish(NewtonReport end)
@@ -491,7 +524,8 @@ namespace Signorini
       if (const auto last = equilibrium->failure(position.step + 1))
         recorder->add_failure(*last, end);
     const ExitCode code = recorder->finish(end, text, is_interrupted);
-    if (end.converged) // after results.json has said so
+    // The checkpoints are removed only after the results say that the run is complete.
+    if (end.converged)
       checkpoints->remove();
     out << text.str() << "\n"
         << seconds(clock.wall_time()) << ", results in " << recorder->directory()

@@ -25,25 +25,31 @@ namespace Signorini
   /// The position of a run in its sequence of meshes and load steps; the same on all ranks.
   struct Position
   {
-    unsigned int cycle   = 0; ///< meshes that were refined
-    double       time    = 0; ///< of the load history, which begins on the last mesh
-    unsigned int step    = 0; ///< load steps up to that time
-    double       longest = std::numeric_limits<double>::max(); ///< of load steps, as they were cut
+    /// Number of refined meshes before the present one.
+    unsigned int cycle = 0;
+    /// Time of the last solved load step; load steps start on the last mesh.
+    double time = 0;
+    /// Number of load steps up to that time.
+    unsigned int step = 0;
+    /// Largest length of the next load step, after cut-backs.
+    double longest = std::numeric_limits<double>::max();
   };
 
-  /// One run: scene -> mesh -> solve -> estimate -> refine -> load history -> results.
+  /// One run: read scene, make mesh, solve, estimate errors, refine; then the load history and the
+  /// results. All functions are collective.
   template <int dim>
   class Simulation
   {
   public:
-    /// @param out where the first rank reports
-    /// @param is_restart with what an earlier run left in the output directory
+    /// @param out stream for messages of the first rank
+    /// @param is_restart continue an earlier run from its output directory
     Simulation(const Scene<dim> &scene, MPI_Comm comm, std::ostream &out, bool is_restart = false);
 
-    /// Print what will be solved, and solve nothing.
+    /// Check and print what would be solved, without solving. Throws SceneError.
     void
     preflight();
 
+    /// Run, with results in files. @return the exit code
     ExitCode
     run();
 
@@ -51,7 +57,7 @@ namespace Signorini
     std::function<void(const Snapshot<dim> &)> after_step;
 
   private:
-    // In the order in which they happen.
+    // Functions in the order in which they are called.
     ExitCode
     solve_scene();
     void
@@ -75,6 +81,7 @@ namespace Signorini
     /// whatever depends on the constraints is rebuilt.
     void
     change_supports(double t);
+    /// Solve all load steps on the last mesh.
     void
     run_load_history();
     /// Solve all load steps, with shorter ones where a step cannot be solved.
@@ -84,6 +91,7 @@ namespace Signorini
     apply_load_history(double                                        tolerance,
                        Position                                     &from,
                        const std::function<bool(unsigned int step)> &visit);
+    /// Write the results of a load step.
     void
     record_step(unsigned int step);
     const NewtonReport &
@@ -94,14 +102,17 @@ namespace Signorini
     /// Multigrid cycles of the solves on this mesh.
     unsigned int
     multigrid_cycles() const;
+    /// Wall time of the solves on this mesh [s], the largest of all ranks.
     double
     mesh_seconds() const;
+    /// Solve the bodies without contact, and record the ratio of costs.
     void
     compare_with_linear_solve();
+    /// Write the results and the messages of the end. @return the exit code
     ExitCode
     finish(NewtonReport end);
 
-    // Small or large deformation, in simulation_deformation.cc:
+    // Small or finite strain, in simulation_deformation.cc:
 
     /// True if the error of small strain in the last solution is acceptable. Collective.
     bool
@@ -119,29 +130,33 @@ namespace Signorini
 
     // Errors, in simulation_accuracy.cc:
 
-    /// Estimate the errors of the last solution, and refine the mesh. False if that is not needed,
-    /// or of no use: the last solution is on the last mesh.
-    /// @param control of the solutions of that load on all meshes
+    /// Estimate the errors of the last solution, and refine the mesh.
+    /// @param control history of the solutions of that load on all meshes
+    /// @return false if no better mesh is needed or possible: the last solution is on the last mesh
     bool
     improve(ErrorControl &control);
-    /// Which cells are refined, or which bodies enriched. False if the next mesh cannot be had.
+    /// Choose the cells to be refined, or the bodies whose degree is raised. Returns false if a
+    /// limit forbids the next mesh.
     bool
     mark(const ErrorControl &control, const ErrorEstimate &estimate);
-    /// Meet the targets at a load step, on finer meshes if it has to be; at the last one, where
-    /// others have changed the mesh since it was judged. False if that is not solved.
+    /// Meet the targets at a load step, on finer meshes if necessary; at the last one if other load
+    /// steps have changed the mesh since it was estimated. Returns false if the step cannot be
+    /// solved on a finer mesh.
     bool
     improve_step();
-    /// Degree 2 for these bodies, on the same mesh.
+    /// Raise the degree of these bodies to 2 on the same mesh.
     void
     p_refine(const std::vector<unsigned int> &bodies);
-    /// Of the last solution, on one mesh more. A mesh that was refined for other load steps is none
-    /// more to the end: what its values change by says nothing of what refinement for it would.
+    /// Estimate the errors of the last solution and add them to the history. A mesh that was
+    /// refined for other load steps is no new mesh for the end: the change of its values indicates
+    /// nothing about refinement for the end.
     ErrorEstimate
     judge(ErrorControl &control);
+    /// Print the quantities with their error bounds.
     void
     report_errors(const ErrorControl &control);
-    /// After the last mesh on which the targets could have been met. @return why they were not, in
-    /// words; empty: they are
+    /// After the last mesh on which the targets could have been met. @return why they were not met,
+    /// for a message; empty: they are
     std::string
     missed_targets(const ErrorControl &control) const;
     /// Estimate the errors of the last load step.
@@ -156,14 +171,16 @@ namespace Signorini
     /// The exit code of the run in the output directory, if that run is finished.
     std::optional<ExitCode>
     code_of_finished_run() const;
+    /// Find the checkpoint of a restart; otherwise write the origin of the run.
     void
     find_checkpoint();
+    /// Restore what the program has decided in the earlier run.
     void
     restore_decisions();
-    /// The mesh as it was.
+    /// Refine the mesh as it was at the checkpoint.
     void
     restore_mesh();
-    /// All the rest, but for the results.
+    /// Restore state, search tolerances, counters and error history.
     void
     restore_state();
     /// True if nothing is left to be solved.
@@ -188,39 +205,52 @@ namespace Signorini
     const MPI_Comm             comm;
     dealii::ConditionalOStream out;
     dealii::TimerOutput        timer;
-    dealii::Timer              clock; ///< since the start
+    /// Wall time since the start.
+    dealii::Timer clock;
 
     std::unique_ptr<Mesh<dim>>              mesh;
     std::unique_ptr<Elasticity<dim>>        elasticity;
     std::unique_ptr<ContactInterfaces<dim>> contact;
     State                                   state;
     std::unique_ptr<Equilibrium<dim>>       equilibrium;
-    std::unique_ptr<Recorder<dim>>          recorder; ///< none where nothing is to be written
-    bool                                    only_checks = false;
-    unsigned int                            n_steps = 0; ///< of Newton's method on a coarse mesh
-    ErrorControl                            control;     ///< of the end of the load history
-    double                                  tolerance;   ///< of Newton's method on the next mesh
+    /// Null if nothing is written (preflight).
+    std::unique_ptr<Recorder<dim>> recorder;
+    bool                           only_checks = false;
+    /// Newton steps on a mesh that is to be refined.
+    unsigned int n_steps = 0;
+    /// Error history of the end of the load history.
+    ErrorControl control;
+    /// Tolerance of Newton's method on the next mesh.
+    double tolerance;
     /// The number of the mesh on which the end was judged last, unless one was made for it since.
     std::optional<unsigned int> end_judged_on;
-    double                      last_mesh_at = 0; ///< seconds: when it was estimated
-    std::vector<unsigned int>   next_quadratic;   ///< bodies, on the next mesh
-    /// The largest share, where Deformation = automatic.
+    /// Wall time at which the last mesh was estimated [s].
+    double last_mesh_at = 0;
+    /// Bodies whose degree becomes 2 on the next mesh.
+    std::vector<unsigned int> next_quadratic;
+    /// The largest relative work error of small strain so far, with Deformation = automatic.
     std::optional<double> neglected_work;
-    std::string           reason_targets_missed; ///< the targets; empty: no reason is known
-    Json                  of_step;            ///< how good the last load step is; null: not known
-    unsigned int          former_cycles  = 0; ///< of multigrid on this mesh, before a restart
-    double                former_seconds = 0; ///< likewise
+    /// Why targets were missed, for a message; empty: no reason is known.
+    std::string reason_targets_missed;
+    /// The accuracy of the last load step, for its results; null: not estimated.
+    Json of_step;
+    /// Multigrid cycles and solution time on this mesh before a restart or a change of supports.
+    unsigned int former_cycles  = 0;
+    double       former_seconds = 0;
 
-    /// What a checkpoint needs beside the results: copies, since attempts change the originals.
+    /// The state of a checkpoint, without the results: a copy, since attempts to solve change the
+    /// original.
     struct CheckpointState
     {
       State state;
       Json  head; ///< the same on all ranks
     };
-    const bool                          is_restart;
-    bool                                is_interrupted = false;
-    bool                                is_restored    = false; ///< and nothing was solved since
-    bool                                has_progressed = false; ///< something, since the start
+    const bool is_restart;
+    bool       is_interrupted = false;
+    /// True from the restart of a run until something is solved.
+    bool is_restored = false;
+    /// True if something has been solved since the start of this process.
+    bool                                has_progressed = false;
     Position                            position;
     std::unique_ptr<Checkpoints>        checkpoints;
     std::unique_ptr<Interruption>       interruption;

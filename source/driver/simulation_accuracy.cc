@@ -16,8 +16,9 @@ namespace Signorini
 
   namespace
   {
-    /// Will a mesh that is so much larger fit, if the memory of this machine's ranks grows as it?
-    /// Collective.
+    /// True on all ranks if a mesh that is larger by a factor fits into memory: the additional
+    /// memory of the ranks on each machine, in proportion to the present use, is at most nine
+    /// tenths of what is available there. Collective.
     bool
     has_memory_for(const double growth, const MPI_Comm comm)
     {
@@ -33,6 +34,7 @@ namespace Signorini
       return Utilities::MPI::min(int(fits), comm) == 1;
     }
 
+    /// Remove all coarsening flags.
     template <int dim>
     void
     forbid_coarsening(const Mesh<dim> &mesh)
@@ -41,6 +43,7 @@ namespace Signorini
         cell->clear_coarsen_flag();
     }
 
+    /// The names of bodies, for messages.
     template <int dim>
     std::string
     names_of(const std::vector<unsigned int> &numbers, const std::vector<Body<dim>> &bodies)
@@ -54,6 +57,9 @@ namespace Signorini
 
 
 
+  // One cycle of the adaptive solution: estimate the errors, decide which part dominates (mesh,
+  // penalty, tolerance), and change that: refine or raise degrees, scale the penalty, tighten the
+  // tolerance. Returns false if the targets are met or cannot be met. Collective.
   template <int dim>
   bool
   Simulation<dim>::improve(ErrorControl &control)
@@ -81,7 +87,8 @@ namespace Signorini
     if (!is_end)
       accuracy["time"] = state.time;
     recorder->add_cycle(n_steps, multigrid_cycles(), accuracy);
-    checkpoint_state.reset(); // it belongs to the mesh
+    // The state of the last checkpoint belongs to the old mesh.
+    checkpoint_state.reset();
     former_cycles  = 0;
     former_seconds = 0;
     equilibrium->configuration_solver.release();
@@ -102,6 +109,8 @@ namespace Signorini
 
 
 
+  // Mark cells (or bodies for degree 2) for the next mesh, and predict its size, time and memory.
+  // Returns false, and clears the marks, if a limit would be exceeded. Collective.
   template <int dim>
   bool
   Simulation<dim>::mark(const ErrorControl &control, const ErrorEstimate &estimate)
@@ -119,7 +128,8 @@ namespace Signorini
         if (next_quadratic.empty())
           mark_share(scene.refinement, *mesh, indicators, control.share());
       }
-    if (&control != &this->control) // other load steps need what is fine
+    // Meshes of single load steps are only refined, since other load steps need their fine cells.
+    if (&control != &this->control)
       forbid_coarsening(*mesh);
     const double of_cells = growth(*mesh),
                  factor   = of_cells * growth_of_p_refinement(*mesh, next_quadratic),
@@ -152,6 +162,8 @@ namespace Signorini
 
 
 
+  // Raise the degree of bodies to 2 on the same mesh; displacements are interpolated, the
+  // volumetric stress starts from zero. Collective.
   template <int dim>
   void
   Simulation<dim>::p_refine(const std::vector<unsigned int> &bodies)
@@ -174,6 +186,8 @@ namespace Signorini
 
 
 
+  // Add the estimate on this mesh to the history of the quantities. A second estimate for the end
+  // on the same mesh replaces the first, since error histories compare different meshes.
   template <int dim>
   ErrorEstimate
   Simulation<dim>::judge(ErrorControl &control)
@@ -192,11 +206,13 @@ namespace Signorini
 
 
 
+  // Meet the targets at one load step of the load history, by refinement of the mesh during the
+  // run. Quantities below one hundredth of their final value are not resolved.
   template <int dim>
   bool
   Simulation<dim>::improve_step()
   {
-    // Beside what there is at the end, a value that passes through zero need not be known.
+    // A value that passes through zero has to be known only relative to its size at the end.
     constexpr double    small = 0.01;
     std::vector<double> least;
     for (const ErrorHistory &of_end : control.quantities())
@@ -274,6 +290,8 @@ namespace Signorini
 
 
 
+  // One dual problem for each quantity with the linearisation at the solution (doc/theory, chapter
+  // 8), then the parts of the error. At small sliding the neglected geometry is one of them.
   template <int dim>
   ErrorEstimate
   Simulation<dim>::estimate_errors()

@@ -13,6 +13,9 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // With Deformation = automatic the load step is solved at small strain first; if the neglected
+  // work is too large, it is solved again at finite strain from the state before it, and all later
+  // steps are (doc/theory, 6.7).
   template <int dim>
   bool
   Simulation<dim>::solve(const double t, const double tolerance)
@@ -32,6 +35,8 @@ namespace Signorini
 
 
 
+  // Other supports have other constraints: elasticity and contact are made again on the same mesh
+  // and continue from the same state. Costs so far are carried over.
   template <int dim>
   void
   Simulation<dim>::change_supports(const double t)
@@ -51,6 +56,8 @@ namespace Signorini
 
 
 
+  // Estimate (6.21) with the hyperelastic laws that finite strain would use; the limit is the
+  // tolerance or the smallest target error.
   template <int dim>
   bool
   Simulation<dim>::is_small_enough()
@@ -76,6 +83,8 @@ namespace Signorini
 
 
 
+  // Make finite-strain elasticity on the same mesh and restore the state before the load step.
+  // Throws SceneError if the scene uses features that require small strain.
   template <int dim>
   void
   Simulation<dim>::switch_to_finite_strain(const State &before)
@@ -83,7 +92,8 @@ namespace Signorini
     decisions.finite_strain = true;
     try
       {
-        decisions.check(); // what goes with small deformation alone
+        // Features that are available at small strain only are rejected here.
+        decisions.check();
       }
     catch (const SceneError &error)
       {
@@ -96,7 +106,8 @@ namespace Signorini
     auto finite = make_elasticity(decisions, *mesh);
     finite->setup(elasticity->time_of_supports());
     Json known = contact->save();
-    for (Json &pair : known) // how far to look is another matter there
+    // Search tolerances are estimated anew, since motions may be much larger.
+    for (Json &pair : known)
       for (const char *key : {"reach", "nearby", "known"})
         pair.erase(key);
     replace_elasticity(std::move(finite), before, true, known);
@@ -104,6 +115,8 @@ namespace Signorini
 
 
 
+  // The order matters: equilibrium and contact refer to the elasticity. Contact is first searched
+  // in the reference configuration, where initial overlaps are found.
   template <int dim>
   void
   Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
@@ -111,12 +124,12 @@ namespace Signorini
                                       const bool                       uses_current_geometry,
                                       const Json                      &known)
   {
-    equilibrium.reset(); // these refer to it
+    equilibrium.reset();
     contact.reset();
     elasticity = std::move(other);
     set_up_contact();
     contact->load(known);
-    equilibrium->find_contact(); // as it is at rest, where initial overlaps are
+    equilibrium->find_contact();
     equilibrium->set_state(carried, uses_current_geometry);
   }
 

@@ -17,8 +17,9 @@ namespace Signorini
   {
     using Places = std::vector<std::pair<FaceId, std::vector<SurfacePointValue>>>;
 
-    /// What each rank writes for itself: the state, and the start of its load step, if contact
-    /// depends on that.
+    /// The part of a checkpoint that each rank writes for itself: the state, and the start of its
+    /// load step if the solution depends on the path. Values are stored by cell or by face and
+    /// position, so that another number of ranks can read them.
     struct Part
     {
       std::vector<CellValues> displacement, start_displacement;
@@ -33,6 +34,7 @@ namespace Signorini
       }
     };
 
+    /// Append a vector to another.
     template <typename T>
     void
     append(const std::vector<T> &from, std::vector<T> &to)
@@ -40,12 +42,14 @@ namespace Signorini
       to.insert(to.end(), from.begin(), from.end());
     }
 
+    /// The values of a surface field, as a list of faces.
     Places
     places_of(const SurfaceField &field)
     {
       return {field.values().begin(), field.values().end()};
     }
 
+    /// A surface field from a list of faces.
     SurfaceField
     field_of(const Places &places, const unsigned int dim)
     {
@@ -55,7 +59,8 @@ namespace Signorini
       return result;
     }
 
-    /// All that some ranks have written.
+    /// The union of the parts that ranks have written; of a restart with other partition each rank
+    /// reads all of them.
     Part
     joined(const std::vector<std::string> &texts)
     {
@@ -74,6 +79,7 @@ namespace Signorini
       return result;
     }
 
+    /// A size for messages.
     std::string
     megabytes(const double bytes)
     {
@@ -83,6 +89,7 @@ namespace Signorini
 
 
 
+  // A finished run has complete results; any other content of the file counts as unfinished.
   template <int dim>
   std::optional<ExitCode>
   Simulation<dim>::code_of_finished_run() const
@@ -99,6 +106,8 @@ namespace Signorini
 
 
 
+  // Identify the newest valid checkpoint, and check that it belongs to the same scene as the stored
+  // origin. The first rank reads and broadcasts the checksum. Collective.
   template <int dim>
   void
   Simulation<dim>::find_checkpoint()
@@ -154,6 +163,8 @@ namespace Signorini
 
 
 
+  // Displacement, surface fields, internal variables, error history and counters of the checkpoint,
+  // on the mesh that was restored before. Collective.
   template <int dim>
   void
   Simulation<dim>::restore_state()
@@ -200,6 +211,9 @@ namespace Signorini
 
 
 
+  // Remember the state between two load steps or meshes as one from which a restart can continue,
+  // and write it if the interval has passed. Attempts to solve change the original, therefore it is
+  // copied. Collective.
   template <int dim>
   void
   Simulation<dim>::pass_checkpoint()
@@ -223,7 +237,8 @@ namespace Signorini
       }
     checkpoint_state = CheckpointState{state, head};
     if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_finished())
-      return; // nothing to lose
+      // Nothing has been solved that a restart would lose.
+      return;
 
     has_progressed = true;
     ++steps_since;
@@ -239,6 +254,8 @@ namespace Signorini
 
 
 
+  // If the disk is full the previous checkpoint is kept. The time of writing is reserved before
+  // time limits. Collective.
   template <int dim>
   void
   Simulation<dim>::write_checkpoint()

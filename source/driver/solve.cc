@@ -9,6 +9,7 @@ namespace Signorini
 
   namespace
   {
+    /// The contact values of this rank at the end of a load step.
     template <int dim>
     LoadStepResult<dim>
     result_of(const Snapshot<dim> &now)
@@ -27,7 +28,8 @@ namespace Signorini
               one.position[d] = points.geometry.position[d](i);
               one.normal[d]   = points.geometry.normal[d](i);
             }
-          if (one.normal.norm() > 0) // a mean, on curved faces
+          // The normal of a node is a mean, which is shorter than one on curved surfaces.
+          if (one.normal.norm() > 0)
             one.normal /= one.normal.norm();
           one.area      = points.weight(i);
           one.gap       = now.gap(i);

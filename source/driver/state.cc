@@ -7,7 +7,9 @@ namespace Signorini
 
   namespace
   {
-    /// The history of all points, a vector a number; see SurfacePointValue.
+    /// The data of all rows that outlive a mesh, as vectors of numbers: tangential tractions and
+    /// internal vectors as three components in the reference configuration, then internal scalars;
+    /// see SurfacePointValue.
     PointVectors
     history_of(const GapOperator &contact, const ContactState &state)
     {
@@ -33,7 +35,8 @@ namespace Signorini
       return result;
     }
 
-    /// The other way about.
+    /// The inverse of history_of(): components along the tangents of the rows from vectors in the
+    /// reference configuration.
     void
     copy_history(const GapOperator &contact, const PointVectors &history, ContactState &state)
     {
@@ -65,6 +68,8 @@ namespace Signorini
 
 
 
+  // Values at the positions of the slave faces, from rows with ghosts: weighted sums over the rows
+  // of a position (several at hanging nodes). The status is the largest of them. Collective.
   SurfaceField
   to_surface_field(const GapOperator &contact, const ContactState &state, const unsigned int dim)
   {
@@ -106,13 +111,16 @@ namespace Signorini
 
 
 
+  // Values of rows from a field of another mesh or search. Values of all faces around a node are
+  // averaged; faces are requested from the ranks that have them. A position between hanging nodes
+  // determines no row. Collective.
   ContactState
   from_surface_field(const SurfaceField   &field,
                      const GapOperator    &contact,
                      const InternalFields &internal)
   {
-    // Not by copying one to the other: where as many rows lie on other ranks than before, a copy
-    // would keep the old layout on some of them.
+    // The vectors are not copied from each other: a copy would take over the ghost layout of the
+    // source, which may differ between ranks.
     ContactState state{contact.zeros(), contact.zero(), internal};
     if (contact.empty())
       return state;
@@ -122,8 +130,7 @@ namespace Signorini
       wanted.push_back(face.id);
     const SurfaceField known = field.gathered_at(wanted, comm);
 
-    // Faces around a node all know it. A copy of another vector would bring along what that one had
-    // for other ranks.
+    // All faces around a node have a value for it. Each vector is initialised on its own, as above.
     const IndexSet    &owned     = contact.weight.locally_owned_elements();
     const unsigned int n_history = history_of(contact, state).size();
     PointVectors       sums(3 + n_history); // number, pressure, status, history
@@ -148,7 +155,8 @@ namespace Signorini
       if (const double n = sums[0](i); n > 0)
         {
           state.traction[0](i) = sums[1](i) / n;
-          // Of faces around a node that do not agree, those that are closed count if they are half.
+          // Where faces around a node do not agree, the node is closed if at least about half of
+          // them are.
           state.status(i) = sums[2](i) > 0.5 * n ? std::max(1., std::round(sums[2](i) / n)) : 0.;
           for (unsigned int k = 0; k < n_history; ++k)
             history[k](i) = sums[3 + k](i) / n;
