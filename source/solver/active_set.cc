@@ -44,6 +44,7 @@ namespace Signorini
 
 
 
+  // Points of bilateral pairs are closed, with the status given if that is larger.
   bool
   ActiveSet::set(const LA::Vector &status)
   {
@@ -85,6 +86,7 @@ namespace Signorini
 
 
 
+  // A changed number of active points, with active points of unilateral pairs before, is undone.
   bool
   ActiveSet::restore_previous_if_active()
   {
@@ -124,6 +126,10 @@ namespace Signorini
 
 
 
+  // Keep among newly active points those with at least a share of the deepest penetration of their
+  // pair, half at first (doc/theory, 4.5). With step_by_step the share is raised towards one, at
+  // most ten times, until the set of each pair is not larger than four times the last one. Two to
+  // twelve reductions over ranks. Collective.
   unsigned int
   ActiveSet::restrict_to_deepest(const LA::Vector &gap, const bool step_by_step)
   {
@@ -145,6 +151,8 @@ namespace Signorini
     });
     Utilities::MPI::min(deepest, comm, deepest);
 
+    // Points that remain: those closed before, bilateral ones, and those of pairs without
+    // significant penetration.
     const auto stays = [&](const auto i, const unsigned int pair) {
       return is_closed(last(i)) || contact.coefficients.bilateral(i) > 0 ||
              deepest[pair] >= -rounding || gap(i) <= share[pair] * deepest[pair];
@@ -178,6 +186,9 @@ namespace Signorini
 
 
 
+  // Deactivate connected regions whose active points of the last step carry a tensile force in sum
+  // (doc/theory, (4.9)). Regions consist of points active now or before. A pair of which no active
+  // point would be left is not changed. Collective.
   void
   ActiveSet::deactivate_tensile_regions(const LA::Vector &trial)
   {
@@ -209,8 +220,8 @@ namespace Signorini
 
 
 
-  // Rounding of positions relative to each other, and of the coordinates that these are differences
-  // of.
+  // The rounding of positions relative to each other (1e-10 of the extent of the contact points),
+  // and that of the coordinates of which they are differences.
   double
   ActiveSet::coordinate_rounding() const
   {
@@ -242,8 +253,8 @@ namespace Signorini
       if (contact.coefficients.bilateral(i) == 0)
         deepest = std::max(deepest, -gap(i));
     deepest = Utilities::MPI::max(deepest, gap.get_mpi_communicator());
-    // A single penetrating point counts as touching, like the tip of a cone in the mean over its
-    // faces.
+    // A single penetrating point counts as touching: at the tip of a cone, for example, the gap of
+    // a node is the mean over its faces.
     if (deepest > coordinate_rounding() && n_active_unilateral() > 1)
       return restrict_to_deepest(gap);
     now = contact.coefficients.bilateral;
@@ -265,6 +276,8 @@ namespace Signorini
 
 
 
+  // Of all points whose status would change, keep the change of the one with the largest absolute
+  // trial traction (several if they are equal). Collective.
   void
   ActiveSet::change_only_most_violated(const LA::Vector &trial)
   {
@@ -283,11 +296,12 @@ namespace Signorini
 
 
 
+  // True if the set occurred before, but not as the last one. Collective; one reduction of a hash.
   bool
   ActiveSet::is_cycling()
   {
-    // The set is identified by a hash, a sum of well-mixed numbers over the closed points, which is
-    // independent of order and ranks.
+    // The set is identified by a hash: the sum of well-mixed numbers over the closed points with
+    // their kinds of status, which does not depend on the order of points nor on ranks.
     uint64_t   hash  = 0;
     const auto n_all = now.size();
     for (const auto i : now.locally_owned_elements())
@@ -307,6 +321,7 @@ namespace Signorini
 
 
 
+  // Points that have changed their status at least three times since restart().
   LA::Vector
   ActiveSet::chattering() const
   {
@@ -319,6 +334,7 @@ namespace Signorini
 
 
 
+  // Up to three positions of each rank, and the number of points of all ranks.
   std::string
   ActiveSet::chattering_points() const
   {

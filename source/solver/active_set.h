@@ -114,9 +114,12 @@ namespace Signorini
     double
     coordinate_rounding() const;
 
+    // Statuses of the present and the last step, and the number of changes of each point.
     const GapOperator &contact;
     LA::Vector         now, last, changes;
+    // Number of bilateral points on all ranks.
     const unsigned int n_bilateral;
+    // Hash values of the sets since restart().
     std::set<uint64_t> history;
   };
 } // namespace Signorini

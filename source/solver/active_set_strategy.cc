@@ -10,7 +10,8 @@ namespace Signorini
 
   namespace
   {
-    constexpr double fine_reduction = 1e-6; // by linear solves, once an active set comes up again
+    /// Reduction of residuals by linear solves after an active set has recurred.
+    constexpr double       fine_reduction = 1e-6;
     constexpr unsigned int steps_of_growth =
       5; // of a cold start, see ActiveSet::restrict_to_deepest()
     constexpr unsigned int patience =
@@ -31,6 +32,9 @@ namespace Signorini
 
 
 
+  // Start a solution. It is a cold start if no unilateral point has a pressure; then stiff
+  // penalties are scaled down (penalty continuation, doc/theory, 4.5). Returns true if set or
+  // penalty differ from the last linearisation. Collective.
   bool
   ActiveSetStrategy::start(const LA::Vector &p, const LA::Vector &status)
   {
@@ -54,6 +58,7 @@ namespace Signorini
 
 
 
+  // Pressures of bilateral points do not count: they are closed anyway.
   bool
   ActiveSetStrategy::has_no_pressure(const LA::Vector &p) const
   {
@@ -66,6 +71,9 @@ namespace Signorini
 
 
 
+  // The active set of the next step (doc/theory, 4.4 and 4.5): that of the law, restricted on a
+  // cold start, without tensile regions, and with escalation if it does not settle. Returns true if
+  // the linearisation of the contact terms has changed. Collective.
   bool
   ActiveSetStrategy::update(const LawInputs   &in,
                             const unsigned int n,
@@ -74,17 +82,20 @@ namespace Signorini
   {
     // The set that the law implies. With a pressure from an earlier solution or mesh, its first set
     // follows from that.
+    // (4.8) in the first step from known pressures, (4.7) otherwise.
     const PointVectors trial  = n == 0 && !is_cold ? law.trial_from_traction(in) : law.trial(in);
     const LA::Vector  &gap    = in.gap[0];
     const unsigned int before = active_set.size();
     active_set.update(law.status(trial));
     const unsigned int all = active_set.size();
-    // If the active set is too small, bodies penetrate each other in a wide surrounding, until they
-    // rest on it: then the set would grow far too much.
+    // If the active set is too small, the bodies penetrate each other in a wide surrounding until
+    // they are supported: the set of the law would then be far too large.
     const bool grows = n > 1 && n <= steps_of_growth && all > 1.3 * before && !was_idle;
     if (is_cold && (n <= 1 || grows))
       {
-        // Cold start: gaps alone are known. Keep a part of the penetrating points.
+        // On a cold start only gaps are known: a part of the penetrating points becomes active.
+        // Bodies that contact alone supports either are constrained by the points with zero gap, or
+        // are moved into contact first.
         const bool         falls  = n == 0 && !system.unconstrained_modes().empty();
         const bool         stands = falls && zero_gaps_constrain_all_modes(gap);
         const unsigned int kept   = stands ? active_set.activate_zero_gap(gap) :
@@ -94,10 +105,10 @@ namespace Signorini
       }
     if (!globalised && n > 0)
       active_set.deactivate_tensile_regions(trial[0]);
-    // Escalation where the set cycles or keeps changing. First, the linear solves may have been too
-    // inaccurate to decide where there is pressure; those of thin bodies, which bend before they
-    // are compressed, are so inaccurate that sets change for ever without any of them coming up
-    // again. If accurate solves do not help either, the steps need globalisation. Each stage ends
+    // Escalation if the set recurs, or if it has changed in many steps. First stage: linear solves
+    // may have been too inaccurate to decide where there is pressure; those of thin bodies, which
+    // bend before they are compressed, are so inaccurate that sets keep changing without recurring.
+    // Second stage: globalisation, by changes of single points or by a line search. Each stage ends
     // after a bounded number of changes, so that Newton's method ends.
     const bool is_partial = my_reduction > fine_reduction;
     if (!globalised &&
@@ -112,17 +123,18 @@ namespace Signorini
       }
     if (globalised && law.has_multiplier())
       active_set.change_only_most_violated(trial[0]);
-    // An obstacle that retreats loses all contact in the first step, before the bodies follow: keep
-    // the last set for that step.
+    // The displacement follows new values of supports and obstacles only in the first step. An
+    // obstacle that retreats would lose all contact before the bodies follow: the last set is kept
+    // for that step.
     step.kept_previous_set =
       n == 0 && (active_set.restore_previous_if_active() ||
                  (!is_cold && active_set.replace_if_empty(law.status(in.traction))));
     step.active  = active_set.size();
     step.changes = active_set.count_changes();
     n_changes += step.changes > 0;
-    // End of the penalty continuation. A stiff penalty reduces a contact area that is too large
-    // point by point, a soft one at once; the sign of the gap, which decides, does not depend on
-    // the penalty.
+    // End of the penalty continuation, once at most 20 % of the active points change. A stiff
+    // penalty reduces a contact area that is too large point by point, a soft one at once; the sign
+    // of the gap, which decides, does not depend on the penalty.
     if (law.has_scaled_penalty() &&
         (globalised || (step.active > 0 && step.changes <= 0.2 * active_set.n_active_unilateral())))
       {
@@ -134,11 +146,13 @@ namespace Signorini
 
 
 
+  // True if the points with zero gap constrain all modes that contact can constrain at all.
+  // Collective.
   bool
   ActiveSetStrategy::zero_gaps_constrain_all_modes(const LA::Vector &gap)
   {
     ActiveSet touching(contact);
-    // A single point is no support.
+    // A single point does not support a body.
     if (touching.activate_zero_gap(gap) <= 1)
       return false;
     system.find_unconstrained_modes(touching.values());

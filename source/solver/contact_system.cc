@@ -40,6 +40,9 @@ namespace Signorini
 
 
 
+  // Sparsity pattern of the surface stiffness over the local columns of B_free: the columns of each
+  // row are coupled. Consecutive rows between the same two faces have the same columns and are
+  // added once.
   void
   ContactSystem::make_surface_pattern()
   {
@@ -66,7 +69,8 @@ namespace Signorini
 
   namespace
   {
-    /// The entries that have changed since `before`, which is updated.
+    /// The differences of the blocks to those of `before`, point by point; `before` is set to the
+    /// present ones.
     std::vector<std::vector<double>>
     changes(const ContactSystem::Blocks &now, std::vector<std::vector<double>> &before)
     {
@@ -89,7 +93,8 @@ namespace Signorini
       return result;
     }
 
-    /// Stiffness between the components a (left) and b (right) of a point.
+    /// The contact stiffness between the components a (left) and b (right) of a point, the 2 x 2
+    /// matrix of doc/theory, (4.4).
     struct PointStiffness
     {
       double d, x, y, z; ///< see ContactSystem; y and z times theta
@@ -100,7 +105,9 @@ namespace Signorini
         return d == 0 && x == 0 && y == 0 && z == 0;
       }
 
-      /// @param S_a, S_b null: no stress of that component takes part
+      /// Add B_a^T (d B_b - x S_b) - S_a^T (z B_b + y S_b) to a block over the columns of the
+      /// point.
+      /// @param S_a,S_b rows of the normal stress; null: that component has none
       void
       add_to(FullMatrix<double> &block,
              const double       *B_a,
@@ -123,14 +130,17 @@ namespace Signorini
 
 
 
+  // Sum up the contact stiffness of all points of this rank in the matrix `surface`: one product
+  // with it replaces those with B, D and B^T in each iteration. Cost: points times squares of their
+  // columns, once for each linearisation.
   void
   ContactSystem::sum_up_surface_stiffness()
   {
     if (surface.empty())
       return; // no points on this rank
-    // With normal stresses all points count, those without contact too, and most are as before:
-    // only changes are added. Springs of penalties may be so stiff that taking one away would leave
-    // its rounding behind.
+    // With normal stresses open points contribute too, and most points are unchanged between two
+    // active sets: only differences are added. Without them the matrix is summed up anew, since the
+    // differences of stiff penalties would leave rounding errors.
     if (!contact.has_stress())
       {
         surface = 0;
@@ -159,6 +169,8 @@ namespace Signorini
 
 
 
+  // Add the contribution of one point, from the differences of its blocks; false if all of them are
+  // zero.
   bool
   ContactSystem::add_point(FullMatrix<double> &block, const int point, const Sums &of) const
   {
@@ -200,6 +212,9 @@ namespace Signorini
 
 
 
+  // Evaluate the law at all points and store the diagonal blocks D, X, Y, Z (4.3) and C, I, A
+  // (4.6); then the surface stiffness, and the modes that closed points leave unconstrained.
+  // Collective.
   void
   ContactSystem::linearise(const LawInputs &in, const LA::Vector &status)
   {
@@ -220,6 +235,7 @@ namespace Signorini
 
 
 
+  // The blocks of one point.
   void
   ContactSystem::linearise(const types::global_dof_index i,
                            const LawResponse            &response,
@@ -286,10 +302,14 @@ namespace Signorini
 
 
 
+  // dst = A src: contact terms, K - G, stabilisation along unconstrained modes, and volumetric
+  // stress. Collective; called once in each Krylov iteration.
   void
   ContactSystem::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
-    constexpr unsigned int often = 8; // hundreds of products take hardly a second, or minutes
+    // Number of products between two checks for an interruption: hundreds of products take less
+    // than a second, or minutes.
+    constexpr unsigned int often = 8;
     if (++n_products % often == 0)
       check_for_interruption();
     contact_terms(dst, src);
@@ -304,6 +324,7 @@ namespace Signorini
 
 
 
+  // Rows and columns of the volumetric stress, B_m^T dm and B_m du - C_m dm (doc/theory, (6.20)).
   void
   ContactSystem::add_volumetric(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
@@ -320,6 +341,8 @@ namespace Signorini
 
 
 
+  // With Nitsche's method the stress s has the part T dm (doc/theory, (4.4) with [S T] in place of
+  // S).
   void
   ContactSystem::add_volumetric_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
@@ -349,6 +372,7 @@ namespace Signorini
 
 
 
+  // (K - G) du without the stabilisation of unconstrained modes.
   void
   ContactSystem::internal_force(LA::Vector &dst, const LA::Vector &du) const
   {
@@ -374,6 +398,7 @@ namespace Signorini
 
 
 
+  // The blocks of the multipliers in (4.5), or their transposes.
   void
   ContactSystem::add_multipliers(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
@@ -385,7 +410,7 @@ namespace Signorini
     LA::Vector term = contact.zero();
     for (unsigned int b = 0; b < n; ++b)
       {
-        // Of the matrix: -C_ab B_b u; of the transposed one: -A B_b u.
+        // Constraint rows: -C_ab B_b u; of the transposed matrix -A B_b u.
         LA::Vector gap = contact.zero();
         contact.free_rows(b).vmult(gap, src.block(0));
         for (unsigned int a = 0; a < n; ++a)
@@ -402,7 +427,7 @@ namespace Signorini
             minus_scale(term, transposed ? I[b][a] : I[a][b]);
             dst.block(1 + a) += term;
           }
-        // The forces, -B_b^T A q_b; of the transposed matrix -B_b^T sum_a C_ab q_a.
+        // Forces: -B_b^T A q_b; of the transposed matrix -B_b^T sum_a C_ab q_a.
         LA::Vector force = contact.zero();
         for (unsigned int a = 0; a < n; ++a)
           {
@@ -418,6 +443,8 @@ namespace Signorini
 
 
 
+  // Gather the displacement at the local columns, multiply by the summed-up surface stiffness, and
+  // add the forces to their owners. Collective.
   void
   ContactSystem::add_surface_forces(LA::Vector &dst, const LA::Vector &src) const
   {

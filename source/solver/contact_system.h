@@ -81,6 +81,8 @@ namespace Signorini
       return transposed;
     }
 
+    /// dst = A src with the system matrix, or its transpose. Collective. @param src blocks as of
+    /// zero()
     void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const;
 
@@ -102,6 +104,8 @@ namespace Signorini
     void
     internal_force(LA::Vector &dst, const LA::Vector &du) const;
 
+    /// The rigid-body modes that no support constrains, with those unconstrained at the last
+    /// statuses.
     const UnconstrainedModes &
     unconstrained_modes() const
     {
@@ -138,12 +142,14 @@ namespace Signorini
       return 1 + n_multiplier_blocks();
     }
 
+    /// True for laws with multipliers.
     bool
     is_saddle_point() const
     {
       return saddle;
     }
 
+    /// True if the system matrix is symmetric.
     bool
     is_symmetric() const
     {
@@ -231,10 +237,10 @@ namespace Signorini
     add_surface_forces(LA::Vector &dst, const LA::Vector &src) const;
     void
     add_multipliers(LA::BlockVector &dst, const LA::BlockVector &src) const;
-    /// What the rows and columns of the volumetric stress are.
+    /// Add the rows and columns of the volumetric stress.
     void
     add_volumetric(LA::BlockVector &dst, const LA::BlockVector &src) const;
-    /// With Nitsche's method normal stresses have T dm beside S du.
+    /// Add the contribution of the volumetric stress T dm to the normal stress of Nitsche's method.
     void
     add_volumetric_at_contact(LA::BlockVector &dst, const LA::BlockVector &src) const;
 

@@ -33,6 +33,7 @@ namespace Signorini
 
 
 
+  // Residual (4.1) with the scales of forces (4.15) and the rounding (4.17). Collective.
   LA::Vector
   ConvergenceCriteria::residual(const LA::Vector &u, const LawInputs &in, const LA::Vector &status)
   {
@@ -47,7 +48,7 @@ namespace Signorini
         largest             = std::max(largest, force.l2_norm());
         my_reference_forces = reference_forces(force, largest);
       }
-    // Then only what was at work before can tell what is small.
+    // Without present forces, the largest force so far is the scale.
     if (largest <= 1e-13 * bodies.largest_load())
       {
         largest = bodies.largest_load();
@@ -55,10 +56,10 @@ namespace Signorini
       }
     bodies.constraints().set_zero(r);
     force_scale = largest;
-    // The forces of a cold start may be far larger, as penalties of bodies that overlap; their
-    // rounding is all that they leave behind.
+    // The forces of a cold start may be far larger than those of the solution, such as penalties of
+    // overlapping bodies; later residuals contain their rounding.
     largest_force = std::max(largest_force, largest);
-    // What that leaves is an answer only if it is little.
+    // A residual within the rounding is accepted only if that is small beside the forces.
     force_rounding =
       std::max(1e-15 * largest_force, std::min(rounding(u, in, status), 1e-4 * largest));
     return r;
@@ -66,6 +67,7 @@ namespace Signorini
 
 
 
+  // Norms over the degrees of freedom of each body. Collective.
   std::vector<double>
   ConvergenceCriteria::norms_of_bodies(const LA::Vector &force) const
   {
@@ -84,7 +86,7 @@ namespace Signorini
   std::vector<double>
   ConvergenceCriteria::reference_forces(const LA::Vector &contact_force, const double scale) const
   {
-    // Below the last, rounding of the largest forces would be all that is asked for.
+    // The lower bound prevents a tolerance below the rounding of the largest forces.
     constexpr double    most = 1e3, least = 1e-4;
     std::vector<double> forces = norms_of_bodies(contact_force);
     for (double &force : forces)
@@ -135,12 +137,13 @@ namespace Signorini
 
 
 
+  // Estimate (4.17) of the rounding error of the residual. Collective.
   double
   ConvergenceCriteria::rounding(const LA::Vector &u,
                                 const LawInputs  &in,
                                 const LA::Vector &status) const
   {
-    // The terms of K u cancel where bodies move far and are strained little, as in bending.
+    // The terms of K u cancel where bodies move far with small strains, as in bending.
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     if (version != bodies.stiffness().version())
       {
@@ -164,15 +167,19 @@ namespace Signorini
 
 
 
+  // Forces have converged (doc/theory, 4.9) if the residual is small, or if it no longer decreases
+  // and is within rounding, or if only rounding of earlier forces is left; and if the active set is
+  // that of the law.
   bool
   ConvergenceCriteria::is_force_converged(const NewtonStep &step, const double before) const
   {
-    // Points that hardly touch may change between any two steps, to no effect.
+    // Points that hardly touch may change their status between any two steps without effect on the
+    // residual.
     constexpr double largest_undecided = 1e-8;
     const bool       at_bottom = step.changes == 0 && before > 0 && step.residual > before / 2 &&
                            step.residual <= force_rounding / scale();
     const double of_all = std::max(step.residual, step.residual_of_bodies);
-    // Nothing is left of forces that were there before but their rounding.
+    // Only rounding errors of earlier forces are left.
     const bool is_over =
       scale() <= 10 * force_rounding && step.residual * scale() <= 10 * force_rounding;
     const bool is_small =
@@ -183,10 +190,11 @@ namespace Signorini
 
 
 
+  // Gap criterion (4.18).
   bool
   ConvergenceCriteria::is_gap_converged(const NewtonStep &step) const
   {
-    // What an augmentation changes is known up to the residual that the last solution left.
+    // The change of an augmentation is known up to the residual of the last solution only.
     return step.gap_residual <= (law.augments() ? 10 : 1) *
                                   std::max(tolerance, force_rounding / smallest_reference_force());
   }

@@ -17,6 +17,7 @@ namespace Signorini
     /// Keeps references to both.
     ConvergenceCriteria(const SolidResidual &bodies, const ContactLaw &law, double tolerance);
 
+    /// Set the tolerance of residuals, relative to the scales of forces.
     void
     set_tolerance(const double wanted)
     {
@@ -32,7 +33,7 @@ namespace Signorini
     LA::Vector
     residual(const LA::Vector &u, const LawInputs &in, const LA::Vector &status);
 
-    // Of the last one:
+    // Results for the last residual():
 
     /// Set the norm of the gap residuals as forces, see ContactLaw::residual(). If bodies penetrate
     /// each other initially and nothing else acts, it is the only scale of forces.
@@ -76,6 +77,7 @@ namespace Signorini
     /// body. Collective.
     std::vector<double>
     reference_forces(const LA::Vector &contact_force, double scale) const;
+    /// The norms of the residuals of bodies, relative to their reference forces.
     std::vector<double>
     residuals_of_bodies(const LA::Vector &r) const;
     /// The norm of the part of a vector that belongs to each body. Collective.

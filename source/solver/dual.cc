@@ -7,8 +7,9 @@ namespace Signorini
 
   namespace
   {
-    /// For tractions that follow from the law: of_traction times their derivatives, which
-    /// `derivative` takes from the response of the law.
+    /// The chain rule for tractions that follow from the law: at each point the vector
+    /// `of_traction` times the derivative of the traction that `derivative` selects from the
+    /// response.
     template <typename Derivative>
     PointVectors
     derivative_by_law(const ContactLaw   &law,
@@ -34,18 +35,21 @@ namespace Signorini
       return result;
     }
 
+    /// The derivative of the traction with respect to the gap.
     LawMatrix
     by_gap(const LawResponse &response)
     {
       return response.by_gap;
     }
 
+    /// The derivative of the traction with respect to the normal stress.
     LawMatrix
     by_stress(const LawResponse &response)
     {
       return response.by_stress;
     }
-    /// The derivative of a quantity of the tractions by the unknowns of the system.
+    /// The derivative of a quantity of the tractions with respect to the unknowns of the system: to
+    /// the multipliers in a saddle point, otherwise through gaps and stresses to the displacement.
     LA::BlockVector
     gradient(const ContactSystem &system,
              const ContactLaw    &law,
@@ -78,6 +82,9 @@ namespace Signorini
 
 
 
+  // Dual problem (doc/theory, (8.2)): the transposed linearisation at the solution, with the
+  // derivative of the quantity as right-hand side. The product of its solution with the residual of
+  // the primal problem is the algebraic error. Collective.
   DualSolution
   Newton::dual(const LA::Vector   &u,
                const ContactState &state,
@@ -113,7 +120,7 @@ namespace Signorini
     bodies.constraints().set_zero(dual.block(0));
     result.remainder = dual * left;
 
-    // As a displacement: what is constrained follows, with nothing prescribed.
+    // As a displacement: constrained components follow from the others, with homogeneous values.
     LA::Vector prescribed = u;
     prescribed            = 0;
     bodies.constraints().distribute(prescribed);
@@ -129,7 +136,8 @@ namespace Signorini
       }
     if (system.is_saddle_point() || contact.empty())
       return result;
-    // By gaps that are not closed the traction changes, and the forces with it.
+    // Condensed form: the dual tractions follow from the change of tractions and forces with the
+    // gap (doc/theory, (8.3)).
     for (unsigned int a = 0; a < result.zeta.size(); ++a)
       {
         contact.free_rows(a).vmult(result.zeta[a], result.z);

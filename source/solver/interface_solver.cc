@@ -17,7 +17,9 @@ namespace Signorini
 
   namespace
   {
-    /// Marks columns. @param mark of a row, its point and the marks of columns on this rank
+    /// A marker of degrees of freedom, from the rows of contact points of all ranks. Collective.
+    /// @param mark called as mark(row, point, marks) for each row of this rank; sets marks of local
+    /// columns to 1
     template <typename Mark>
     LA::Vector
     marked_by(const ContactSystem &system, const Mark &mark)
@@ -35,11 +37,12 @@ namespace Signorini
           for (const auto i : contact.weight.locally_owned_elements())
             mark(LA::RowView(contact.free_rows(a), row++), i, marks);
         }
-      // Columns may belong to other ranks: tell them.
+      // Columns may belong to other ranks, to which the marks are sent.
       columns.enlarge(marks.data(), marker);
       return marker;
     }
 
+    /// Mark the columns of nonzero entries of a row.
     void
     mark_entries(const LA::RowView &row, std::vector<double> &marks)
     {
@@ -63,6 +66,7 @@ namespace Signorini
 
 
 
+  // In each row the components with at least a fifth of the largest entry of their node.
   LA::Vector
   dominant_interface_dofs(const ContactSystem &system, const unsigned int n_components)
   {
@@ -101,7 +105,8 @@ namespace Signorini
 
 
 
-  /// Matrix entries in the numbering of the restricted system.
+  /// Collects matrix entries in the numbering of the restricted system, in any order and with
+  /// repeated positions.
   class InterfaceSolver::Entries
   {
   public:
@@ -111,7 +116,8 @@ namespace Signorini
       all.push_back({i, j, value});
     }
 
-    /// Assemble the sum of the entries as a matrix. Collective.
+    /// Assemble the sum of the entries as a matrix, those of rows of other ranks included.
+    /// Collective.
     void
     sum_up(const IndexSet &owned, const MPI_Comm comm, LA::SparseMatrix &matrix)
     {
@@ -137,7 +143,7 @@ namespace Signorini
     }
 
   private:
-    /// Calls act(row, columns, values), each column once.
+    /// Call act(row, columns, values) for each row, with each column once. The entries are sorted.
     template <typename Action>
     void
     for_each_row(const Action &act) const
@@ -172,6 +178,8 @@ namespace Signorini
 
 
 
+  // Number the included unknowns contiguously over the ranks: on each rank first the marked degrees
+  // of freedom, then the multipliers of its points, component by component. Collective.
   InterfaceSolver::InterfaceSolver(const ContactSystem    &system,
                                    const LA::Vector       &marker,
                                    const LA::DirectLibrary direct_library,
@@ -202,6 +210,7 @@ namespace Signorini
     if (n_rows > 0)
       first_row = *index;
 
+    // The numbers of the columns of K and B, some of which other ranks own.
     number_in_K = columns_of_K.fetch(number);
     if (!system.gap_operator().empty())
       number_in_B = LA::ColumnExchange(system.gap_operator().B_free).fetch(number);
@@ -212,6 +221,8 @@ namespace Signorini
 
 
 
+  // Entries of R A R^T: rows of K at the included degrees of freedom, contact terms, and the
+  // geometric stiffness if it is wanted.
   void
   InterfaceSolver::collect(Entries &entries) const
   {
@@ -261,6 +272,8 @@ namespace Signorini
 
 
 
+  // The blocks of (4.5): -B^T A, -C B and -I. Diagonal entries of I are stored even if they are
+  // zero, for the factorisation.
   void
   InterfaceSolver::collect_multipliers(Entries &entries) const
   {
@@ -290,6 +303,7 @@ namespace Signorini
 
 
 
+  // Assemble and factorise the restricted matrix; costs that of a surface problem. Collective.
   void
   InterfaceSolver::update()
   {
@@ -335,6 +349,8 @@ namespace Signorini
 
 
 
+  // Right-hand side R (r - A x): only the rows of included unknowns are evaluated, the contact
+  // terms on the surface and the marked rows of K.
   void
   InterfaceSolver::correct(LA::BlockVector &x, const LA::BlockVector &r) const
   {
@@ -360,6 +376,7 @@ namespace Signorini
 
 
 
+  // Solve for the restricted correction and add it to the unknowns.
   void
   InterfaceSolver::add_solution(LA::BlockVector &x) const
   {

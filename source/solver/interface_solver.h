@@ -61,6 +61,7 @@ namespace Signorini
     void
     correct(LA::BlockVector &x, const LA::BlockVector &r) const;
 
+    /// The number of unknowns of the restricted system, over all ranks.
     dealii::types::global_dof_index
     size() const
     {
@@ -70,6 +71,7 @@ namespace Signorini
   private:
     class Entries;
 
+    /// Collect the entries of the restricted matrix on this rank.
     void
     collect(Entries &entries) const;
     void

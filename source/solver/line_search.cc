@@ -81,6 +81,7 @@ namespace Signorini
 
 
 
+    // One reduction; K du and B du have been computed once.
     double
     Slope::operator()(const double a) const
     {
@@ -102,6 +103,7 @@ namespace Signorini
 
 
 
+    // Work of the change of tractions on the change of gaps, with the term of theta in (4.11).
     double
     Slope::of_contact(const double a) const
     {
@@ -122,6 +124,7 @@ namespace Signorini
 
 
 
+    /// An interval of step lengths.
     struct Bracket
     {
       double low, high;
@@ -157,6 +160,7 @@ namespace Signorini
 
 
 
+  // The energy (4.10) exists for condensed symmetric systems without volumetric stress.
   bool
   has_energy(const ContactSystem &system)
   {

@@ -20,8 +20,9 @@ namespace Signorini
 
   namespace
   {
-    /// On one rank, KLU is quicker for what is small or as thin as a contact zone; for the whole
-    /// system MUMPS is, five times and more in 3D, and for zones of forces that turn.
+    /// Choose the library for factorisations. On one rank KLU is faster for small matrices and for
+    /// those of a contact interface; for the whole system MUMPS is, five times and more in space,
+    /// and for interfaces that include the geometric stiffness.
     LA::DirectLibrary
     choose_direct(const LinearSolverSettings &settings,
                   const Stiffness            &stiffness,
@@ -41,6 +42,8 @@ namespace Signorini
                                                      LA::DirectLibrary::KLU;
     }
 
+    /// Choose the Krylov method (doc/theory, 7.8), or check that the one of the settings is valid
+    /// for system and preconditioner. Throws SceneError.
     Krylov
     choose_krylov(const LinearSolverSettings &settings,
                   const ContactSystem        &system,
@@ -54,7 +57,8 @@ namespace Signorini
               ": bodies with Formulation = mixed require FGMRES; set Krylov method = FGMRES or auto");
           return Krylov::FGMRES;
         }
-      // What factors lack of forces that move may make the system indefinite.
+      // The factors of a direct preconditioner do not contain the geometric stiffness, which may
+      // make the system indefinite.
       const bool lacks_motion =
         settings.preconditioner == "direct" && !system.gap_operator().at_rest();
       if (lacks_motion && !settings.krylov)
@@ -115,6 +119,8 @@ namespace Signorini
 
 
 
+  // Make hierarchy and preconditioner for the present stiffness; the former ones are released
+  // before, so that memory is not needed twice.
   void
   LinearSolver::make_preconditioner()
   {
@@ -140,6 +146,7 @@ namespace Signorini
 
 
 
+  // Falling back to a factorisation is an option for interface multigrid and moderate sizes only.
   bool
   LinearSolver::can_factorise() const
   {
@@ -171,6 +178,8 @@ namespace Signorini
 
 
 
+  // Include the geometric stiffness in interface solves, or not; the preconditioner is made again
+  // only if it has to contain more than before.
   bool
   LinearSolver::include_geometric_in_interface(const bool wanted)
   {
@@ -187,11 +196,14 @@ namespace Signorini
 
 
 
+  // Make a better preconditioner, in two stages: rebuild a hierarchy of a former stiffness; if it
+  // is up to date, include the geometric stiffness in the interface solve. Returns false if nothing
+  // is left to improve.
   bool
   LinearSolver::request_rebuild()
   {
     if (settings.preconditioner == "direct")
-      return false; // factors are always of the stiffness as it is now
+      return false;
     if (!hierarchies.request_rebuild())
       return interface_lacks_geometric() && !include_geometric_in_interface(true);
     hierarchies.include_geometric_in_interface(
@@ -203,11 +215,13 @@ namespace Signorini
 
 
 
+  // A test of definiteness must not fall back to a factorisation, which does not detect negative
+  // curvature.
   bool
   LinearSolver::factorise(const NegativeCurvature curvature)
   {
     if (curvature == NegativeCurvature::report || !can_factorise())
-      return false; // factors would tell nothing
+      return false;
     has_failed_iterating    = true;
     settings.preconditioner = "direct";
     make_preconditioner();
@@ -245,6 +259,8 @@ namespace Signorini
 
 
 
+  // One solution with the present preconditioner: start vector, tolerance relative to the residual
+  // after it (doc/theory, 4.8), Krylov iteration.
   unsigned int
   LinearSolver::solve_once(LA::BlockVector        &x,
                            const LA::BlockVector  &rhs,
@@ -256,7 +272,7 @@ namespace Signorini
     const Krylov       krylov = choose_krylov(settings, system, *preconditioner);
 
     x = 0;
-    // If CG has found negative curvature before the system was factorised, that remains known: a
+    // If CG has met negative curvature before the system was factorised, that is still true; the
     // factorisation does not detect it.
     is_indefinite = is_indefinite && has_failed_iterating;
     if (preconditioner->is_exact() && !system.is_transposed())
@@ -282,8 +298,8 @@ namespace Signorini
         LA::BlockVector preconditioned = rhs;
         preconditioner->vmult(preconditioned, rhs);
         tolerance *= std::sqrt(rhs * preconditioned) / norm;
-        // From zero, with forces or gaps alone on the right, its first rotation would be by ninety
-        // degrees, and SolverMinRes divides by the cosine.
+        // A start at zero with forces or gaps alone on the right-hand side would make the first
+        // rotation one by ninety degrees, and SolverMinRes divides by its cosine.
         x = preconditioned;
       }
     return iterate(krylov, tolerance, x, rhs, curvature);
@@ -291,6 +307,10 @@ namespace Signorini
 
 
 
+  // Conjugate gradients with a monitor of their coefficients (doc/theory, 7.4). Depending on
+  // `curvature`, negative curvature is ignored, reported by an exception, or truncates the
+  // iteration at the last iterate before it (Steihaug). With a limit of 50 iterations, systems that
+  // converge slowly count as nearly indefinite.
   unsigned int
   LinearSolver::conjugate_gradients(SolverControl          &control,
                                     LA::BlockVector        &x,
@@ -328,15 +348,18 @@ namespace Signorini
         if (curvature != NegativeCurvature::truncate)
           throw;
       }
-    // Steihaug: keep the iterate before the direction of negative curvature. CG is repeated up to
-    // it, since the solver does not return it.
+    // Truncation: the iterate before the direction of negative curvature is the result. SolverCG
+    // does not return it, therefore CG is repeated up to there.
     x = start;
-    if (request_rebuild()) // it may have been that of the preconditioner
+    // The negative curvature may have been that of an old preconditioner.
+    if (request_rebuild())
       {
         is_indefinite = false;
         return n + conjugate_gradients(control, x, rhs, curvature);
       }
     was_ever_indefinite = true;
+    // Negative curvature in the first iteration: the preconditioned residual is a descent
+    // direction.
     if (n == 1)
       {
         LA::BlockVector rest = rhs, down = rhs;
@@ -353,6 +376,7 @@ namespace Signorini
 
 
 
+  // The number of iterations after which another method is faster.
   unsigned int
   LinearSolver::iteration_limit(const NegativeCurvature curvature) const
   {
@@ -368,6 +392,8 @@ namespace Signorini
 
 
 
+  // Run the chosen Krylov method; no convergence becomes a SolverFailure with advice. FGMRES
+  // restarts after 50 vectors.
   unsigned int
   LinearSolver::iterate(const Krylov            krylov,
                         const double            tolerance,
@@ -410,6 +436,8 @@ namespace Signorini
 
 
 
+  // Iterations per digit indicate whether the hierarchy still fits (SolidHierarchy); many
+  // iterations indicate that the next interface solve should contain the geometric stiffness.
   void
   LinearSolver::record_iterations(const unsigned int iterations,
                                   const double       first,

@@ -13,11 +13,13 @@
 
 namespace Signorini
 {
-  /// What CG does where it meets a direction of negative curvature.
+  /// The treatment of directions of negative curvature in CG.
   enum class NegativeCurvature
   {
+    /// Continue.
     ignore,
-    report, ///< throw IndefiniteSystem
+    /// Throw IndefiniteSystem.
+    report,
     /// Throw IndefiniteSystem, also if so many iterations were needed that an indefinite tangent is
     /// likely.
     reject,
@@ -66,6 +68,7 @@ namespace Signorini
     bool
     request_rebuild();
 
+    /// Number of multigrid cycles of all preconditioners so far.
     unsigned int
     multigrid_cycles() const
     {
@@ -125,6 +128,7 @@ namespace Signorini
     /// Make the preconditioner for the present stiffness.
     void
     make_preconditioner();
+    /// True if the system is small enough for a factorisation as a fallback.
     bool
     can_factorise() const;
     /// Factorise the system from now on.

@@ -12,7 +12,7 @@ namespace Signorini
 
   namespace
   {
-    /// The tangent as an assembled matrix.
+    /// The tangent of bodies and follower pressures as an assembled matrix, in any dimension.
     template <int dim>
     class Assembled : public Linearisation<dim>
     {
@@ -30,6 +30,8 @@ namespace Signorini
         K.copy_from(elasticity.stiffness());
       }
 
+      // Cell by cell; if one is inverted, the matrix is not complete and SolverFailure is thrown on
+      // all ranks.
       void
       linearise(const LA::Vector &u) override
       {
@@ -74,7 +76,7 @@ namespace Signorini
       AssembledStiffness      my_stiffness;
     };
 
-    /// The tangent by cells, matrix-free, without follower pressures.
+    /// The tangent by products cell by cell, in space and without follower pressures.
     class MatrixFree : public Linearisation<3>
     {
     public:

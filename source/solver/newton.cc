@@ -13,7 +13,8 @@ namespace Signorini
 
   namespace
   {
-    /// Surfaces that just touch press on each other.
+    /// True if the tractions of the state are not zero where gaps and stresses are: surfaces that
+    /// just touch have pressure.
     bool
     has_last_pressure(const ContactLaw &law, const ContactState &state)
     {
@@ -55,6 +56,9 @@ namespace Signorini
 
 
 
+  // The iteration of the class description. Each pass evaluates the state, assesses it, and unless
+  // it ends (or starts an augmentation) advances by one step. It ends since assess() stops after a
+  // maximal number of steps.
   NewtonReport
   Newton::solve(LA::Vector &u, ContactState &state, const StepVisitor &visit)
   {
@@ -84,6 +88,8 @@ namespace Signorini
 
 
 
+  // Gaps, stresses, active set, tractions and residuals at u. The residuals (4.1), (4.2) and (6.19)
+  // become the right-hand side, block by block. Collective.
   void
   Newton::evaluate(const LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage)
   {
@@ -103,6 +109,8 @@ namespace Signorini
       }
     stage.penalty_scale_changed = law.has_scaled_penalty() != was_scaled;
 
+    // Forces, with the components of unconstrained modes projected out if they are to be
+    // stabilised.
     LA::Vector &r = stage.rhs.block(0);
     r             = convergence.residual(u, in, state.status);
     PointVectors gap_residual;
@@ -118,6 +126,7 @@ namespace Signorini
         system.unconstrained_modes().project_out(r, state.traction, stage.stress[0]);
     step.residual           = r.l2_norm() / convergence.scale();
     step.residual_of_bodies = convergence.residual_of_bodies(r);
+    // Volumetric stress: its residual counts together with that of the displacement.
     if (bodies.volumetric())
       {
         LA::Vector &m = stage.rhs.block(system.volumetric_block());
@@ -139,6 +148,10 @@ namespace Signorini
 
 
 
+  // Decide whether the iteration ends: converged; sufficient before a geometry update; a residual
+  // that is no number; too many steps. With Uzawa's method a converged solution starts the next
+  // augmentation (doc/theory, 4.11) until the gap converges. Unconstrained modes at a solution are
+  // an error unless they are to be stabilised.
   void
   Newton::assess(const ContactState &state, NewtonReport &report, Stage &stage)
   {
@@ -157,6 +170,8 @@ namespace Signorini
       }
     const bool stays = step.changes == 0 && !step.kept_previous_set && !step.restricted_set &&
                        !law.has_scaled_penalty();
+    // The caller's criterion is evaluated only for an unchanged active set and a residual below
+    // 1e-3.
     const auto is_sufficient = [&] {
       return stopping.is_sufficient && n > 0 && !report.converged && !law.augments() &&
              std::max(step.residual, step.gap_residual) <= 1e-3 && stopping.is_sufficient();
@@ -171,6 +186,7 @@ namespace Signorini
                       " steps (Newton/Maximum steps)" + strategy.set().chattering_points();
     if (!report.is_finished())
       return;
+    // Information for messages: oscillating points and the body with the largest residual.
     if (!report.converged)
       {
         report.chattering = strategy.set().chattering();
@@ -189,24 +205,26 @@ namespace Signorini
 
 
 
+  // One Newton step: forcing term, linearisation, linear solve, step length, update; then bodies
+  // without contact are moved along loaded unconstrained modes (4.20). Collective.
   void
   Newton::advance(LA::Vector &u, ContactState &state, NewtonReport &report, Stage &stage)
   {
     NewtonStep        &step = stage.step;
     const LA::Vector  &r    = stage.rhs.block(0);
     const unsigned int n    = report.steps.size();
-    // Forcing term: while the active set or the penalty changes, the next system discards whatever
-    // goes beyond a good guess.
+    // Forcing term (doc/theory, 4.8): while the active set or the penalty changes, the next system
+    // makes the digits of this solution beyond the first ones useless.
     const bool is_settled =
       contact.empty() ||
       (n > 0 && step.changes == 0 && !step.restricted_set && !stage.penalty_scale_changed);
-    // A partial solution, after which the configuration is updated, needs only the digits that a
-    // Newton step gains.
+    // A partial solution, after which the geometry is updated, needs only the digits that a Newton
+    // step gains.
     const double reduction = stopping.is_partial() ? std::min(strategy.reduction(), step.residual) :
                              is_settled            ? 0. :
                                                      strategy.reduction();
-    // If surfaces of an augmented law come into contact again, the last pressure acts at once,
-    // though the residual may be nearly zero: a line search would stop before that again and again.
+    // If surfaces of an augmented law come into contact again, the last pressure acts at once
+    // although the residual may be nearly zero: a line search would stop before that each time.
     const bool comes_back = law.augments() && step.active == 0 && has_last_pressure(law, state);
     const bool is_searched =
       bodies.is_nonlinear() && !step.restricted_set && !step.kept_previous_set && !comes_back;
@@ -216,9 +234,12 @@ namespace Signorini
                  reduction,
                  0.5 * stopping.tolerance * convergence.smallest_reference_force(),
                  step);
+    // The volumetric stress takes the full step first, as the step length assumes.
     if (bodies.volumetric())
       bodies.volumetric()->add(1, x.block(system.volumetric_block()));
     stage.damping = bodies.largest_admissible_step(u, x.block(0));
+    // Step length: at finite strain by the resistance (4.12), at small strain, if the active set
+    // requires it, by the energy (4.11).
     if (is_searched)
       stage.damping = energy_descending_step({bodies, system, law, u, state, r}, x, stage.damping);
     else if (strategy.needs_globalisation() && has_energy(system))
@@ -226,6 +247,7 @@ namespace Signorini
     u.add(stage.damping, x.block(0));
     for (unsigned int a = 0; a < state.traction.size() && system.is_saddle_point(); ++a)
       state.traction[a].add(stage.damping, x.block(1 + a));
+    // Reduce the step of the volumetric stress afterwards to that of the displacement.
     if (bodies.volumetric() && stage.damping != 1)
       bodies.volumetric()->add(stage.damping - 1, x.block(system.volumetric_block()));
     const auto loaded = system.unconstrained_modes().loaded(r, 1e-8 * convergence.scale());
@@ -237,6 +259,7 @@ namespace Signorini
       }
     if (contact.has_condensed_constraints)
       bodies.constraints().distribute(u);
+    // Nothing has changed in this step, and the residual cannot be reduced: stop with a message.
     if (n > 0 && step.changes == 0 && step.krylov_iterations == 0 &&
         step.residual == report.steps.back().residual && !step.restricted_set &&
         report.reason.empty())
@@ -257,10 +280,14 @@ namespace Signorini
 
 
 
+  // CG with a right-hand side that excites all modes; its coefficients show the sign of the
+  // curvature in the Krylov space. With a volumetric stress the method is FGMRES, and inverse
+  // iteration is used instead.
   bool
   Newton::tangent_is_indefinite(const LA::Vector &u, const ContactState &state)
   {
-    constexpr double enough = 1e-8; // each iteration sees more
+    // A small tolerance, since each iteration examines another direction.
+    constexpr double enough = 1e-8;
     try
       {
         const PointVectors gaps = contact.gaps(u),
@@ -269,7 +296,8 @@ namespace Signorini
       }
     catch (const SolverFailure &)
       {
-        return false; // cells are folded there
+        // Cells are inverted at u: there is no tangent.
+        return false;
       }
     LA::BlockVector forces = system.zero();
     for (const auto i : forces.block(0).locally_owned_elements())

@@ -11,11 +11,16 @@
 
 namespace Signorini
 {
+  /// One step of Newton's method, for reports and output.
   struct NewtonStep
   {
+    /// Number of active points and of changes of the active set; iterations of the Krylov method
+    /// (0: none was needed; 1: exact preconditioner).
     unsigned int active = 0, changes = 0, krylov_iterations = 0;
-    double       residual = 0, gap_residual = 0, damping = 1;
-    double       residual_of_bodies =
+    /// Residual of forces and of gaps, relative to the scales of ConvergenceCriteria, before the
+    /// step; and the step length of the step before.
+    double residual = 0, gap_residual = 0, damping = 1;
+    double residual_of_bodies =
       0; ///< the largest one of a body, relative, see ConvergenceCriteria::reference_forces()
     bool kept_previous_set = false; ///< the active set is that of the last load step
     bool restricted_set =
@@ -25,6 +30,7 @@ namespace Signorini
     bool fell_back_to_direct = false;
   };
 
+  /// The result of a solution with Newton's method.
   struct NewtonReport
   {
     bool                    converged = false;

@@ -55,6 +55,7 @@ namespace Signorini
 
 
 
+  // Loop over the locally owned cells; `indices` is reused.
   template <int dim>
   void
   NonlinearSolid<dim>::for_cells(
@@ -72,6 +73,11 @@ namespace Signorini
 
 
 
+  // Internal forces minus follower pressures, cell by cell (doc/theory, 6.1). With an origin
+  // (extrapolate_from()) the forces are those at the origin plus its tangent times the difference.
+  // Besides the forces with constraints condensed, those without are summed up for the reactions,
+  // and the follower pressures for the scale of forces. Collective; throws SolverFailure on all
+  // ranks if a cell is inverted.
   template <int dim>
   LA::Vector
   NonlinearSolid<dim>::forces(const LA::Vector &u) const
@@ -154,6 +160,7 @@ namespace Signorini
 
 
 
+  // The scale of forces: loads, reactions at prescribed displacements, or follower pressures.
   template <int dim>
   double
   NonlinearSolid<dim>::load_size() const
@@ -163,6 +170,8 @@ namespace Signorini
 
 
 
+  // The tangent at u, or at the origin if there is one, which is used up by this. Nothing is done
+  // if neither displacement nor volumetric stress nor history have changed.
   template <int dim>
   void
   NonlinearSolid<dim>::linearise(const LA::Vector &u)
@@ -170,7 +179,8 @@ namespace Signorini
     const bool       extends = origin.size() > 0;
     const LA::Vector there   = extends ? origin : u;
     origin                   = LA::Vector();
-    if (my_volumetric) // it takes its start away in any case
+    // The volumetric stress has the same origin and uses it up in any case.
+    if (my_volumetric)
       my_volumetric->linearise(u);
     const unsigned int volumetric_version = my_volumetric ? my_volumetric->version() : 0;
     const unsigned int history_version    = elasticity.material_history().version();
@@ -183,7 +193,8 @@ namespace Signorini
           return;
       }
     TimerOutput::Scope scope(timer, "assembly");
-    linearised = LA::Vector(); // of nothing, if cells are folded there
+    // If cells are inverted, there is no valid linearisation afterwards.
+    linearised = LA::Vector();
     linearisation->linearise(extends ? elasticity.with_ghosts(there) :
                                        constrained_ghosted(elasticity, there));
     linearised            = there;
@@ -193,15 +204,18 @@ namespace Signorini
 
 
 
+  // Halve the step up to five times until det F remains positive at all quadrature points and loses
+  // at most nine tenths of its value (doc/theory, 4.7). Collective.
   template <int dim>
   double
   NonlinearSolid<dim>::largest_admissible_step(const LA::Vector &u, const LA::Vector &du) const
   {
-    constexpr unsigned int most  = 6;
-    constexpr double       least = 0.1; // of what the volume was before
-    double                 step  = 1;
-    const LA::Vector       now   = constrained_ghosted(elasticity, u);
-    Vector<double>         values;
+    constexpr unsigned int most = 6;
+    // Smallest ratio of volumes after and before.
+    constexpr double least = 0.1;
+    double           step  = 1;
+    const LA::Vector now   = constrained_ghosted(elasticity, u);
+    Vector<double>   values;
     for (unsigned int i = 0; i < most; ++i, step /= 2)
       {
         LA::Vector next = u;

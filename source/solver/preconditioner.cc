@@ -32,7 +32,7 @@ namespace Signorini
       };
     }
 
-    // The registry: one line a preconditioner.
+    // The registry: one line for each preconditioner.
     const std::vector<std::pair<std::string, Maker>> registry = {
       {"interface multigrid",
        [](const Settings      &settings,

@@ -12,14 +12,14 @@ namespace Signorini
 {
   struct LinearSolverSettings;
 
-  /// A preconditioner of the contact system: one file pair under solve/preconditioners and one line
-  /// in the registry. Each serves both forms of the system.
+  /// A preconditioner of the contact system: a file pair in solver/preconditioners and a line in
+  /// the registry. Each is applicable to both forms of the system.
   class Preconditioner
   {
   public:
     virtual ~Preconditioner() = default;
 
-    /// To be called when the active set has changed. Collective.
+    /// Adapt to the present active set and its linearisation. Collective.
     virtual void
     update() = 0;
 
@@ -29,6 +29,7 @@ namespace Signorini
     start(LA::BlockVector & /*x*/, const LA::BlockVector & /*rhs*/) const
     {}
 
+    /// Apply the preconditioner: dst = M^-1 src. Collective.
     virtual void
     vmult(LA::BlockVector &dst, const LA::BlockVector &src) const = 0;
 
@@ -60,6 +61,7 @@ namespace Signorini
       return false;
     }
 
+    /// Make the preconditioner that the settings name.
     /// @param settings with a direct solver chosen
     /// @param interface_includes_geometric of an interface multigrid, see InterfaceSolver
     static std::unique_ptr<Preconditioner>
@@ -69,6 +71,7 @@ namespace Signorini
            bool                        interface_includes_geometric);
   };
 
+  /// The names of all preconditioners, for the key Solver/Preconditioner.
   std::vector<std::string>
   preconditioner_names();
 } // namespace Signorini

@@ -10,6 +10,8 @@ namespace Signorini
 
   namespace
   {
+    /// The levels of a stiffness: spaces of displacements as far as the settings allow them, then
+    /// aggregates with the rigid-body modes of the last space. Collective.
     template <int dim>
     std::shared_ptr<const Hierarchy>
     make_hierarchy(const LinearSolverSettings &settings,
@@ -18,7 +20,8 @@ namespace Signorini
     {
       const auto known = [&](std::vector<std::vector<double>> &&modes) {
         if (settings.near_null_space == NearNullSpace::translations)
-          modes.resize(dim); // they come first
+          // Translations come first.
+          modes.resize(dim);
         return std::move(modes);
       };
       Spaces spaces;
@@ -56,13 +59,16 @@ namespace Signorini
 
 
 
+  // A hierarchy whose finest level is separate from the coarser ones is kept when the stiffness
+  // changes, until record_iterations() indicates that it no longer fits.
   std::shared_ptr<const Hierarchy>
   SolidHierarchy::get()
   {
-    const bool is_inserted = hierarchy && hierarchy->n_levels() > 1; // else it is the matrix itself
+    const bool is_inserted = hierarchy && hierarchy->n_levels() > 1;
     if (!make || version == stiffness.version() || (is_inserted && !needs_rebuild))
       return hierarchy;
-    hierarchy.reset(); // before there are two
+    // The former one is released first, so that memory is not needed twice.
+    hierarchy.reset();
     hierarchy                  = make();
     version                    = stiffness.version();
     needs_rebuild              = false;
@@ -72,10 +78,11 @@ namespace Signorini
 
 
 
+  // Rebuilding costs about as much as half as many iterations again, hence the factor of 1.5.
   void
   SolidHierarchy::record_iterations(const double iterations_per_digit)
   {
-    constexpr double much = 1.5, some = 1; // half as many again cost about what it takes to make it
+    constexpr double much = 1.5, some = 1;
     if (first_iterations_per_digit == 0)
       first_iterations_per_digit = iterations_per_digit;
     else

@@ -54,6 +54,8 @@ namespace Signorini
 
 
 
+    // The resistance (4.12): one residual of the bodies, contact forces with the tractions of the
+    // law at that point, and the geometric term.
     double
     Resistance::operator()(const double a) const
     {
@@ -75,6 +77,9 @@ namespace Signorini
 
 
 
+    // From the residual at hand. Where pressures are unknowns, tractions of the merit function
+    // replace them; with a volumetric stress the residual has the full step of m, whose work is
+    // removed.
     double
     Resistance::at_start() const
     {
@@ -119,6 +124,9 @@ namespace Signorini
 
 
 
+  // Accept the longest admissible step unless the resistance there exceeds 80 % of that at the
+  // start; otherwise find a step length between (doc/theory, 4.7). At most eight residuals; if none
+  // satisfies the criterion, the last length with negative slope is taken.
   double
   energy_descending_step(const LineSearchStart &start,
                          const LA::BlockVector &step,

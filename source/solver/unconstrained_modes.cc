@@ -14,6 +14,7 @@ namespace Signorini
 
   namespace
   {
+    /// The elementwise product, that is, a diagonal matrix times a vector.
     LA::Vector
     product(const LA::Vector &a, const LA::Vector &b)
     {
@@ -22,6 +23,7 @@ namespace Signorini
       return result;
     }
 
+    /// Gram-Schmidt with the scalar product z^T S z of the stabilisation S. Collective.
     void
     orthonormalise(std::vector<UnconstrainedMode> &motions, const LA::Vector &stabilisation)
     {
@@ -34,8 +36,8 @@ namespace Signorini
         }
     }
 
-    /// The matrix sum over points of spring (B z_a) (B z_b), the stiffness of point springs against
-    /// the modes.
+    /// The matrix (z_a . B^T w B z_b) of the Rayleigh quotient: the stiffness of point springs w
+    /// against pairs of modes. Collective.
     Eigen::MatrixXd
     stiffness_against(const std::vector<LA::Vector> &gap_rates, const LA::Vector &spring)
     {
@@ -49,6 +51,8 @@ namespace Signorini
 
 
 
+  // The rates of the gaps B z are computed once; set_status() then costs scalar products only.
+  // Modes that remain unconstrained with all points stuck cannot be constrained at all.
   UnconstrainedModes::UnconstrainedModes(std::vector<UnconstrainedMode> all,
                                          const LA::Vector              &stabilisation,
                                          const GapOperator             &contact)
@@ -100,13 +104,16 @@ namespace Signorini
 
 
 
+  // Solve the eigenvalue problem of the modes for these statuses (doc/theory, 4.10), of the size of
+  // the number of modes. Eigenvectors with negligible eigenvalues are the unconstrained modes; they
+  // are named by the motions that contribute most.
   void
   UnconstrainedModes::set_status(const LA::Vector &status)
   {
     // A combination of modes is unconstrained if its eigenvalue vanishes, that is, if it moves
-    // along the surface at all closed points. Discretised round bodies that rotate have normals
-    // slightly off: the bound is the square of that angle, or of the width of the contact area over
-    // the size of the body.
+    // along the surface at all closed points. Rotations of round bodies with faceted surfaces have
+    // normals slightly off: the bound is the square of that angle, or of the ratio of the width of
+    // the contact area and the size of the body.
     constexpr double negligible = 1e-6;
     my_unconstrained.clear();
     const unsigned int n = motions.size();
@@ -142,6 +149,7 @@ namespace Signorini
 
 
 
+  // Orthonormal with respect to S, with the forces S z.
   void
   UnconstrainedModes::orthonormalise_unconstrained()
   {
@@ -198,8 +206,8 @@ namespace Signorini
 
   namespace
   {
-    /// Sums of the forces on the nodes that a mode moves. The degrees of freedom of a node follow
-    /// each other, dim by dim.
+    /// Sums of the forces on the nodes that a mode moves, over all ranks. The degrees of freedom of
+    /// a node are dim consecutive ones. Collective.
     struct ForcesOnMovingParts
     {
       double              sum = 0;   ///< sum of absolute values
@@ -231,6 +239,10 @@ namespace Signorini
 
 
 
+  // Remove z (z.r) from r for each unconstrained mode, if that force is small compared to the
+  // contact forces on the nodes that the mode moves. Contact forces of unilateral pairs count with
+  // their absolute values, those of bilateral pairs, which may have both signs, with their
+  // resultant.
   double
   UnconstrainedModes::project_out(LA::Vector         &r,
                                   const PointVectors &p,
@@ -281,6 +293,9 @@ namespace Signorini
 
 
 
+  // Move along the combination of unconstrained modes that the forces r excite (doc/theory,
+  // (4.20)): the rate of each gap, the first gap that closes, and one more displacement of the same
+  // size so that the point becomes active. Collective.
   bool
   UnconstrainedModes::move_into_contact(LA::Vector &u, const LA::Vector &r) const
   {

@@ -57,10 +57,13 @@ namespace Signorini
       return my_unconstrainable;
     }
 
-    /// Names of the unconstrained modes: all of them, or those along which the forces r are not in
-    /// equilibrium, relative to the force `scale`. "ball: translation z"
+    /// Names of the unconstrained modes, such as "ball: translation z".
     std::vector<std::string>
     unconstrained() const;
+    /// Names of the unconstrained modes along which the forces r are not in equilibrium.
+    /// Collective.
+    /// @param scale force below which a mode counts as unloaded, relative to its largest
+    /// displacement
     std::vector<std::string>
     loaded(const LA::Vector &r, double scale) const;
 

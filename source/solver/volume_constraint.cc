@@ -15,6 +15,7 @@ namespace Signorini
 
   namespace
   {
+    /// Constraints of the volumetric stress: there are none.
     AffineConstraints<double>
     none()
     {
@@ -48,6 +49,8 @@ namespace Signorini
 
 
 
+  // The pattern of B_m, and the diagonals of C_m and of the Schur complement (doc/theory, (6.20),
+  // (7.13)), which depend on materials and cells only.
   template <int dim>
   void
   VolumeConstraint<dim>::make_pattern()
@@ -79,6 +82,8 @@ namespace Signorini
 
 
 
+  // Visit the owned cells of bodies in displacement-pressure form; `visit` returns true if a cell
+  // is inverted, which throws SolverFailure on all ranks afterwards. Collective.
   template <int dim>
   void
   VolumeConstraint<dim>::for_cells(const std::function<bool(const Cell &)> &visit) const
@@ -101,6 +106,7 @@ namespace Signorini
 
 
 
+  // r_m of doc/theory, (6.19): C_m m - int phi theta_v dV, at an origin extended by the derivative.
   template <int dim>
   LA::Vector
   VolumeConstraint<dim>::residual(const LA::Vector &u) const
@@ -135,6 +141,7 @@ namespace Signorini
 
 
 
+  // B_m at u, or at the origin if there is one; at small strain it is assembled only once.
   template <int dim>
   void
   VolumeConstraint<dim>::linearise(const LA::Vector &u)
@@ -170,6 +177,9 @@ namespace Signorini
 
 
 
+  // If all materials of a body are incompressible, the constant part of m is determined only by the
+  // displacement of free surfaces: B_m^T applied to a constant must not vanish. It is compared with
+  // that of a checkerboard-like field. Throws SceneError. Collective.
   template <int dim>
   void
   VolumeConstraint<dim>::check_determined() const

@@ -15,10 +15,12 @@ namespace Signorini
 
   namespace
   {
-    /// Something that has all frequencies, times a function that is largest where the rows are
-    /// heavy beside their diagonal. There are the few badly shaped cells to which the largest
-    /// eigenvalue of the scaled matrix belongs; from a start that is the same everywhere, one among
-    /// millions is not found in time.
+    /// A start vector for the estimate of the largest eigenvalue of D^-1 K: an oscillation times a
+    /// function that is largest where the row sums are large beside the diagonal. The eigenvector
+    /// is localised at the few badly shaped cells there; from a start that is equally large
+    /// everywhere, one cell among millions would not be found in a few steps. Collective.
+    /// @param row_l1_norms l1 norms of the rows of K; @param inverse_diagonal 1/D, zero for empty
+    /// rows
     std::vector<float>
     stiff_oscillation(std::vector<float>        row_l1_norms,
                       const std::vector<float> &inverse_diagonal,
@@ -44,6 +46,8 @@ namespace Signorini
 
 
 
+  // Set up the levels of the hierarchy. Eigenvalues are estimated once, with the largest contact
+  // stiffness everywhere, so that the smoother is stable for any active set. Collective.
   AMG::AMG(const Hierarchy &hierarchy, const GapOperator *contact)
     : coarsest_K(hierarchy.coarsest_matrix())
     , direct(LA::DirectLibrary::KLU)
@@ -68,7 +72,8 @@ namespace Signorini
         if (level.n_visits == 2)
           level.first.resize(level.diagonal_K.size());
       }
-    // With springs everywhere eigenvalues are largest: these bounds hold for any active set.
+    // With contact stiffness at all points eigenvalues are largest: the bounds hold for any active
+    // set.
     if (contact_stiffness)
       contact_stiffness->stiffen();
     for (auto &level : levels)
@@ -96,6 +101,8 @@ namespace Signorini
 
 
 
+  // After a change of the contact stiffness only diagonals and the factorisation of the coarsest
+  // level change.
   void
   AMG::update()
   {
@@ -173,11 +180,12 @@ namespace Signorini
 
 
 
+  // Chebyshev smoother x <- x + p(D^-1 A) D^-1 r with the recurrence (7.2) and the bounds (7.3).
   void
   AMG::smooth(const Level &level, const bool from_zero) const
   {
-    // Chebyshev polynomial on the upper part of the spectrum (Saad, Iterative Methods for Sparse
-    // Linear Systems, algorithm 12.1).
+    // Chebyshev polynomial on the upper part of the spectrum, from Lambda/20 to Lambda = 1.1 times
+    // the estimate (Saad, Iterative Methods for Sparse Linear Systems, algorithm 12.1).
     const double largest = 1.1 * level.largest_eigenvalue, smallest = largest / 20;
     const double theta = (largest + smallest) / 2, delta = (largest - smallest) / 2;
     const double sigma = theta / delta;
@@ -215,6 +223,9 @@ namespace Signorini
 
 
 
+  // One cycle on level l: smooth, restrict the residual, solve on the next level (once, or twice
+  // for a W-cycle), prolongate, smooth. The same number of smoothing steps before and after makes
+  // the cycle symmetric. Recursion ends at the coarsest level.
   void
   AMG::cycle(const unsigned int l) const
   {
@@ -228,7 +239,8 @@ namespace Signorini
     const Level &next = *levels[l + 1];
     level.P->Tvmult(next.right.data(), residual(level));
     cycle(l + 1);
-    if (next.P && next.n_visits == 2) // what is left, once more
+    // W-cycle: solve once more for the residual.
+    if (next.P && next.n_visits == 2)
       {
         next.first              = next.x;
         const float *const rest = residual(next);
@@ -249,10 +261,11 @@ namespace Signorini
     ++n_cycles;
     if (levels.size() == 1)
       {
-        direct.solve(dst, src); // small, and exact then
+        // A single level is factorised, so that the cycle is exact.
+        direct.solve(dst, src);
         return;
       }
-    // Of size one, so that single precision has room, whatever the units.
+    // Vectors are scaled to size one, for the range of single precision with any units.
     const double size = src.linfty_norm();
     if (size == 0)
       {

@@ -50,6 +50,7 @@ namespace Signorini
       mutable std::vector<float> x, right, step, first;
     };
 
+    /// Update diagonals and the factorisation after a change of the contact stiffness.
     void
     update();
     void
@@ -59,14 +60,17 @@ namespace Signorini
     void
     factorise();
 
+    /// (K + B^T D B) x; the array is valid until the next product. Collective.
     float *
     multiply(const Level &level, const float *x) const;
     float *
     residual(const Level &level) const;
+    /// Apply the Chebyshev smoother to x. @param from_zero x is zero initially
     void
     smooth(const Level &level, bool from_zero) const;
     void
     solve_coarsest(const Level &level) const;
+    /// One cycle for the right-hand side of level l; the result is its x.
     void
     cycle(unsigned int l) const;
 

@@ -7,6 +7,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // With an augmentation, a condensed contact system with the stiffness gamma k W at closed points
+  // takes the place of K; it is preconditioned by interface multigrid.
   BlockPreconditioner::BlockPreconditioner(const Form                  form,
                                            const LinearSolverSettings &settings,
                                            const ContactSystem        &system,
@@ -39,6 +41,7 @@ namespace Signorini
 
 
 
+  // The augmentation acts at the closed points of the present active set.
   void
   BlockPreconditioner::update()
   {
@@ -63,6 +66,7 @@ namespace Signorini
 
 
 
+  // S^-1, with the term gamma/(k W) of an augmentation for the pressure (doc/theory, (7.11)).
   void
   BlockPreconditioner::solve_schur(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
@@ -86,6 +90,7 @@ namespace Signorini
 
 
 
+  // One application of (7.9), and of (7.10) for SIMPLE.
   void
   BlockPreconditioner::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
@@ -110,7 +115,7 @@ namespace Signorini
         solve_schur(dst, src);
         return;
       }
-    // The second row, (-C B u), taken from the right-hand side.
+    // The second block row uses the first result: r_q - (-C B u).
     LA::BlockVector rest = src, found = src;
     found          = 0;
     found.block(0) = dst.block(0);
@@ -122,6 +127,7 @@ namespace Signorini
       dst.block(b) *= -1;
     if (form == triangular)
       return;
+    // SIMPLE: correct the displacement by diag(K)^-1 B^T A q.
     LA::Vector force;
     force.reinit(dst.block(0));
     for (unsigned int a = 0; a < system.n_multiplier_blocks(); ++a)

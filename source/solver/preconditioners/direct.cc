@@ -5,6 +5,7 @@ namespace Signorini
 {
   namespace
   {
+    /// A marker of all degrees of freedom.
     LA::Vector
     everywhere(const ContactSystem &system)
     {

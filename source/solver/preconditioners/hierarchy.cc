@@ -5,6 +5,7 @@
 
 namespace Signorini
 {
+  // Spaces first, then aggregates of the coarsest space that has a matrix. Collective.
   Hierarchy::Hierarchy(const Stiffness                        &stiffness,
                        std::vector<Level>                      spaces,
                        const std::vector<std::vector<double>> &modes,

@@ -9,8 +9,9 @@ namespace Signorini
 
   namespace
   {
-    /// The contact stiffness for the multigrid levels: that of the system at closed points,
-    /// unlimited where a multiplier enforces the constraint.
+    /// The contact stiffness for the multigrid levels [force/length]: that of the system at closed
+    /// points, the largest number where a multiplier enforces the constraint (LevelContactStiffness
+    /// limits it).
     PointVectors
     contact_stiffness(const ContactSystem &system)
     {
@@ -45,6 +46,8 @@ namespace Signorini
 
 
 
+  // A new active set changes the contact stiffness of the levels and the interface solve:
+  // diagonals, one factorisation on the coarsest level, one of the interface. Collective.
   void
   InterfaceMultigrid::update()
   {
@@ -71,6 +74,8 @@ namespace Signorini
 
 
 
+  // Apply the preconditioner to a vector of displacements, for block preconditioners with
+  // augmentation.
   void
   InterfaceMultigrid::solve(LA::Vector &dst, const LA::Vector &src) const
   {
@@ -82,6 +87,7 @@ namespace Signorini
 
 
 
+  // The preconditioner (7.6), or (7.7) where residuals vanish on the interface.
   void
   InterfaceMultigrid::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
@@ -95,6 +101,7 @@ namespace Signorini
 
 
 
+  // The full form (7.6): interface solve, residual, then cycle and interface solve.
   void
   InterfaceMultigrid::correct_first(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
@@ -110,6 +117,7 @@ namespace Signorini
 
 
 
+  // The form (7.7): multigrid cycle, then interface solve for the rest of the residual.
   void
   InterfaceMultigrid::cycle_and_correct(LA::BlockVector &dst, const LA::BlockVector &src) const
   {

@@ -15,8 +15,8 @@ namespace Signorini
 
   namespace
   {
-    /// The group of each local row: rows with the same columns, those of points between the same
-    /// two faces, form one group.
+    /// The group of each local row. Consecutive rows with the same columns, those of points between
+    /// the same two faces, form a group.
     std::vector<unsigned int>
     groups_of(const LA::SparseMatrix &B, const int n_rows)
     {
@@ -31,7 +31,8 @@ namespace Signorini
       return groups;
     }
 
-    /// Each group's mean rows, weighted: those of one component behind those of the other.
+    /// The mean row of each group, weighted with the areas of its points, for each component; rows
+    /// of one component follow those of the other.
     LA::SparseMatrix
     mean_gap_rows(const GapOperator               &contact,
                   const std::vector<unsigned int> &groups,
@@ -58,7 +59,7 @@ namespace Signorini
       return mean.finish();
     }
 
-    /// The matrix b^T D b on the columns of this rank.
+    /// The dense matrix B^T D B over the columns of this rank, for the coarsest level.
     FullMatrix<double>
     local_contact_stiffness(const LA::SparseMatrix &b,
                             const LA::Vector       &D,
@@ -82,6 +83,8 @@ namespace Signorini
 
 
 
+  // Rows on all levels, B_(l+1) = B_l P_l (doc/theory, (7.4)), and the limits 6 k W of the groups.
+  // Made once for each search; collective.
   LevelContactStiffness::LevelContactStiffness(const Hierarchy   &hierarchy,
                                                const GapOperator &contact)
     : groups(groups_of(contact.B_free, contact.weight.locally_owned_size()))
@@ -109,6 +112,7 @@ namespace Signorini
 
 
 
+  // The contact stiffness of a group is the sum over its points, at most its limit.
   void
   LevelContactStiffness::set(const PointVectors &contact_stiffness)
   {
@@ -152,6 +156,7 @@ namespace Signorini
 
 
 
+  // Add diagonal entries, or sums of absolute values of rows, of B^T D B of a level. Collective.
   void
   LevelContactStiffness::add_contact_stiffness(const Level  &level,
                                                const Entries entries,

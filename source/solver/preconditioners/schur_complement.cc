@@ -18,7 +18,8 @@ namespace Signorini
 
   namespace
   {
-    /// The diagonal of B_a diag(K)^-1 B_a^T for each component a.
+    /// The diagonal of B_a diag(K)^-1 B_a^T for each component a: the flexibility of single points
+    /// [length/force, per area]. Collective.
     PointVectors
     point_flexibility(const Stiffness &K, const GapOperator &contact)
     {
@@ -106,8 +107,8 @@ namespace Signorini
 
 
 
-    /// C + I: the multipliers' lumped mass times E/h, which is how the flexibility of a cell
-    /// scales.
+    /// The approximation C + I, the lumped mass of the multipliers times E/h, since the flexibility
+    /// of a cell is of the order h/E.
     class Mass : public Diagonal
     {
     public:
@@ -123,7 +124,8 @@ namespace Signorini
 
 
 
-    /// C B K_zz^-1 B^T A + I with the stiffness K_zz of the contact zone.
+    /// The approximation C B K_zz^-1 B^T A + I with the stiffness K_zz of the active interface, by
+    /// one factorisation for each active set.
     class InterfaceSchur : public SchurComplement
     {
     public:
@@ -163,9 +165,10 @@ namespace Signorini
 
 
 
-    /// C B V B^T A + I with one multigrid cycle for K^-1, solved by a few steps of CG, or GMRES if
-    /// the law is not symmetric. It sees that the flexibility of the bodies reaches far, which the
-    /// others do not, at a multigrid cycle a step.
+    /// C B V B^T A + I with one multigrid cycle V for K^-1, solved to a tenth by at most 20 steps
+    /// of CG, or of GMRES if the law is not symmetric. It contains the long-range flexibility of
+    /// the bodies, which the other approximations do not; each step costs a multigrid cycle. Not a
+    /// linear operation.
     class Multigrid : public SchurComplement
     {
     public:
@@ -233,6 +236,7 @@ namespace Signorini
         }
       };
 
+      /// Preconditioner of the inner iteration: the diagonal approximation.
       struct Jacobi
       {
         const Multigrid &schur;

@@ -15,6 +15,8 @@ namespace Signorini
 
 
 
+  // The block triangular preconditioner (7.13): x_m = -S_m^-1 r_m, then the other unknowns with r_u
+  // - B_m^T x_m.
   void
   VolumetricSchur::vmult(LA::BlockVector &dst, const LA::BlockVector &src) const
   {
@@ -26,7 +28,7 @@ namespace Signorini
       values[i] /= divisor[i];
     rest             = src;
     rest.block(last) = 0;
-    volumetric.B.Tvmult_add(rest.block(0), m); // r_u - B^T (-m)
+    volumetric.B.Tvmult_add(rest.block(0), m);
     others->vmult(dst, rest);
     dst.block(last) = m;
     dst.block(last) *= -1;
