@@ -50,12 +50,12 @@ namespace Signorini
                               std::ostream     &stream,
                               const bool        is_restart)
     : scene(scene)
-    , decisions(this->scene)
     , comm(comm)
     , out(stream, Utilities::MPI::this_mpi_process(comm) == 0)
     // Each rank measures its own times: there are no barriers, and no rank waits for one that has
     // failed.
     , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
+    , problem(this->scene, comm, out, timer, [this] { return watch(); })
     , control(this->scene.goals, this->scene.refinement)
     , tolerance(std::max(scene.newton.tolerance, scene.refinement.tolerance))
     , is_restart(is_restart)
@@ -66,8 +66,8 @@ namespace Signorini
     out << "\n"
         << scene.contact.chosen_name() << ", " << Utilities::MPI::n_mpi_processes(comm) << " ranks"
         << std::endl;
-    if (!decisions.reason.empty())
-      out << "  chosen: " << decisions.reason << std::endl;
+    if (!problem.decisions.reason.empty())
+      out << "  chosen: " << problem.decisions.reason << std::endl;
     for (const SkippedItem &one : skipped_in(scene.skipped_items))
       out << "  not imported: " << one.kind << ": " << one.what << std::endl;
     for (const std::string &note : scene.notes)
@@ -84,7 +84,7 @@ namespace Signorini
     if (is_restart)
       if (const auto code = code_of_finished_run())
         return *code;
-    recorder     = std::make_unique<Recorder<dim>>(decisions, clock, timer, comm, is_restart);
+    recorder = std::make_unique<Recorder<dim>>(problem.decisions, clock, timer, comm, is_restart);
     interruption = std::make_unique<Interruption>(clock, 60 * scene.output.time_limit, comm);
     if (!recorder->note().empty())
       out << "  note: " << recorder->note() << std::endl;
@@ -120,30 +120,30 @@ namespace Signorini
         set_up();
         for (; position.cycle < scene.maximum_cycles(); ++position.cycle)
           {
-            equilibrium->find_contact();
+            problem.equilibrium->find_contact();
             report_set_up();
             pass_checkpoint();
             if (!solve_for_estimate())
-              return finish(report());
+              return finish(problem.report());
             if (!improve(control))
               break;
           }
         // The loop may end on a mesh on which contact was not searched for yet.
         if (!end_judged_on)
           {
-            equilibrium->find_contact();
+            problem.equilibrium->find_contact();
             report_set_up();
           }
         // A restart between two load steps continues with the active set of the last one.
         if (position.step > 0)
-          equilibrium->configuration_solver.restore_active_set();
+          problem.equilibrium->configuration_solver.restore_active_set();
         pass_checkpoint();
         run_load_history();
-        if (report().converged && !scene.goals.quantities.empty())
+        if (problem.report().converged && !scene.goals.quantities.empty())
           estimate_result();
-        if (report().converged && scene.output.linear_reference)
+        if (problem.report().converged && scene.output.linear_reference)
           compare_with_linear_solve();
-        return finish(report());
+        return finish(problem.report());
       }
     catch (const SolverFailure &failure)
       {
@@ -166,7 +166,7 @@ namespace Signorini
   {
     only_checks = true;
     set_up();
-    equilibrium->find_contact();
+    problem.equilibrium->find_contact();
     report_set_up();
     out << "The scene is complete; nothing was solved." << std::endl;
   }
@@ -182,42 +182,19 @@ namespace Signorini
       TimerOutput::Scope scope(timer, "mesh");
       if (former)
         restore_decisions();
-      mesh = make_mesh(decisions, comm);
-      if (decisions.pairs_are_open)
-        {
-          decisions.pairs          = automatic_pairs(scene, *mesh, out);
-          decisions.pairs_are_open = false;
-          decisions.check();
-          // The mesh is made again: contact surfaces are refined, and weigh more in its
-          // distribution.
-          mesh = make_mesh(decisions, comm);
-        }
+      problem.make_mesh();
     }
     TimerOutput::Scope scope(timer, "setup");
     if (former)
       restore_mesh();
-    elasticity = make_elasticity(decisions, *mesh);
-    elasticity->setup();
-    state.displacement = elasticity->zero_vector();
-    set_up_contact();
+    problem.set_up();
     if (former)
       restore_state();
 
-    if (elasticity->has_unsupported_modes() && scene.output.linear_reference)
+    if (problem.elasticity->has_unsupported_modes() && scene.output.linear_reference)
       throw SceneError(
         "Output/Linear reference = yes: without contact the bodies have unconstrained "
         "rigid-body modes; set it to no");
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::set_up_contact()
-  {
-    contact     = std::make_unique<ContactInterfaces<dim>>(decisions, *elasticity, timer, out);
-    equilibrium = std::make_unique<Equilibrium<dim>>(
-      decisions, *elasticity, *contact, state, timer, out, [this] { return watch(); });
   }
 
 
@@ -228,21 +205,24 @@ namespace Signorini
   // expected results, before anything is solved.
   Simulation<dim>::report_set_up()
   {
-    out << "\nMesh " << position.cycle << ": " << elasticity->dof_handler().n_dofs()
-        << " degrees of freedom, " << mesh->triangulation().n_global_active_cells() << " cells"
-        << std::endl;
+    out << "\nMesh " << position.cycle << ": " << problem.elasticity->dof_handler().n_dofs()
+        << " degrees of freedom, " << problem.mesh->triangulation().n_global_active_cells()
+        << " cells" << std::endl;
     if (recorder)
-      recorder->add_sizes(*elasticity,
-                          contact->surfaces(),
-                          contact->gap_operator(),
-                          contact->skipped_items());
+      recorder->add_sizes(*problem.elasticity,
+                          problem.contact->surfaces(),
+                          problem.contact->gap_operator(),
+                          problem.contact->skipped_items());
     if (position.cycle > 0 || is_restored)
       return;
-    equilibrium->configuration_solver.check_motions();
+    problem.equilibrium->configuration_solver.check_motions();
     check_requests();
     TimerOutput::Scope scope(timer, "preflight");
-    const Json         report = Signorini::preflight(
-      decisions, *elasticity, contact->surfaces(), contact->gap_operator(), clock.wall_time());
+    const Json         report = Signorini::preflight(problem.decisions,
+                                             *problem.elasticity,
+                                             problem.contact->surfaces(),
+                                             problem.contact->gap_operator(),
+                                             clock.wall_time());
     std::ostringstream text;
     print_preflight(report, text, only_checks);
     out << text.str() << std::flush;
@@ -260,19 +240,19 @@ namespace Signorini
   {
     // On a mesh that is still to be refined, curved surfaces are not yet at their final positions.
     const bool is_final = scene.maximum_cycles() == 0;
-    check_probes(*elasticity,
-                 decisions.pairs,
+    check_probes(*problem.elasticity,
+                 problem.decisions.pairs,
                  scene.output.probes,
                  is_final ? probe_tolerance : 0.5);
     if (scene.expected.empty())
       return;
-    const ContactState  nothing = open_contact(contact->gap_operator());
-    const LA::Vector    gap     = contact->gap_operator().gap(state.displacement);
-    const Snapshot<dim> start{*elasticity,
-                              decisions.pairs,
-                              contact->surfaces(),
-                              contact->gap_operator(),
-                              state.displacement,
+    const ContactState  nothing = open_contact(problem.contact->gap_operator());
+    const LA::Vector    gap     = problem.contact->gap_operator().gap(problem.state.displacement);
+    const Snapshot<dim> start{*problem.elasticity,
+                              problem.decisions.pairs,
+                              problem.contact->surfaces(),
+                              problem.contact->gap_operator(),
+                              problem.state.displacement,
                               gap,
                               nothing.pressure(),
                               nothing.status,
@@ -318,24 +298,24 @@ namespace Signorini
     // Only the end counts, and mostly it is found at once.
     const double end = scene.load_steps.end_time;
     n_steps          = 0;
-    if (solve(end, tolerance))
+    if (problem.solve(end, tolerance))
       {
-        n_steps = report().steps.size();
+        n_steps = problem.report().steps.size();
         return true;
       }
-    if (report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
+    if (problem.report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
       return false;
-    out << "  no convergence in one load step (" << report().reason
+    out << "  no convergence in one load step (" << problem.report().reason
         << "): applying the load in steps" << std::endl;
     State nothing;
-    nothing.displacement = elasticity->zero_vector();
+    nothing.displacement = problem.elasticity->zero_vector();
     nothing.contact      = SurfaceField(dim);
-    equilibrium->set_state(nothing, equilibrium->uses_current_geometry());
-    equilibrium->configuration_solver.restore_active_set();
+    problem.equilibrium->set_state(nothing, problem.equilibrium->uses_current_geometry());
+    problem.equilibrium->configuration_solver.restore_active_set();
     Position start;
     start.longest = end / 2;
     return apply_load_history(tolerance, start, [&](auto) {
-      n_steps += report().steps.size();
+      n_steps += problem.report().steps.size();
       return true;
     });
   }
@@ -393,10 +373,11 @@ namespace Signorini
             const double next = end - t <= 1.001 * longest ? end : t + longest;
             if (ends.size() > 1 || next < end)
               out << "  load step " << number + 1 << ", t = " << next << std::endl;
-            if (solve(next, tolerance))
+            if (problem.solve(next, tolerance))
               {
-                longest = scene.load_steps.next_length(next - t, report().steps.size(), longest);
-                t       = next;
+                longest =
+                  scene.load_steps.next_length(next - t, problem.report().steps.size(), longest);
+                t              = next;
                 shortest_tried = 0;
                 if (!visit(++number))
                   return false;
@@ -404,11 +385,12 @@ namespace Signorini
             else
               {
                 longest = (next - t) / 2;
-                if (longest < 0.999 * shortest || report().has_unconstrained_modes)
+                if (longest < 0.999 * shortest || problem.report().has_unconstrained_modes)
                   return false;
-                out << "  no convergence (" << report().reason
-                    << (report().tangent_is_indefinite ? "; the tangent was not positive definite" :
-                                                         "")
+                out << "  no convergence (" << problem.report().reason
+                    << (problem.report().tangent_is_indefinite ?
+                          "; the tangent was not positive definite" :
+                          "")
                     << "): halving the load step" << std::endl;
                 shortest_tried = longest;
               }
@@ -425,30 +407,16 @@ namespace Signorini
   Simulation<dim>::record_step(const unsigned int step)
   {
     TimerOutput::Scope scope(timer, "output");
-    recorder->add_contact_geometry(equilibrium->neglected(), equilibrium->uses_current_geometry());
-    recorder->add_deformation(neglected_work, elasticity->is_finite_strain());
-    const Snapshot<dim> now = equilibrium->snapshot(step);
+    recorder->add_contact_geometry(problem.equilibrium->neglected(),
+                                   problem.equilibrium->uses_current_geometry());
+    recorder->add_deformation(problem.neglected_work, problem.elasticity->is_finite_strain());
+    const Snapshot<dim> now = problem.equilibrium->snapshot(step);
     if (after_step)
       after_step(now);
-    recorder->add_step(now, report(), multigrid_cycles(), std::exchange(of_step, {}));
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Simulation<dim>::multigrid_cycles() const
-  {
-    return former_cycles + equilibrium->configuration_solver.multigrid_cycles();
-  }
-
-
-
-  template <int dim>
-  double
-  Simulation<dim>::mesh_seconds() const
-  {
-    return former_seconds + Utilities::MPI::max(equilibrium->configuration_solver.seconds(), comm);
+    recorder->add_step(now,
+                       problem.report(),
+                       problem.multigrid_cycles(),
+                       std::exchange(of_step, {}));
   }
 
 
@@ -457,12 +425,12 @@ namespace Signorini
   void
   Simulation<dim>::compare_with_linear_solve()
   {
-    const double          seconds = mesh_seconds(), cycles = multigrid_cycles();
+    const double          seconds = problem.mesh_seconds(), cycles = problem.multigrid_cycles();
     const LinearReference linear = [&]() {
       // The solver refers to the stiffness matrix.
-      equilibrium->configuration_solver.release();
+      problem.equilibrium->configuration_solver.release();
       TimerOutput::Scope scope(timer, "linear reference");
-      return solve_without_contact(*elasticity, scene.solver, scene.newton.tolerance);
+      return solve_without_contact(*problem.elasticity, scene.solver, scene.newton.tolerance);
     }();
     recorder->add_linear_reference(linear, seconds, cycles);
   }
@@ -498,30 +466,30 @@ namespace Signorini
   {
     if (!end.converged && end.tangent_is_indefinite)
       end.reason +=
-        (state.time > 0 ? "; the last converged load step ends at t = " + short_text(state.time) +
-                            ", and beyond it" :
-                          std::string("; no load step converged, and")) +
+        (problem.state.time > 0 ? "; the last converged load step ends at t = " +
+                                    short_text(problem.state.time) + ", and beyond it" :
+                                  std::string("; no load step converged, and")) +
         " the tangent was not positive definite: near a snap-through or buckling point no "
         "equilibrium exists under load control" +
         (is_driven_by_forces(scene) ? "; use displacement control" : "");
     else if (!end.converged && !is_interrupted && shortest_tried > 0)
       end.reason +=
         "; load steps down to " + short_text(shortest_tried) +
-        " were tried from t = " + short_text(state.time) +
+        " were tried from t = " + short_text(problem.state.time) +
         ": where contact slides off a corner or an edge, or a snap fit releases, no neighbouring "
         "equilibrium exists, and no load step is small enough" +
-        (state.time > 0 ? "; set Load steps/End time = " + short_text(state.time) +
-                            " to obtain the solution up to there" :
-                          "");
-    recorder->add_sizes(*elasticity,
-                        contact->surfaces(),
-                        contact->gap_operator(),
-                        contact->skipped_items());
+        (problem.state.time > 0 ? "; set Load steps/End time = " + short_text(problem.state.time) +
+                                    " to obtain the solution up to there" :
+                                  "");
+    recorder->add_sizes(*problem.elasticity,
+                        problem.contact->surfaces(),
+                        problem.contact->gap_operator(),
+                        problem.contact->skipped_items());
     std::ostringstream text;
     if (!end.converged)
       write_final_checkpoint();
     if (!end.converged && !is_interrupted)
-      if (const auto last = equilibrium->failure(position.step + 1))
+      if (const auto last = problem.equilibrium->failure(position.step + 1))
         recorder->add_failure(*last, end);
     const ExitCode code = recorder->finish(end, text, is_interrupted);
     // The checkpoints are removed only after the results say that the run is complete.

@@ -5,8 +5,7 @@
 #include "accuracy/refinement.h"
 #include "base/interruption.h"
 #include "checkpoint/checkpoints.h"
-#include "driver/equilibrium.h"
-#include "driver/state.h"
+#include "driver/problem.h"
 #include "output/recorder.h"
 #include "scene/decisions.h"
 #include "solver/newton.h"
@@ -62,9 +61,6 @@ namespace Signorini
     solve_scene();
     void
     set_up();
-    /// Set up the contact interfaces for the present bodies.
-    void
-    set_up_contact();
     void
     report_set_up();
     /// Check probes and expected results before anything is solved. Throws SceneError.
@@ -73,14 +69,6 @@ namespace Signorini
     /// Solve the end of the load history on a mesh that is still to be refined.
     bool
     solve_for_estimate();
-    /// Solve at time t, starting from the last state; at finite strain where that is needed, see
-    /// simulation_deformation.cc.
-    bool
-    solve(double t, double tolerance);
-    /// Change to the supports that act at time t, on the same mesh and from the same state;
-    /// whatever depends on the constraints is rebuilt.
-    void
-    change_supports(double t);
     /// Solve all load steps on the last mesh.
     void
     run_load_history();
@@ -94,39 +82,12 @@ namespace Signorini
     /// Write the results of a load step.
     void
     record_step(unsigned int step);
-    const NewtonReport &
-    report() const
-    {
-      return equilibrium->report();
-    }
-    /// Multigrid cycles of the solves on this mesh.
-    unsigned int
-    multigrid_cycles() const;
-    /// Wall time of the solves on this mesh [s], the largest of all ranks.
-    double
-    mesh_seconds() const;
     /// Solve the bodies without contact, and record the ratio of costs.
     void
     compare_with_linear_solve();
     /// Write the results and the messages of the end. @return the exit code
     ExitCode
     finish(NewtonReport end);
-
-    // Small or finite strain, in simulation_deformation.cc:
-
-    /// True if the error of small strain in the last solution is acceptable. Collective.
-    bool
-    is_small_enough();
-    /// Switch to finite strain. Throws SceneError where the model uses features of small strain
-    /// only.
-    void
-    switch_to_finite_strain(const State &before);
-    /// Replace the elasticity on the same mesh. @param known ContactInterfaces::save()
-    void
-    replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
-                       const State                     &carried,
-                       bool                             uses_current_geometry,
-                       const Json                      &known);
 
     // Errors, in simulation_accuracy.cc:
 
@@ -144,9 +105,6 @@ namespace Signorini
     /// solved on a finer mesh.
     bool
     improve_step();
-    /// Raise the degree of these bodies to 2 on the same mesh.
-    void
-    p_refine(const std::vector<unsigned int> &bodies);
     /// Estimate the errors of the last solution and add them to the history. A mesh that was
     /// refined for other load steps is no new mesh for the end: the change of its values indicates
     /// nothing about refinement for the end.
@@ -201,18 +159,13 @@ namespace Signorini
     watch();
 
     const Scene<dim>           scene;
-    Decisions<dim>             decisions;
     const MPI_Comm             comm;
     dealii::ConditionalOStream out;
     dealii::TimerOutput        timer;
     /// Wall time since the start.
     dealii::Timer clock;
 
-    std::unique_ptr<Mesh<dim>>              mesh;
-    std::unique_ptr<Elasticity<dim>>        elasticity;
-    std::unique_ptr<ContactInterfaces<dim>> contact;
-    State                                   state;
-    std::unique_ptr<Equilibrium<dim>>       equilibrium;
+    Problem<dim> problem;
     /// Null if nothing is written (preflight).
     std::unique_ptr<Recorder<dim>> recorder;
     bool                           only_checks = false;
@@ -228,16 +181,10 @@ namespace Signorini
     double last_mesh_at = 0;
     /// Bodies whose degree becomes 2 on the next mesh.
     std::vector<unsigned int> next_quadratic;
-    /// The largest relative work error of small strain so far, with Deformation = automatic.
-    std::optional<double> neglected_work;
     /// Why targets were missed, for a message; empty: no reason is known.
     std::string reason_targets_missed;
     /// The accuracy of the last load step, for its results; null: not estimated.
     Json of_step;
-    /// Multigrid cycles and solution time on this mesh before a restart or a change of supports.
-    unsigned int former_cycles  = 0;
-    double       former_seconds = 0;
-
     /// The state of a checkpoint, without the results: a copy, since attempts to solve change the
     /// original.
     struct CheckpointState

@@ -76,7 +76,7 @@ namespace Signorini
         if (control.is_met(true) || !reason_targets_missed.empty())
           return false;
         const double stiffening = control.stiffening();
-        decisions.penalty_factor *= stiffening;
+        problem.decisions.penalty_factor *= stiffening;
         accuracy["stiffening"] = stiffening;
         if (stiffening > 1)
           out << "  penalties times " << short_text(stiffening) << std::endl;
@@ -85,23 +85,14 @@ namespace Signorini
     if (!mark(control, estimate))
       return false;
     if (!is_end)
-      accuracy["time"] = state.time;
-    recorder->add_cycle(n_steps, multigrid_cycles(), accuracy);
+      accuracy["time"] = problem.state.time;
+    recorder->add_cycle(n_steps, problem.multigrid_cycles(), accuracy);
     // The state of the last checkpoint belongs to the old mesh.
     checkpoint_state.reset();
-    former_cycles  = 0;
-    former_seconds = 0;
-    equilibrium->configuration_solver.release();
     if (next_quadratic.empty())
-      {
-        std::vector<LA::Vector *> displacements = {&state.displacement};
-        if (state.start.displacement.size() > 0)
-          displacements.push_back(&state.start.displacement);
-        refine(*mesh, *elasticity, displacements);
-        equilibrium->invalidate();
-      }
+      problem.refine_mesh();
     else
-      p_refine(std::exchange(next_quadratic, {}));
+      problem.p_refine(std::exchange(next_quadratic, {}));
     if (is_end)
       end_judged_on.reset();
     return true;
@@ -118,23 +109,25 @@ namespace Signorini
     const std::vector<double> indicators = control.indicators(estimate.cells, comm);
     if (!scene.goals.has_targets())
       {
-        mark_cells(scene.refinement, *mesh, indicators);
+        mark_cells(scene.refinement, *problem.mesh, indicators);
         return true;
       }
     if (control.needs_mesh())
       {
-        next_quadratic =
-          bodies_to_p_refine(*mesh, indicators, decisions.open_degrees, control.excess_error());
+        next_quadratic = bodies_to_p_refine(*problem.mesh,
+                                            indicators,
+                                            problem.decisions.open_degrees,
+                                            control.excess_error());
         if (next_quadratic.empty())
-          mark_share(scene.refinement, *mesh, indicators, control.share());
+          mark_share(scene.refinement, *problem.mesh, indicators, control.share());
       }
     // Meshes of single load steps are only refined, since other load steps need their fine cells.
     if (&control != &this->control)
-      forbid_coarsening(*mesh);
-    const double of_cells = growth(*mesh),
-                 factor   = of_cells * growth_of_p_refinement(*mesh, next_quadratic),
+      forbid_coarsening(*problem.mesh);
+    const double of_cells = growth(*problem.mesh),
+                 factor   = of_cells * growth_of_p_refinement(*problem.mesh, next_quadratic),
                  now      = clock.wall_time();
-    const double cells    = of_cells * mesh->triangulation().n_global_active_cells();
+    const double cells    = of_cells * problem.mesh->triangulation().n_global_active_cells();
     const double seconds  = 1.3 * factor * (now - std::exchange(last_mesh_at, now)),
                  limit    = 60 * scene.goals.time_limit;
     if (cells > scene.refinement.maximum_cells)
@@ -147,7 +140,7 @@ namespace Signorini
       reason_targets_missed = "the next mesh would not fit into memory";
     if (!reason_targets_missed.empty())
       {
-        clear_marks(*mesh);
+        clear_marks(*problem.mesh);
         return false;
       }
     out << "  next: ";
@@ -158,30 +151,6 @@ namespace Signorini
       out << "degree 2 for " << names_of(next_quadratic, scene.bodies);
     out << ", " << short_text(seconds, 2) << " s" << std::endl;
     return true;
-  }
-
-
-
-  // Raise the degree of bodies to 2 on the same mesh; displacements are interpolated, the
-  // volumetric stress starts from zero. Collective.
-  template <int dim>
-  void
-  Simulation<dim>::p_refine(const std::vector<unsigned int> &bodies)
-  {
-    for (const unsigned int body : bodies)
-      decisions.raise_degree(body);
-    mesh->set_degrees(decisions.degrees);
-    auto richer = make_elasticity(decisions, *mesh);
-    richer->setup(elasticity->time_of_supports());
-    State carried             = state;
-    carried.volumetric_stress = LA::Vector();
-    carried.displacement      = p_refined(*elasticity, state.displacement, *richer);
-    if (state.start.displacement.size() > 0)
-      carried.start.displacement = p_refined(*elasticity, state.start.displacement, *richer);
-    replace_elasticity(std::move(richer),
-                       carried,
-                       equilibrium->uses_current_geometry(),
-                       contact->save());
   }
 
 
@@ -224,7 +193,7 @@ namespace Signorini
     const unsigned int most       = position.cycle + scene.maximum_cycles();
     for (;;)
       {
-        n_steps = report().steps.size();
+        n_steps = problem.report().steps.size();
         if (position.cycle == most)
           {
             of_step = accuracy_results(scene.goals, its, judge(its));
@@ -233,9 +202,9 @@ namespace Signorini
         if (!improve(its))
           break;
         ++position.cycle;
-        equilibrium->find_contact();
+        problem.equilibrium->find_contact();
         report_set_up();
-        if (!solve(position.time, scene.newton.tolerance))
+        if (!problem.solve(position.time, scene.newton.tolerance))
           return false;
       }
     if (is_end)
@@ -296,13 +265,13 @@ namespace Signorini
   ErrorEstimate
   Simulation<dim>::estimate_errors()
   {
-    const Snapshot<dim>       now = equilibrium->snapshot(0);
+    const Snapshot<dim>       now = problem.equilibrium->snapshot(0);
     std::vector<Functional>   functionals;
     std::vector<DualSolution> duals;
-    for (const QuantityName &name : decisions.quantities())
+    for (const QuantityName &name : problem.decisions.quantities())
       {
         functionals.push_back(functional(name, now, scene.output.probes));
-        duals.push_back(equilibrium->configuration_solver.dual(functionals.back()));
+        duals.push_back(problem.equilibrium->configuration_solver.dual(functionals.back()));
       }
     TimerOutput::Scope  scope(timer, "estimate");
     const PressureShift pressure_shift = scene.contact.chosen().pressure_shift();
@@ -312,9 +281,9 @@ namespace Signorini
                           functionals,
                           duals,
                           is_consistent,
-                          equilibrium->uses_current_geometry() ?
+                          problem.equilibrium->uses_current_geometry() ?
                             0. :
-                            equilibrium->neglected().value_or(0.));
+                            problem.equilibrium->neglected().value_or(0.));
   }
 
 
@@ -325,7 +294,6 @@ namespace Signorini
   template ErrorEstimate Simulation<dim>::judge(ErrorControl &);                                   \
   template bool          Simulation<dim>::improve_step();                                          \
   template std::string   Simulation<dim>::missed_targets(const ErrorControl &) const;              \
-  template void          Simulation<dim>::p_refine(const std::vector<unsigned int> &);             \
   template void          Simulation<dim>::report_errors(const ErrorControl &);                     \
   template void          Simulation<dim>::estimate_result();                                       \
   template ErrorEstimate Simulation<dim>::estimate_errors();

@@ -116,7 +116,8 @@ namespace Signorini
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       {
         if (!is_restart)
-          write_origin(recorder->directory(), origin_of(scene.name, text_with_defaults(decisions)));
+          write_origin(recorder->directory(),
+                       origin_of(scene.name, text_with_defaults(problem.decisions)));
         origin = checksum_of_origin(recorder->directory());
       }
     origin = Utilities::MPI::broadcast(comm, origin);
@@ -146,9 +147,9 @@ namespace Signorini
   void
   Simulation<dim>::restore_decisions()
   {
-    decisions.load(former->head.at("decisions"));
+    problem.decisions.load(former->head.at("decisions"));
     if (const double share = former->head.value("neglected_work", -1.); share >= 0)
-      neglected_work = share;
+      problem.neglected_work = share;
   }
 
 
@@ -157,8 +158,8 @@ namespace Signorini
   void
   Simulation<dim>::restore_mesh()
   {
-    restore_cells(*mesh, joined(former->parts).displacement);
-    check_mark(*mesh, former->head.at("mesh"));
+    restore_cells(*problem.mesh, joined(former->parts).displacement);
+    check_mark(*problem.mesh, former->head.at("mesh"));
   }
 
 
@@ -171,11 +172,11 @@ namespace Signorini
   {
     const Json &head = former->head;
     const Part  part = joined(former->parts);
-    contact->load(head.at("pairs"));
+    problem.contact->load(head.at("pairs"));
     const auto displacement = [&](const std::vector<CellValues> &cells, const char *rigid_motion) {
       const std::vector<double> rigid  = head.at(rigid_motion);
-      LA::Vector                result = vector_of_cells(*elasticity, cells);
-      elasticity->set_rigid_motion(rigid, result);
+      LA::Vector                result = vector_of_cells(*problem.elasticity, cells);
+      problem.elasticity->set_rigid_motion(rigid, result);
       return result;
     };
     State there;
@@ -188,9 +189,9 @@ namespace Signorini
                      part.start_material,
                      head.at("duration")};
     there.material = part.material;
-    equilibrium->set_state(there, head.at("follows"));
-    former_cycles  = head.at("multigrid_cycles");
-    former_seconds = head.at("mesh_seconds");
+    problem.equilibrium->set_state(there, head.at("follows"));
+    problem.former_cycles  = head.at("multigrid_cycles");
+    problem.former_seconds = head.at("mesh_seconds");
     recorder->restore(head.at("results"));
     for (const Json &cycle : recorder->cycles())
       if (!cycle.at("accuracy").contains("time")) // of the end of the load history
@@ -222,20 +223,21 @@ namespace Signorini
                  {"time", position.time},
                  {"step", position.step},
                  {"longest", position.longest},
-                 {"state_time", state.time},
-                 {"follows", equilibrium->uses_current_geometry()},
+                 {"state_time", problem.state.time},
+                 {"follows", problem.equilibrium->uses_current_geometry()},
                  {"tolerance", tolerance},
-                 {"decisions", decisions.save()},
-                 {"neglected_work", neglected_work.value_or(-1)},
-                 {"multigrid_cycles", multigrid_cycles()},
-                 {"rigid_motion", elasticity->rigid_motion(state.displacement)},
-                 {"pairs", contact->save()}};
-    if (state.start.displacement.size() > 0)
+                 {"decisions", problem.decisions.save()},
+                 {"neglected_work", problem.neglected_work.value_or(-1)},
+                 {"multigrid_cycles", problem.multigrid_cycles()},
+                 {"rigid_motion", problem.elasticity->rigid_motion(problem.state.displacement)},
+                 {"pairs", problem.contact->save()}};
+    if (problem.state.start.displacement.size() > 0)
       {
-        head["rigid_motion_at_start"] = elasticity->rigid_motion(state.start.displacement);
-        head["duration"]              = state.start.duration;
+        head["rigid_motion_at_start"] =
+          problem.elasticity->rigid_motion(problem.state.start.displacement);
+        head["duration"] = problem.state.start.duration;
       }
-    checkpoint_state = CheckpointState{state, head};
+    checkpoint_state = CheckpointState{problem.state, head};
     if (position.cycle + position.step == 0 || std::exchange(is_restored, false) || is_finished())
       // Nothing has been solved that a restart would lose.
       return;
@@ -263,17 +265,17 @@ namespace Signorini
     TimerOutput::Scope scope(timer, "checkpoint");
     Json               head = checkpoint_state->head;
     head["origin"]          = origin;
-    head["mesh_seconds"]    = mesh_seconds();
-    head["mesh"]            = mark_of_mesh(*mesh);
+    head["mesh_seconds"]    = problem.mesh_seconds();
+    head["mesh"]            = mark_of_mesh(*problem.mesh);
     head["results"]         = recorder->save();
     const State &now        = checkpoint_state->state;
     Part         part;
-    part.displacement = values_of_cells(*elasticity, now.displacement);
+    part.displacement = values_of_cells(*problem.elasticity, now.displacement);
     part.contact      = places_of(now.contact);
     part.material     = now.material;
     if (now.start.displacement.size() > 0)
       {
-        part.start_displacement = values_of_cells(*elasticity, now.start.displacement);
+        part.start_displacement = values_of_cells(*problem.elasticity, now.start.displacement);
         part.start_contact      = places_of(now.start.contact);
         part.start_material     = now.start.material;
       }

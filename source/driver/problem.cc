@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "driver/problem.h"
+
+#include "accuracy/p_refinement.h"
+#include "accuracy/refinement.h"
+#include "driver/automatic_pairs.h"
 #include "driver/body_setup.h"
-#include "driver/simulation.h"
 #include "materials/material_law.h"
 #include "solid/deformation_change.h"
 #include <signorini/base/text.h>
@@ -13,12 +17,67 @@ namespace Signorini
 {
   using namespace dealii;
 
+  template <int dim>
+  Problem<dim>::Problem(const Scene<dim>            &scene,
+                        const MPI_Comm               comm,
+                        ConditionalOStream          &out,
+                        TimerOutput                 &timer,
+                        std::function<StepVisitor()> watch)
+    : decisions(scene)
+    , scene(scene)
+    , comm(comm)
+    , out(out)
+    , timer(timer)
+    , watch(std::move(watch))
+  {}
+
+
+
+  template <int dim>
+  void
+  Problem<dim>::make_mesh()
+  {
+    mesh = Signorini::make_mesh(decisions, comm);
+    if (!decisions.pairs_are_open)
+      return;
+    decisions.pairs          = automatic_pairs(scene, *mesh, out);
+    decisions.pairs_are_open = false;
+    decisions.check();
+    // The mesh is made again: contact surfaces are refined, and weigh more in its distribution.
+    mesh = Signorini::make_mesh(decisions, comm);
+  }
+
+
+
+  template <int dim>
+  void
+  Problem<dim>::set_up()
+  {
+    elasticity = make_elasticity(decisions, *mesh);
+    elasticity->setup();
+    state.displacement = elasticity->zero_vector();
+    set_up_contact();
+  }
+
+
+
+  template <int dim>
+  void
+  Problem<dim>::set_up_contact()
+  {
+    contact     = std::make_unique<ContactInterfaces<dim>>(decisions, *elasticity, timer, out);
+    equilibrium = std::make_unique<Equilibrium<dim>>(
+      decisions, *elasticity, *contact, state, timer, out, watch);
+  }
+
+
+
   // With Deformation = automatic the load step is solved at small strain first; if the neglected
   // work is too large, it is solved again at finite strain from the state before it, and all later
   // steps are (doc/theory, 6.7).
   template <int dim>
   bool
-  Simulation<dim>::solve(const double t, const double tolerance)
+  Problem<dim>::solve(const double t, const double tolerance)
   {
     if (!elasticity->has_supports_of(t))
       change_supports(t);
@@ -39,7 +98,7 @@ namespace Signorini
   // and continue from the same state. Costs so far are carried over.
   template <int dim>
   void
-  Simulation<dim>::change_supports(const double t)
+  Problem<dim>::change_supports(const double t)
   {
     out << "  supports: a change of the active supports" << std::endl;
     former_cycles  = multigrid_cycles();
@@ -60,7 +119,7 @@ namespace Signorini
   // tolerance or the smallest target error.
   template <int dim>
   bool
-  Simulation<dim>::is_small_enough()
+  Problem<dim>::is_small_enough()
   {
     TimerOutput::Scope scope(timer, "deformation");
     double             limit = scene.deformation_share;
@@ -87,7 +146,7 @@ namespace Signorini
   // Throws SceneError if the scene uses features that require small strain.
   template <int dim>
   void
-  Simulation<dim>::switch_to_finite_strain(const State &before)
+  Problem<dim>::switch_to_finite_strain(const State &before)
   {
     decisions.finite_strain = true;
     try
@@ -105,9 +164,9 @@ namespace Signorini
       }
     auto finite = make_elasticity(decisions, *mesh);
     finite->setup(elasticity->time_of_supports());
-    Json known = contact->save();
+    nlohmann::ordered_json known = contact->save();
     // Search tolerances are estimated anew, since motions may be much larger.
-    for (Json &pair : known)
+    for (nlohmann::ordered_json &pair : known)
       for (const char *key : {"reach", "nearby", "known"})
         pair.erase(key);
     replace_elasticity(std::move(finite), before, true, known);
@@ -119,10 +178,10 @@ namespace Signorini
   // in the reference configuration, where initial overlaps are found.
   template <int dim>
   void
-  Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
-                                      const State                     &carried,
-                                      const bool                       uses_current_geometry,
-                                      const Json                      &known)
+  Problem<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>> other,
+                                   const State                     &carried,
+                                   const bool                       uses_current_geometry,
+                                   const nlohmann::ordered_json    &known)
   {
     equilibrium.reset();
     contact.reset();
@@ -135,16 +194,67 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                                           \
-  template bool Simulation<dim>::solve(double, double);                                            \
-  template void Simulation<dim>::change_supports(double);                                          \
-  template bool Simulation<dim>::is_small_enough();                                                \
-  template void Simulation<dim>::switch_to_finite_strain(const State &);                           \
-  template void Simulation<dim>::replace_elasticity(std::unique_ptr<Elasticity<dim>>,              \
-                                                    const State &,                                 \
-                                                    bool,                                          \
-                                                    const Json &);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template <int dim>
+  void
+  Problem<dim>::refine_mesh()
+  {
+    former_cycles  = 0;
+    former_seconds = 0;
+    equilibrium->configuration_solver.release();
+    std::vector<LA::Vector *> displacements = {&state.displacement};
+    if (state.start.displacement.size() > 0)
+      displacements.push_back(&state.start.displacement);
+    refine(*mesh, *elasticity, displacements);
+    equilibrium->invalidate();
+  }
+
+
+
+  // Raise the degree of bodies to 2 on the same mesh; displacements are interpolated, the
+  // volumetric stress starts from zero. Collective.
+  template <int dim>
+  void
+  Problem<dim>::p_refine(const std::vector<unsigned int> &bodies)
+  {
+    former_cycles  = 0;
+    former_seconds = 0;
+    equilibrium->configuration_solver.release();
+    for (const unsigned int body : bodies)
+      decisions.raise_degree(body);
+    mesh->set_degrees(decisions.degrees);
+    auto richer = make_elasticity(decisions, *mesh);
+    richer->setup(elasticity->time_of_supports());
+    State carried             = state;
+    carried.volumetric_stress = LA::Vector();
+    carried.displacement      = p_refined(*elasticity, state.displacement, *richer);
+    if (state.start.displacement.size() > 0)
+      carried.start.displacement = p_refined(*elasticity, state.start.displacement, *richer);
+    replace_elasticity(std::move(richer),
+                       carried,
+                       equilibrium->uses_current_geometry(),
+                       contact->save());
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Problem<dim>::multigrid_cycles() const
+  {
+    return former_cycles + equilibrium->configuration_solver.multigrid_cycles();
+  }
+
+
+
+  template <int dim>
+  double
+  Problem<dim>::mesh_seconds() const
+  {
+    return former_seconds + Utilities::MPI::max(equilibrium->configuration_solver.seconds(), comm);
+  }
+
+
+
+  template class Problem<2>;
+  template class Problem<3>;
 } // namespace Signorini
