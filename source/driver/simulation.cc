@@ -3,6 +3,7 @@
 
 #include "driver/automatic_pairs.h"
 #include "driver/body_setup.h"
+#include "output/accuracy_results.h"
 #include "output/directory.h"
 #include "output/preflight.h"
 #include "scene/skipped_items.h"
@@ -56,8 +57,7 @@ namespace Signorini
     // failed.
     , timer(MPI_COMM_SELF, out, TimerOutput::never, TimerOutput::wall_times)
     , problem(this->scene, comm, out, timer, [this] { return watch(); })
-    , control(this->scene.goals, this->scene.refinement)
-    , tolerance(std::max(scene.newton.tolerance, scene.refinement.tolerance))
+    , refinement(this->scene, problem, comm, out, timer, clock)
     , is_restart(is_restart)
   {
     out << "Signorini " << SIGNORINI_VERSION << ": " << scene.name;
@@ -125,11 +125,11 @@ namespace Signorini
             pass_checkpoint();
             if (!solve_for_estimate())
               return finish(problem.report());
-            if (!improve(control))
+            if (!improve(refinement.control))
               break;
           }
         // The loop may end on a mesh on which contact was not searched for yet.
-        if (!end_judged_on)
+        if (!refinement.end_judged_on)
           {
             problem.equilibrium->find_contact();
             report_set_up();
@@ -140,7 +140,7 @@ namespace Signorini
         pass_checkpoint();
         run_load_history();
         if (problem.report().converged && !scene.goals.quantities.empty())
-          estimate_result();
+          refinement.estimate_result(position.cycle, *recorder);
         if (problem.report().converged && scene.output.linear_reference)
           compare_with_linear_solve();
         return finish(problem.report());
@@ -296,11 +296,11 @@ namespace Signorini
   Simulation<dim>::solve_for_estimate()
   {
     // Only the end counts, and mostly it is found at once.
-    const double end = scene.load_steps.end_time;
-    n_steps          = 0;
-    if (problem.solve(end, tolerance))
+    const double end   = scene.load_steps.end_time;
+    refinement.n_steps = 0;
+    if (problem.solve(end, refinement.tolerance))
       {
-        n_steps = problem.report().steps.size();
+        refinement.n_steps = problem.report().steps.size();
         return true;
       }
     if (problem.report().has_unconstrained_modes || scene.load_steps.shortest(end) == end)
@@ -314,8 +314,8 @@ namespace Signorini
     problem.equilibrium->configuration_solver.restore_active_set();
     Position start;
     start.longest = end / 2;
-    return apply_load_history(tolerance, start, [&](auto) {
-      n_steps += problem.report().steps.size();
+    return apply_load_history(refinement.tolerance, start, [&](auto) {
+      refinement.n_steps += problem.report().steps.size();
       return true;
     });
   }
@@ -335,17 +335,76 @@ namespace Signorini
     const bool       is_one            = scene.load_steps.ends().size() == 1;
     const double     final_tolerance =
       scene.goals.has_targets() && is_one ?
-            std::max(std::min(tolerance, largest_tolerance), scene.newton.tolerance) :
+            std::max(std::min(refinement.tolerance, largest_tolerance), scene.newton.tolerance) :
             scene.newton.tolerance;
     apply_load_history(final_tolerance, position, [&](const unsigned int step) {
       // Meshes that were made for other load steps may be too coarse for the last one by a little.
-      const bool is_judged = is_finished() && (!end_judged_on || *end_judged_on == position.cycle);
+      const bool is_judged =
+        is_finished() && (!refinement.end_judged_on || *refinement.end_judged_on == position.cycle);
       if (scene.goals.judge_all_steps() && !is_judged && !improve_step())
         return false;
       record_step(step);
       pass_checkpoint();
       return true;
     });
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::improve(ErrorControl &control)
+  {
+    if (!refinement.improve(control, position.cycle, *recorder))
+      return false;
+    // The state of the last checkpoint belongs to the old mesh.
+    checkpoint_state.reset();
+    return true;
+  }
+
+
+
+  // Meet the targets at one load step of the load history, by refinement of the mesh during the
+  // run. Quantities below one hundredth of their final value are not resolved.
+  template <int dim>
+  bool
+  Simulation<dim>::improve_step()
+  {
+    // A value that passes through zero has to be known only relative to its size at the end.
+    constexpr double    small = 0.01;
+    std::vector<double> least;
+    for (const ErrorHistory &of_end : refinement.control.quantities())
+      least.push_back(of_end.size() > 0 ? small * std::abs(of_end.last().value) : 0.);
+    const bool         is_end = is_finished();
+    ErrorControl       of_load(scene.goals, scene.refinement, least);
+    ErrorControl      &its        = is_end ? refinement.control : of_load;
+    const std::string  why_at_end = std::exchange(refinement.reason_targets_missed, {});
+    const unsigned int most       = position.cycle + scene.maximum_cycles();
+    for (;;)
+      {
+        refinement.n_steps = problem.report().steps.size();
+        if (position.cycle == most)
+          {
+            refinement.step_accuracy =
+              accuracy_results(scene.goals, its, refinement.judge(its, position.cycle));
+            break;
+          }
+        if (!improve(its))
+          break;
+        ++position.cycle;
+        problem.equilibrium->find_contact();
+        report_set_up();
+        if (!problem.solve(position.time, scene.newton.tolerance))
+          return false;
+      }
+    if (is_end)
+      return true;
+    const std::string why              = refinement.missed_targets(of_load);
+    refinement.step_accuracy["met"]    = why.empty();
+    refinement.step_accuracy["reason"] = why;
+    recorder->add_targets(of_load, why, position.time);
+    refinement.reason_targets_missed = why_at_end;
+    return true;
   }
 
 
@@ -416,7 +475,7 @@ namespace Signorini
     recorder->add_step(now,
                        problem.report(),
                        problem.multigrid_cycles(),
-                       std::exchange(of_step, {}));
+                       std::exchange(refinement.step_accuracy, {}));
   }
 
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "accuracy/error_control.h"
-#include "accuracy/refinement.h"
 #include "base/interruption.h"
 #include "checkpoint/checkpoints.h"
-#include "driver/problem.h"
+#include "driver/adaptive_refinement.h"
 #include "output/recorder.h"
 #include "scene/decisions.h"
 #include "solver/newton.h"
@@ -89,40 +87,14 @@ namespace Signorini
     ExitCode
     finish(NewtonReport end);
 
-    // Errors, in simulation_accuracy.cc:
-
-    /// Estimate the errors of the last solution, and refine the mesh.
-    /// @param control history of the solutions of that load on all meshes
-    /// @return false if no better mesh is needed or possible: the last solution is on the last mesh
+    /// Refine the mesh, see AdaptiveRefinement::improve().
     bool
     improve(ErrorControl &control);
-    /// Choose the cells to be refined, or the bodies whose degree is raised. Returns false if a
-    /// limit forbids the next mesh.
-    bool
-    mark(const ErrorControl &control, const ErrorEstimate &estimate);
     /// Meet the targets at a load step, on finer meshes if necessary; at the last one if other load
     /// steps have changed the mesh since it was estimated. Returns false if the step cannot be
     /// solved on a finer mesh.
     bool
     improve_step();
-    /// Estimate the errors of the last solution and add them to the history. A mesh that was
-    /// refined for other load steps is no new mesh for the end: the change of its values indicates
-    /// nothing about refinement for the end.
-    ErrorEstimate
-    judge(ErrorControl &control);
-    /// Print the quantities with their error bounds.
-    void
-    report_errors(const ErrorControl &control);
-    /// After the last mesh on which the targets could have been met. @return why they were not met,
-    /// for a message; empty: they are
-    std::string
-    missed_targets(const ErrorControl &control) const;
-    /// Estimate the errors of the last load step.
-    void
-    estimate_result();
-    /// The estimated errors of the last solution. Collective.
-    ErrorEstimate
-    estimate_errors();
 
     // Checkpoints, in simulation_restart.cc:
 
@@ -165,26 +137,12 @@ namespace Signorini
     /// Wall time since the start.
     dealii::Timer clock;
 
-    Problem<dim> problem;
+    Problem<dim>            problem;
+    AdaptiveRefinement<dim> refinement;
     /// Null if nothing is written (preflight).
     std::unique_ptr<Recorder<dim>> recorder;
     bool                           only_checks = false;
-    /// Newton steps on a mesh that is to be refined.
-    unsigned int n_steps = 0;
-    /// Error history of the end of the load history.
-    ErrorControl control;
-    /// Tolerance of Newton's method on the next mesh.
-    double tolerance;
-    /// The number of the mesh on which the end was judged last, unless one was made for it since.
-    std::optional<unsigned int> end_judged_on;
-    /// Wall time at which the last mesh was estimated [s].
-    double last_mesh_at = 0;
-    /// Bodies whose degree becomes 2 on the next mesh.
-    std::vector<unsigned int> next_quadratic;
-    /// Why targets were missed, for a message; empty: no reason is known.
-    std::string reason_targets_missed;
-    /// The accuracy of the last load step, for its results; null: not estimated.
-    Json of_step;
+
     /// The state of a checkpoint, without the results: a copy, since attempts to solve change the
     /// original.
     struct CheckpointState

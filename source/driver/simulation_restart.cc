@@ -195,8 +195,8 @@ namespace Signorini
     recorder->restore(head.at("results"));
     for (const Json &cycle : recorder->cycles())
       if (!cycle.at("accuracy").contains("time")) // of the end of the load history
-        control.add(quantities_of(cycle.at("accuracy")));
-    tolerance = head.at("tolerance");
+        refinement.control.add(quantities_of(cycle.at("accuracy")));
+    refinement.tolerance = head.at("tolerance");
     former.reset();
     is_restored = true;
   }
@@ -225,7 +225,7 @@ namespace Signorini
                  {"longest", position.longest},
                  {"state_time", problem.state.time},
                  {"follows", problem.equilibrium->uses_current_geometry()},
-                 {"tolerance", tolerance},
+                 {"tolerance", refinement.tolerance},
                  {"decisions", problem.decisions.save()},
                  {"neglected_work", problem.neglected_work.value_or(-1)},
                  {"multigrid_cycles", problem.multigrid_cycles()},

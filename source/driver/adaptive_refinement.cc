@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "driver/adaptive_refinement.h"
+
 #include "accuracy/p_refinement.h"
-#include "driver/body_setup.h"
-#include "driver/simulation.h"
 #include "output/accuracy_results.h"
 #include "output/memory.h"
 #include <signorini/base/text.h>
@@ -57,18 +57,39 @@ namespace Signorini
 
 
 
+  template <int dim>
+  AdaptiveRefinement<dim>::AdaptiveRefinement(const Scene<dim>   &scene,
+                                              Problem<dim>       &problem,
+                                              const MPI_Comm      comm,
+                                              ConditionalOStream &out,
+                                              TimerOutput        &timer,
+                                              const Timer        &clock)
+    : control(scene.goals, scene.refinement)
+    , tolerance(std::max(scene.newton.tolerance, scene.refinement.tolerance))
+    , scene(scene)
+    , problem(problem)
+    , comm(comm)
+    , out(out)
+    , timer(timer)
+    , clock(clock)
+  {}
+
+
+
   // One cycle of the adaptive solution: estimate the errors, decide which part dominates (mesh,
   // penalty, tolerance), and change that: refine or raise degrees, scale the penalty, tighten the
   // tolerance. Returns false if the targets are met or cannot be met. Collective.
   template <int dim>
   bool
-  Simulation<dim>::improve(ErrorControl &control)
+  AdaptiveRefinement<dim>::improve(ErrorControl      &control,
+                                   const unsigned int cycle,
+                                   Recorder<dim>     &recorder)
   {
-    const ErrorEstimate estimate = judge(control);
+    const ErrorEstimate estimate = judge(control, cycle);
     const bool          is_end   = &control == &this->control;
     Json                accuracy = accuracy_results(scene.goals, control, estimate);
     if (!is_end)
-      of_step = accuracy;
+      step_accuracy = accuracy;
     if (scene.goals.has_targets())
       {
         tolerance             = control.tolerance(tolerance);
@@ -86,9 +107,7 @@ namespace Signorini
       return false;
     if (!is_end)
       accuracy["time"] = problem.state.time;
-    recorder->add_cycle(n_steps, problem.multigrid_cycles(), accuracy);
-    // The state of the last checkpoint belongs to the old mesh.
-    checkpoint_state.reset();
+    recorder.add_cycle(n_steps, problem.multigrid_cycles(), accuracy);
     if (next_quadratic.empty())
       problem.refine_mesh();
     else
@@ -104,7 +123,7 @@ namespace Signorini
   // Returns false, and clears the marks, if a limit would be exceeded. Collective.
   template <int dim>
   bool
-  Simulation<dim>::mark(const ErrorControl &control, const ErrorEstimate &estimate)
+  AdaptiveRefinement<dim>::mark(const ErrorControl &control, const ErrorEstimate &estimate)
   {
     const std::vector<double> indicators = control.indicators(estimate.cells, comm);
     if (!scene.goals.has_targets())
@@ -159,7 +178,7 @@ namespace Signorini
   // on the same mesh replaces the first, since error histories compare different meshes.
   template <int dim>
   ErrorEstimate
-  Simulation<dim>::judge(ErrorControl &control)
+  AdaptiveRefinement<dim>::judge(ErrorControl &control, const unsigned int cycle)
   {
     const ErrorEstimate estimate = estimate_errors();
     const bool          is_end   = &control == &this->control;
@@ -168,60 +187,16 @@ namespace Signorini
     else
       control.add(estimate.quantities);
     if (is_end)
-      end_judged_on = position.cycle;
+      end_judged_on = cycle;
     report_errors(control);
     return estimate;
   }
 
 
 
-  // Meet the targets at one load step of the load history, by refinement of the mesh during the
-  // run. Quantities below one hundredth of their final value are not resolved.
-  template <int dim>
-  bool
-  Simulation<dim>::improve_step()
-  {
-    // A value that passes through zero has to be known only relative to its size at the end.
-    constexpr double    small = 0.01;
-    std::vector<double> least;
-    for (const ErrorHistory &of_end : control.quantities())
-      least.push_back(of_end.size() > 0 ? small * std::abs(of_end.last().value) : 0.);
-    const bool         is_end = is_finished();
-    ErrorControl       of_load(scene.goals, scene.refinement, least);
-    ErrorControl      &its        = is_end ? control : of_load;
-    const std::string  why_at_end = std::exchange(reason_targets_missed, {});
-    const unsigned int most       = position.cycle + scene.maximum_cycles();
-    for (;;)
-      {
-        n_steps = problem.report().steps.size();
-        if (position.cycle == most)
-          {
-            of_step = accuracy_results(scene.goals, its, judge(its));
-            break;
-          }
-        if (!improve(its))
-          break;
-        ++position.cycle;
-        problem.equilibrium->find_contact();
-        report_set_up();
-        if (!problem.solve(position.time, scene.newton.tolerance))
-          return false;
-      }
-    if (is_end)
-      return true;
-    const std::string why = missed_targets(of_load);
-    of_step["met"]        = why.empty();
-    of_step["reason"]     = why;
-    recorder->add_targets(of_load, why, position.time);
-    reason_targets_missed = why_at_end;
-    return true;
-  }
-
-
-
   template <int dim>
   std::string
-  Simulation<dim>::missed_targets(const ErrorControl &control) const
+  AdaptiveRefinement<dim>::missed_targets(const ErrorControl &control) const
   {
     if (!scene.goals.has_targets() || control.is_met())
       return {};
@@ -236,7 +211,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::report_errors(const ErrorControl &control)
+  AdaptiveRefinement<dim>::report_errors(const ErrorControl &control)
   {
     if (control.quantities().empty())
       return;
@@ -249,12 +224,12 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::estimate_result()
+  AdaptiveRefinement<dim>::estimate_result(const unsigned int cycle, Recorder<dim> &recorder)
   {
-    const ErrorEstimate estimate = judge(control);
-    recorder->add_accuracy(accuracy_results(scene.goals, control, estimate),
-                           control,
-                           missed_targets(control));
+    const ErrorEstimate estimate = judge(control, cycle);
+    recorder.add_accuracy(accuracy_results(scene.goals, control, estimate),
+                          control,
+                          missed_targets(control));
   }
 
 
@@ -263,7 +238,7 @@ namespace Signorini
   // 8), then the parts of the error. At small sliding the neglected geometry is one of them.
   template <int dim>
   ErrorEstimate
-  Simulation<dim>::estimate_errors()
+  AdaptiveRefinement<dim>::estimate_errors()
   {
     const Snapshot<dim>       now = problem.equilibrium->snapshot(0);
     std::vector<Functional>   functionals;
@@ -288,16 +263,6 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                                           \
-  template bool          Simulation<dim>::improve(ErrorControl &);                                 \
-  template bool          Simulation<dim>::mark(const ErrorControl &, const ErrorEstimate &);       \
-  template ErrorEstimate Simulation<dim>::judge(ErrorControl &);                                   \
-  template bool          Simulation<dim>::improve_step();                                          \
-  template std::string   Simulation<dim>::missed_targets(const ErrorControl &) const;              \
-  template void          Simulation<dim>::report_errors(const ErrorControl &);                     \
-  template void          Simulation<dim>::estimate_result();                                       \
-  template ErrorEstimate Simulation<dim>::estimate_errors();
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template class AdaptiveRefinement<2>;
+  template class AdaptiveRefinement<3>;
 } // namespace Signorini

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "accuracy/error_control.h"
+#include "accuracy/error_estimate.h"
+#include "driver/problem.h"
+#include "output/recorder.h"
+
+#include <deal.II/base/timer.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /// Estimates errors, and refines the mesh or raises degrees until the targets are met or cannot
+  /// be. All functions are collective.
+  template <int dim>
+  class AdaptiveRefinement
+  {
+  public:
+    /// Keeps references to all arguments but the communicator.
+    /// @param clock wall time since the start of the run
+    AdaptiveRefinement(const Scene<dim>           &scene,
+                       Problem<dim>               &problem,
+                       MPI_Comm                    comm,
+                       dealii::ConditionalOStream &out,
+                       dealii::TimerOutput        &timer,
+                       const dealii::Timer        &clock);
+
+    /// Estimate the errors of the last solution, and refine the mesh.
+    /// @param cycle number of the present mesh
+    /// @param control history of the solutions of that load on all meshes
+    /// @return false if no better mesh is needed or possible: the last solution is on the last mesh
+    bool
+    improve(ErrorControl &control, unsigned int cycle, Recorder<dim> &recorder);
+    /// Estimate the errors of the last solution and add them to the history. A mesh that was
+    /// refined for other load steps is no new mesh for the end: the change of its values indicates
+    /// nothing about refinement for the end.
+    ErrorEstimate
+    judge(ErrorControl &control, unsigned int cycle);
+    /// After the last mesh on which the targets could have been met. @return why they were not met,
+    /// for a message; empty: they are
+    std::string
+    missed_targets(const ErrorControl &control) const;
+    /// Estimate the errors of the last load step.
+    void
+    estimate_result(unsigned int cycle, Recorder<dim> &recorder);
+    /// Newton steps on a mesh that is to be refined.
+    unsigned int n_steps = 0;
+    /// Error history of the end of the load history.
+    ErrorControl control;
+    /// Tolerance of Newton's method on the next mesh.
+    double tolerance;
+    /// The number of the mesh on which the end was judged last, unless one was made for it since.
+    std::optional<unsigned int> end_judged_on;
+    /// The accuracy of the last load step, for its results; null: not estimated.
+    Json step_accuracy;
+    /// Why targets were missed, for a message; empty: no reason is known.
+    std::string reason_targets_missed;
+
+  private:
+    /// Choose the cells to be refined, or the bodies whose degree is raised. Returns false if a
+    /// limit forbids the next mesh.
+    bool
+    mark(const ErrorControl &control, const ErrorEstimate &estimate);
+    /// Print the quantities with their error bounds.
+    void
+    report_errors(const ErrorControl &control);
+    /// The estimated errors of the last solution. Collective.
+    ErrorEstimate
+    estimate_errors();
+
+    const Scene<dim>           &scene;
+    Problem<dim>               &problem;
+    const MPI_Comm              comm;
+    dealii::ConditionalOStream &out;
+    dealii::TimerOutput        &timer;
+    const dealii::Timer        &clock;
+
+    /// Wall time at which the last mesh was estimated [s].
+    double last_mesh_at = 0;
+    /// Bodies whose degree becomes 2 on the next mesh.
+    std::vector<unsigned int> next_quadratic;
+  };
+} // namespace Signorini
