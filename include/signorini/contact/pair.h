@@ -12,10 +12,11 @@ namespace Signorini
 {
   class Section;
 
-  /// Which of a pair's surfaces is the slave.
+  /// The choice of the slave surface of a pair.
   enum class SideChoice
   {
-    automatic, ///< the one that carries a stable pressure, that named where both do
+    /// The surface that carries a stable pressure; the one named as slave if both do.
+    automatic,
     as_named
   };
 
@@ -24,22 +25,31 @@ namespace Signorini
   template <int dim>
   struct ContactPair
   {
+    /// Name of the pair; BODY.BOUNDARY of the slave and of the master, or the name of an obstacle.
     std::string name, slave, master;
     std::string slave_location, master_location; ///< in the scene file
     Formula     initial_gap = "from geometry"; ///< or "closed", or a formula of the place and time
-    double closes_below = -1; ///< gaps at rest up to this are zero, and so are overlaps; < 0: none
-    bool   can_separate = true;          ///< no: the law is g = 0, whatever the pressure's sign
-    Expression<dim> interference{"1"};   ///< share of initial overlaps that counts at time t
-    double          search_distance = 0; ///< 0: automatic
-    /// Along which the extents of its contact area are reported.
+    /// Gaps in the reference configuration up to this value, and penetrations, are closed [length];
+    /// negative: none.
+    double closes_below = -1;
+    /// False: bilateral contact, g = 0 for either sign of the pressure.
+    bool            can_separate = true;
+    Expression<dim> interference{"1"}; ///< share of initial overlaps that counts at time t
+    /// Search radius [length]; 0: estimated by the program.
+    double search_distance = 0;
+    /// Directions along which the extents of the contact area are reported.
     std::vector<dealii::Point<dim>> directions;
-    SideChoice                      sides     = SideChoice::automatic;
-    bool                            exchanged = false; ///< the scene names the master as slave
-    bool found = false; ///< found by the program, so that it need not come into contact
+    SideChoice                      sides = SideChoice::automatic;
+    /// True if slave and master were exchanged: the scene names the present master as slave.
+    bool exchanged = false;
+    /// True if the program has found the pair; then it need not come into contact.
+    bool found = false;
     /// Self-contact: sign of the direction of SelfContact along which the slave faces; the master
     /// faces the other way.
     double self_side = 1;
 
+    /// Declare the keys of a pair in its section. Throws SceneError through the section for invalid
+    /// combinations.
     void
     declare(Section &section);
 

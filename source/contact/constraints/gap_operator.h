@@ -30,6 +30,7 @@ namespace Signorini
   /// of contact forces and for output.
   struct PointGeometry
   {
+    /// In the reference configuration [length].
     std::vector<LA::Vector> position;
     /// Weighted mean of the normals; not of unit length on curved faces.
     std::vector<LA::Vector> normal;
@@ -49,8 +50,10 @@ namespace Signorini
     /// The positions of the contact points on the slave faces of this rank, and the indices of the
     /// points at these positions, including those of other ranks.
     std::vector<SurfacePoints> places;
-    dealii::IndexSet           readable;
-    ContactRegions             regions;
+    /// The owned points, and those of other ranks that `places` refers to.
+    dealii::IndexSet readable;
+    /// Connectivity of the points, for the active-set strategy.
+    ContactRegions regions;
   };
 
   /// The contact geometric stiffness G: the derivative of the contact forces with respect to the
@@ -139,7 +142,9 @@ namespace Signorini
     PointGeometry       geometry;
     PointOrigin         origin;
 
-    /// @param shares of initial overlaps that count, pair by pair
+    /// Set the initial gap from the reference gap for present interference factors (doc/theory,
+    /// (5.2)).
+    /// @param shares factor of initial penetrations, for each pair
     void
     set_interference(const std::vector<double> &shares);
 
@@ -149,6 +154,7 @@ namespace Signorini
     void
     set_start(const LA::Vector &u);
 
+    /// Set the thermal part of the normal stress. Collective.
     /// @param temperature_change ThermalStrain::coefficients(); ignored without S_thermal
     void
     set_temperature_change(const LA::Vector &temperature_change);
@@ -187,7 +193,7 @@ namespace Signorini
     void
     add_moved_force(LA::Vector &dst, const LA::Vector &u) const;
 
-    /// dst -= G v
+    /// dst -= G v, in the tangent K - G. Collective.
     void
     subtract_geometric(LA::Vector &dst, const LA::Vector &v) const;
 
@@ -196,6 +202,7 @@ namespace Signorini
     for_each_geometric_entry(const LA::Vector                                  &numbers,
                              const std::function<void(double, double, double)> &add) const;
 
+    /// A zero vector over the contact points, without ghosts.
     LA::Vector
     zero() const
     {
@@ -204,6 +211,7 @@ namespace Signorini
       return v;
     }
 
+    /// True if there are no contact points on any rank.
     bool
     empty() const
     {
@@ -231,6 +239,7 @@ namespace Signorini
       return a == 0 ? B_free : tangential.B_free[a - 1];
     }
 
+    /// A zero vector for each component.
     PointVectors
     zeros() const
     {
@@ -252,6 +261,7 @@ namespace Signorini
       return moved.gap_offset.size() == 0;
     }
 
+    /// True for Nitsche's method.
     bool
     has_stress() const
     {
@@ -271,6 +281,7 @@ namespace Signorini
     /// @param p pressure @param s normal stress
     LA::Vector
     nitsche_residual(const LA::Vector &p, const LA::Vector &s) const;
+    /// B^T W p + theta S^T W (s - p)/eps with the rows for free degrees of freedom, or for all.
     LA::Vector
     transposed(bool is_free, const PointVectors &p, const LA::Vector &s) const;
   };

@@ -40,7 +40,9 @@ namespace Signorini
   class PressureBasis
   {
   public:
-    /// @param shapes at the points of integration, hanging nodes as they are
+    /// Construct the basis (doc/theory, (3.8) to (3.10)).
+    /// @param shapes displacement shape functions at the integration points, hanging nodes not
+    /// condensed
     /// @param weights areas of the points
     /// @param area of the whole face
     PressureBasis(const std::vector<FaceNode>  &nodes,

@@ -22,8 +22,10 @@ namespace Signorini
   /// and the share of its area that has a projection.
   struct PressureNodes
   {
+    /// First degrees of freedom of the nodes.
     std::vector<dealii::types::global_dof_index> own;
-    double                                       covered = 0;
+    /// Share of the face's area with a projection, in [0,1].
+    double covered = 0;
   };
 
   /// Set the multiplier shape functions at the points of a surface (`multiplier_shape` and

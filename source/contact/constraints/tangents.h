@@ -35,12 +35,12 @@ namespace Signorini
 
   /// The tangents along which the slip of each row of the gap operator is measured.
   ///
-  /// At rest they are dim - 1 unit vectors across the mean normal of the slave around the row, the
-  /// same on any number of ranks. At a point of integration they are turned with the normal of the
-  /// surface, as little as possible; where surfaces have moved they turn with the material of the
-  /// slave, see ConvectedFrame. So components of a traction by these tangents mean the same before
-  /// and after a rigid motion, and rows around a point know a smooth field of directions on curved
-  /// surfaces.
+  /// In the reference configuration they are dim - 1 unit vectors perpendicular to the mean normal
+  /// of the slave around the row, the same on any number of ranks. At an integration point they are
+  /// rotated with the normal of the surface by the smallest rotation; in displaced configurations
+  /// they also rotate with the material of the slave, see ConvectedFrame. So the components of a
+  /// traction along these tangents keep their meaning in a rigid motion, and the points of a row
+  /// have a smooth field of directions on curved surfaces (doc/theory, 3.7 and 5.6).
   template <int dim>
   class Tangents
   {
@@ -74,9 +74,10 @@ namespace Signorini
          const dealii::Tensor<1, dim>   &direction) const;
 
   private:
+    /// The mean reference normal of a row, of unit length.
     dealii::Tensor<1, dim>
     normal(dealii::types::global_dof_index row) const;
-    /// @param F deformation of the slave's surface at the point
+    /// The tangents of a row at a point whose surface has the deformation F, see at().
     Frame
     convected(dealii::types::global_dof_index row,
               const dealii::Tensor<1, dim>   &normal_at_rest,

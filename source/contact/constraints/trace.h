@@ -32,6 +32,7 @@ namespace Signorini
 
     Trace(const Elasticity<dim> &elasticity);
 
+    /// Set the face for the functions below.
     void
     reinit(const Cell &cell, unsigned int face);
 
@@ -40,7 +41,7 @@ namespace Signorini
     FaceShapeFunctions<dim>
     functions(const Parameter &xi) const;
 
-    /// The values alone, without those that are zero.
+    /// The values of the shape functions at a point, hanging nodes condensed, without zeros.
     SparseRow
     shape(const Parameter &xi) const;
 
@@ -64,9 +65,11 @@ namespace Signorini
       std::vector<std::vector<Node>>                       nodes; ///< of each face of a cell
     };
 
+    /// The data of an element: its one-dimensional polynomials, and the nodes of its faces.
     static Element
     element_of(const dealii::FiniteElement<dim> &fe);
 
+    /// Values and derivatives of the shape functions at a point, hanging nodes not condensed.
     FaceShapeFunctions<dim>
     unresolved(const Parameter &xi) const;
 

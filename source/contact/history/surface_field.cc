@@ -16,7 +16,8 @@ namespace Signorini
 {
   using namespace dealii;
 
-  /// By that of the cell: faces of one cell are known to one rank.
+  /// The hash by which owners of faces are found: that of the cell, since all faces of a cell are
+  /// stored by the same rank.
   static std::uint64_t
   hash_of(const FaceId &id)
   {
@@ -29,7 +30,7 @@ namespace Signorini
   {
     using Values = std::vector<SurfacePointValue>;
 
-    /// Where along the axes of a face the child of a cell lies: 0 or 1.
+    /// The half of a face, 0 or 1 along each of its parameters, that a child of its cell has.
     std::array<unsigned int, 2>
     halves(const unsigned int child, const unsigned int face, const unsigned int dim)
     {
@@ -39,7 +40,7 @@ namespace Signorini
       return result;
     }
 
-    /// The child of a cell at that face and those halves of it.
+    /// The child of a cell that has given halves of a face.
     unsigned int
     child_at(const unsigned int                 face,
              const std::array<unsigned int, 2> &half,
@@ -51,12 +52,14 @@ namespace Signorini
       return child;
     }
 
+    /// The face of the parent cell that contains a face.
     FaceId
     parent_of(const FaceId &id)
     {
       return {id.pair, Signorini::parent_of(id.cell), id.face};
     }
 
+    /// The face of a child cell.
     FaceId
     child_of(const FaceId &id, const unsigned int child)
     {
@@ -69,10 +72,11 @@ namespace Signorini
       return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
     }
 
-    /// Of what is computed from the same numbers on another way.
+    /// Parameters that are computed in different ways agree up to this.
     constexpr double rounding = 1e-9;
 
-    /// Of the polynomials through nodes that lie as face_lattice() says; 0: they do not.
+    /// The degree of the polynomial through values at the nodes of face_lattice(); 0 if they are at
+    /// other points.
     unsigned int
     degree_of_lattice(const Values &values, const unsigned int dim)
     {
@@ -90,13 +94,14 @@ namespace Signorini
       return n - 1;
     }
 
-    /// A number of a place that is interpolated: the pressure, then the history.
+    /// The k-th number of a point that is interpolated: the pressure, then the history.
     double
     entry(const SurfacePointValue &value, const unsigned int k)
     {
       return k == 0 ? value.pressure : value.history[k - 1];
     }
 
+    /// The polynomial through the values of a lattice, at a point.
     template <int dim>
     double
     polynomial(const Values       &values,
@@ -114,8 +119,9 @@ namespace Signorini
       return sum;
     }
 
-    /// The value at the place of the plane that fits best near there (moving least squares,
-    /// Lancaster, Salkauskas, Math. Comp. 37 (1981) 141); a mean where places have no plane.
+    /// The value at a point of the plane fitted to the values with weights 1/distance^4 (moving
+    /// least squares: Lancaster, Salkauskas, Math. Comp. 37 (1981) 141; doc/theory, 3.8); a
+    /// weighted mean where the points do not determine a plane.
     double
     plane(const Values &values, const SurfacePoint &place, const unsigned int k)
     {
@@ -129,13 +135,14 @@ namespace Signorini
           A += weight * terms * terms.transpose();
           b += weight * entry(value, k) * terms;
         }
-      // What the places do not tell has no slope.
+      // A small regularisation: slopes that the points do not determine become zero.
       const double least = 1e-12 * (A(1, 1) + A(2, 2)) + 1e-15 * A(0, 0);
       A(1, 1) += least;
       A(2, 2) += least;
       return A.ldlt().solve(b)[0];
     }
 
+    /// The values at a point of a face: those stored there, or interpolated ones.
     SurfacePointValue
     interpolate(const Values &values, const SurfacePoint &place, const unsigned int dim)
     {
@@ -155,7 +162,8 @@ namespace Signorini
       result.pressure = at(0);
       for (unsigned int k = 0; k < values.front().history.size(); ++k)
         result.history.push_back(at(k + 1));
-      // Closed where there is pressure, and then as the closest place that is.
+      // The point is closed if its pressure is positive, and then has the status of the nearest
+      // closed point.
       double closest = std::numeric_limits<double>::max();
       for (const SurfacePointValue &value : values)
         if (const double distance = distance_square(value.place, place);
@@ -172,6 +180,8 @@ namespace Signorini
 
 
 
+  // Faces, their parents and children are requested from the ranks that store them, so that at()
+  // needs no communication. Collective.
   SurfaceField
   SurfaceField::gathered_at(const std::vector<FaceId> &wanted, const MPI_Comm comm) const
   {
@@ -191,6 +201,8 @@ namespace Signorini
 
 
 
+  // The face itself, its parent (after a refinement), or the child that has the point (after
+  // coarsening).
   std::optional<SurfacePointValue>
   SurfaceField::at(const FaceId &face, const SurfacePoint &place) const
   {

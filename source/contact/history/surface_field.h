@@ -14,6 +14,7 @@ namespace Signorini
   /// The contact values at a point of a slave face.
   struct SurfacePointValue
   {
+    /// Parameters on the face.
     SurfacePoint place{};
     double       pressure = 0; ///< positive in compression [force/length^2]
     double       status   = 0; ///< value of a ContactStatus
@@ -41,12 +42,14 @@ namespace Signorini
       : dim(dim)
     {}
 
+    /// True if this rank has no values.
     bool
     empty() const
     {
       return faces.empty();
     }
 
+    /// Set the values of a face; former ones are replaced.
     void
     set(const FaceId &face, std::vector<SurfacePointValue> values)
     {

@@ -7,6 +7,8 @@ namespace Signorini
 {
   using namespace dealii;
 
+  // Values of one point, from one vector for each component. Tangential components of internal
+  // vectors follow the normal one, which is zero.
   LawInput
   LawInputs::at(const types::global_dof_index point) const
   {
@@ -54,6 +56,8 @@ namespace Signorini
 
 
 
+  // The response is evaluated with the status that the active-set strategy has chosen, not with
+  // that of the trial.
   PointVectors
   ContactLaw::traction(const LawInputs &in, const LA::Vector &status) const
   {
@@ -63,6 +67,7 @@ namespace Signorini
 
 
 
+  // r_q = k W d of doc/theory, (4.2).
   PointVectors
   ContactLaw::residual(const LawInputs &in, const LA::Vector &status) const
   {

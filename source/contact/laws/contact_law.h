@@ -10,6 +10,7 @@ namespace Signorini
   /// The components of a vector at a contact point: normal, then tangential if the law has any.
   /// Components that the law does not have are zero.
   using LawVector = dealii::Tensor<1, 3>;
+  /// A matrix over the components, [a][b].
   using LawMatrix = dealii::Tensor<2, 3>;
 
   /// The internal variables of a contact law at a point, which carry its history from one load step
@@ -59,6 +60,7 @@ namespace Signorini
     const PointVectors   &gap, &stress, &traction;
     const InternalFields &internal;
 
+    /// The input of one point of this rank.
     LawInput
     at(dealii::types::global_dof_index point) const;
   };
@@ -76,6 +78,7 @@ namespace Signorini
 
     virtual ~ContactLaw() = default;
 
+    /// The gap operator that the law was made for.
     const GapOperator &
     gap_operator() const
     {
@@ -137,6 +140,7 @@ namespace Signorini
       return false;
     }
 
+    /// True while the penalty is reduced by scale_penalty().
     virtual bool
     has_scaled_penalty() const
     {
@@ -160,6 +164,7 @@ namespace Signorini
     virtual ContactStatus
     status(Index point, const LawVector &trial) const = 0;
 
+    /// The response of a point for a given status (doc/theory, (2.21)), all zero at open points.
     virtual LawResponse
     response(Index point, const LawInput &in, ContactStatus status) const = 0;
 
@@ -178,8 +183,9 @@ namespace Signorini
       return contact.coefficients.stiffness(point);
     }
 
-    // The same at all points of this rank:
+    // The functions above, evaluated at all points of this rank:
 
+    /// The trial tractions.
     PointVectors
     trial(const LawInputs &in) const;
 

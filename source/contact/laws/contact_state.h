@@ -10,7 +10,8 @@ namespace Signorini
   struct InternalFields
   {
     std::vector<PointVectors> vectors; ///< [k][a]: of variable k, component a along the tangents
-    PointVectors              scalars; ///< a vector a variable
+    /// One vector for each variable.
+    PointVectors scalars;
 
     bool
     empty() const
@@ -40,6 +41,7 @@ namespace Signorini
     /// Internal variables at the end of the last load step; empty if the contact law has none.
     InternalFields internal;
 
+    /// The normal component of the traction.
     const LA::Vector &
     pressure() const
     {
@@ -47,7 +49,7 @@ namespace Signorini
     }
   };
 
-  /// Open everywhere, without tractions and internal variables.
+  /// A state in which all points are open, without tractions and internal variables.
   inline ContactState
   open_contact(const GapOperator &contact)
   {

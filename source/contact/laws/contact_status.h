@@ -19,6 +19,7 @@ namespace Signorini
     return status > 0;
   }
 
+  /// The status of a value in a vector over the points.
   inline ContactStatus
   status_of(const double value)
   {

@@ -34,6 +34,8 @@ namespace Signorini
 
 
 
+  // min over points of k/epsilon (doc/theory, 4.5); laws with multipliers and Nitsche's method have
+  // no stiff penalty. Collective.
   double
   NormalContact::minimal_penalty_scale() const
   {
@@ -48,6 +50,7 @@ namespace Signorini
 
 
 
+  // p^ - epsilon g of doc/theory, (2.1), with p^ of the method.
   LawVector
   NormalContact::trial(const Index point, const LawInput &in) const
   {
@@ -62,6 +65,7 @@ namespace Signorini
 
 
 
+  // A point without area is open: it has no gap.
   ContactStatus
   NormalContact::status(const Index point, const LawVector &trial) const
   {
@@ -72,6 +76,7 @@ namespace Signorini
 
 
 
+  // The response (2.22).
   LawResponse
   NormalContact::response(const Index point, const LawInput &in, const ContactStatus status) const
   {
@@ -96,6 +101,8 @@ namespace Signorini
 
 
 
+  // The trial value (4.8), p - c (g + p/epsilon) with c = min(epsilon, k), for pressures of an
+  // earlier mesh or load step: small errors of the gap are not multiplied by a large penalty.
   PointVectors
   NormalContact::trial_from_traction(const LawInputs &in) const
   {

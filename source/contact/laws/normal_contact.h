@@ -6,14 +6,15 @@
 
 namespace Signorini
 {
-  /// Contact without friction, one law for all methods (pressure positive in compression, gap
-  /// positive when open):
+  /// Frictionless contact, one law for all methods (doc/theory, 2.1; pressure positive in
+  /// compression, gap positive when open):
   ///
   ///   p = max(0, p^ - eps g),
   ///
-  /// the active set being where the maximum is not zero; at points of pairs that never separate
-  /// p = p^ - eps g, and they are always active. A pressure that is an unknown of its own has the
-  /// equation g + c p = 0 there, with the compliance c = 0, or 1/eps if it is not its own p^.
+  /// where the active set is where the maximum is positive. At points of bilateral pairs p = p^ -
+  /// eps g, and they are always active. If the pressure is an independent unknown, the equation on
+  /// active points is g + c p = 0, with the compliance c = 0, or c = 1/eps if p^ = 0 (perturbed
+  /// Lagrangian).
   class NormalContact : public ContactLaw
   {
   public:
@@ -66,7 +67,7 @@ namespace Signorini
     using ContactLaw::status;
     using ContactLaw::trial;
 
-    /// p^ - eps g
+    /// p^ - eps g, the pressure without the bound of the law.
     LawVector
     trial(Index point, const LawInput &in) const override;
 
@@ -76,9 +77,9 @@ namespace Signorini
     LawResponse
     response(Index point, const LawInput &in, ContactStatus status) const override;
 
-    /// To find the set that a stiff penalty, under which gaps are mere noise at first, would not
-    /// show: p - c (g + p/eps) with c at most E/h, whose sign at a solution is that of p^ - eps g
-    /// for any c.
+    /// p - c (g + p/eps) with c at most E/h, whose sign at a solution is that of p^ - eps g for any
+    /// c. With a stiff penalty, gaps that were interpolated from an earlier mesh are dominated by
+    /// interpolation errors and would not show the active set.
     PointVectors
     trial_from_traction(const LawInputs &in) const override;
 
@@ -96,6 +97,7 @@ namespace Signorini
                   bool               multiplier,
                   double             spring);
 
+    /// The penalty parameter at a point [force/length^3].
     double
     epsilon(const Index point) const
     {
@@ -105,8 +107,10 @@ namespace Signorini
 
     PressureShift pressure_shift;
     bool          multiplier;
-    double        spring; ///< negative: the method's eps
-    double        penalty_scale = 1;
-    LA::Vector    last; ///< p^ of what augments
+    /// Factor of E/h of springs(); negative: epsilon of the method.
+    double spring;
+    double penalty_scale = 1;
+    /// The pressure of the last solution, p^ of Uzawa's method.
+    LA::Vector last;
   };
 } // namespace Signorini

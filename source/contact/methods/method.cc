@@ -20,7 +20,7 @@ namespace Signorini
   {
     using Maker = std::function<std::shared_ptr<ContactMethod>()>;
 
-    // The registry: one line a method.
+    // The registry: one line for each method.
     const std::vector<std::pair<std::string, Maker>> registry = {
       {"penalty", [] { return std::make_shared<Penalty>(); }},
       {"augmented Lagrangian", [] { return std::make_shared<AugmentedLagrangian>(); }},

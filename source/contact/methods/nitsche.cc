@@ -35,7 +35,8 @@ namespace Signorini
         "Contact method/Integration = nodes cannot be combined with Method = Nitsche, whose "
         "stabilisation bounds the mean stress of faces, not nodal stresses; set Integration = "
         "quadrature");
-    // K - theta S^T W/eps S and so on are bounded from below by (1 - (1 + theta)^2/(4 Factor)) K.
+    // Stability: the quadratic form of the linearisation is bounded from below by (1 - (1 +
+    // theta)^2/(4 Factor)) K (doc/theory, (2.18)).
     const double smallest = (1 + theta()) * (1 + theta()) / 4;
     if (safety_factor > smallest || theta() == -1)
       return;

@@ -32,6 +32,7 @@ namespace Signorini
 
 
 
+  // epsilon = c k (L/h)^beta (doc/theory, (2.2)).
   double
   Penalty::penalty(const PenaltyScale &scale) const
   {
@@ -40,6 +41,8 @@ namespace Signorini
 
 
 
+  // More penalty constraints on a face than it has displacement nodes over-constrain it, unless the
+  // penalty is low (doc/theory, 2.2).
   void
   Penalty::check(const Integration &integration, const unsigned int degree) const
   {

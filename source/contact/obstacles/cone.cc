@@ -12,6 +12,7 @@ namespace Signorini
 
   namespace
   {
+    /// A circular cone (2D: wedge).
     template <int dim>
     class Cone : public ObstacleShape<dim>
     {

@@ -10,6 +10,7 @@ namespace Signorini
 
   namespace
   {
+    /// A circular cylinder, in 2D a circle, or the bore of that shape.
     template <int dim>
     class Cylinder : public ObstacleShape<dim>
     {

@@ -14,6 +14,9 @@ namespace Signorini
 
   namespace
   {
+    /// A surface that is given by a formula for the gap. In the reference configuration the gap is
+    /// measured along the fixed normal; in displaced configurations the surface is where the
+    /// formula is zero, and the gap is the distance from it.
     template <int dim>
     class GapFunction : public ObstacleShape<dim>
     {
@@ -52,6 +55,8 @@ namespace Signorini
         return {gap.value(x, t), normal / normal.norm()};
       }
 
+      /// True if the formula increases by one per unit length along the normal, so that it is
+      /// defined beside the undeformed surface as well.
       bool
       has_closest_point(const Point<dim> &x, const double length) const override
       {
@@ -62,8 +67,9 @@ namespace Signorini
       ObstaclePoint<dim>
       closest_point(const Point<dim> &x, const double length) const override
       {
-        // To the tangent plane at the last point, and back to the surface along the gradient: a
-        // factor of gap times curvature each time; shorter where that is more than one.
+        // Iteration: move to the tangent plane at the last point, and back to the surface along the
+        // gradient. It converges by a factor of gap times curvature in each step; where that is
+        // more than one, the steps are shortened. At most 100 steps.
         Point<dim>       foot  = x;
         Tensor<1, dim>   n     = normal / normal.norm();
         constexpr double small = 1e-13, epsilon = std::numeric_limits<double>::epsilon();
@@ -76,8 +82,8 @@ namespace Signorini
             const Tensor<1, dim> arm   = x - foot;
             const double         above = gap.value(foot, t) / slope.norm();
             const Tensor<1, dim> step  = arm - (arm * n) * n - above * n;
-            // The foot is rounded, far from the origin to much more than distances are; what the
-            // formula says of it makes up for that.
+            // The distance is computed from the arm and the value of the formula: the closest point
+            // itself is rounded, which far from the origin is much more than distances are.
             distance = arm * n + above;
             if (step.norm() > 0.8 * last)
               share = std::max(share / 2, 1e-3);
@@ -85,8 +91,8 @@ namespace Signorini
             foot += share * step;
           }
         const double value = gap.value(x, t);
-        // Far from a surface that bends much, the formula knows on which side x is, and about how
-        // far from it.
+        // Without convergence, or on the wrong side (far from a strongly curved surface), the
+        // first-order distance value/slope is used, which has the right sign.
         constexpr double rough = 1e-6;
         if (!(last <= rough * length) ||
             (distance * value < 0 && std::abs(distance) > rough * length))
@@ -95,14 +101,14 @@ namespace Signorini
             return {value / slope.norm(), slope / slope.norm()};
           }
         const Tensor<2, dim> of_foot = curvature(foot, length);
-        // Curvatures k become k/(1 + k distance).
+        // Principal curvatures k of the surface become k/(1 + k distance) at x (doc/theory, 5.5).
         const Tensor<2, dim> stretch = unit_symmetric_tensor<dim>() + distance * of_foot;
         return {distance, n, invert(stretch) * of_foot};
       }
 
     private:
-      /// A point and another one, a step forth and back along a coordinate, and how far they are
-      /// from each other: coordinates are rounded, which far from the origin is much of a step.
+      /// Two points at a step forth and back along a coordinate, with their exact distance:
+      /// coordinates are rounded, which far from the origin is much of a step.
       struct Step
       {
         Step(const Point<dim> &x, const unsigned int d, const double h)
@@ -118,6 +124,7 @@ namespace Signorini
         double     length;
       };
 
+      /// The gradient of the formula by central differences.
       Tensor<1, dim>
       gradient(const Point<dim> &x, const double length) const
       {
@@ -130,7 +137,8 @@ namespace Signorini
         return result;
       }
 
-      /// The derivative of the normal along the surface, by finite differences.
+      /// The curvature tensor of the surface, the derivative of the unit normal along it, by
+      /// central differences, symmetrised.
       Tensor<2, dim>
       curvature(const Point<dim> &x, const double length) const
       {

@@ -14,7 +14,7 @@ namespace Signorini
     template <int dim>
     using Registry = std::vector<std::pair<std::string, std::unique_ptr<ObstacleShape<dim>> (*)()>>;
 
-    // The registry: one line a shape.
+    // The registry: one line for each shape.
     template <int dim>
     const Registry<dim> registry = {{"plane", make_plane<dim>},
                                     {"sphere", make_sphere<dim>},

@@ -13,6 +13,8 @@ namespace Signorini
 
   namespace
   {
+    /// A paraboloid of revolution. In the reference configuration the gap is measured along the
+    /// axis, as in Hertz' theory; in displaced ones it is the distance.
     template <int dim>
     class Paraboloid : public ObstacleShape<dim>
     {
@@ -46,6 +48,8 @@ namespace Signorini
       ObstaclePoint<dim>
       closest_point(const Point<dim> &x, const double /*length*/) const override
       {
+        // In the plane through the axis and x, the surface is height = -s^2/(2 R); the closest
+        // point is at the radius `foot`.
         const Tensor<1, dim> n      = normal / normal.norm();
         const Tensor<1, dim> r      = x - apex;
         const double         height = r * n;
@@ -60,7 +64,8 @@ namespace Signorini
       }
 
     private:
-      /// The curvatures along the parabola and around the axis, at that distance from them.
+      /// The curvatures along the parabola and around the axis, at the distance `gap` from the
+      /// surface.
       Tensor<2, dim>
       curvature(const Tensor<1, dim> &n,
                 const Tensor<1, dim> &out,

@@ -8,6 +8,7 @@ namespace Signorini
 
   namespace
   {
+    /// A half space.
     template <int dim>
     class Plane : public ObstacleShape<dim>
     {

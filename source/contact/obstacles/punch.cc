@@ -10,6 +10,8 @@ namespace Signorini
 
   namespace
   {
+    /// A flat face at the end of a circular shaft (2D: a strip), with an edge rounded by a quarter
+    /// of a circle.
     template <int dim>
     class Punch : public ObstacleShape<dim>
     {
@@ -56,7 +58,7 @@ namespace Signorini
         Tensor<2, dim>       curvature;
         if (edge > 0)
           {
-            // Of a torus: across and around the edge.
+            // The principal curvatures of a torus: across the edge, and around the axis.
             const Tensor<1, dim> across = (out * to_x) * n - (n * to_x) * out;
             curvature                   = outer_product(across, across) / distance;
             if constexpr (dim == 3)

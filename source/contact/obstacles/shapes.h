@@ -15,7 +15,8 @@ namespace Signorini
   std::unique_ptr<ObstacleShape<dim>>
   make_shape(const std::string &name);
 
-  // Each shape is a class of its own file; nobody needs to know more of it than how to make one.
+  // Each shape is a class in a file of its own; only the functions that make them are declared
+  // here.
 
   /// Half space behind a point, with its outward normal.
   template <int dim>

@@ -10,6 +10,7 @@ namespace Signorini
 
   namespace
   {
+    /// A sphere, in 2D a circle, or a spherical seat.
     template <int dim>
     class Sphere : public ObstacleShape<dim>
     {

@@ -12,6 +12,7 @@ namespace Signorini
 
   namespace
   {
+    /// A surface of triangles from an STL file, scaled and translated.
     template <int dim>
     class Stl : public ObstacleShape<dim>
     {

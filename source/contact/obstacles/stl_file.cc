@@ -22,6 +22,8 @@ namespace Signorini
 
 
 
+    /// Reads a file into memory and parses it, as text or binary. Throws SceneError with the name
+    /// of the file.
     class Reader
     {
     public:
@@ -39,7 +41,8 @@ namespace Signorini
       Triangles
       read()
       {
-        // Binary files too may begin with the word solid: their length tells.
+        // Binary files may begin with the word `solid`, too; their length is determined by the
+        // number of facets.
         if (text.size() >= header_size &&
             text.size() == header_size + facet_size * number<std::uint32_t>(header_size - 4))
           read_binary();
@@ -57,6 +60,7 @@ namespace Signorini
         throw SceneError("STL file '" + file_name + "' " + what);
       }
 
+      /// A number of a binary file at a position in bytes.
       template <typename T>
       T
       number(const std::size_t at) const
@@ -66,6 +70,7 @@ namespace Signorini
         return value;
       }
 
+      /// Add a vertex of the next triangle; equal vertices get one number.
       void
       add(const Point<3> &p)
       {
@@ -80,8 +85,8 @@ namespace Signorini
         triangles.corners.back()[n_corners++ % 3] = entry->second;
       }
 
-      /// After the header, a facet is a normal and three vertices in single precision, and two
-      /// bytes that mean nothing.
+      /// Binary: after the header, each facet has a normal and three vertices in single precision,
+      /// and two unused bytes.
       void
       read_binary()
       {
@@ -95,6 +100,7 @@ namespace Signorini
             }
       }
 
+      /// Text: only the words `vertex` and `endfacet` are interpreted.
       void
       read_text()
       {

@@ -5,9 +5,9 @@
 
 namespace Signorini
 {
-  /// Read an STL file, as text or binary. Vertices at the same place are one. The normals in the
-  /// file are left out: the order of the vertices says where outside is. Throws SceneError with the
-  /// name of the file.
+  /// Read an STL file, as text or binary. Vertices at equal positions are merged. The normals in
+  /// the file are ignored: the order of the vertices determines the outer side. Throws SceneError
+  /// with the name of the file.
   Triangles
   read_stl(const std::string &file_name);
 } // namespace Signorini

@@ -18,6 +18,7 @@ namespace Signorini
   {
     using Vector = Tensor<1, 3>;
 
+    /// The unit vector of a direction.
     Vector
     unit(const Vector &v)
     {
@@ -26,6 +27,7 @@ namespace Signorini
 
 
 
+    /// A point for messages.
     std::string
     text_of(const Point<3> &p)
     {
@@ -36,6 +38,7 @@ namespace Signorini
 
 
 
+    /// The angle between two vectors, accurate for small angles too.
     double
     angle_between(const Vector &a, const Vector &b)
     {
@@ -45,6 +48,7 @@ namespace Signorini
 
 
 
+  // Triangles without area are left out. The box of each triangle is an entry of an R-tree.
   TriangleSurface::TriangleSurface(const Triangles &triangles)
     : vertices(triangles.vertices)
   {
@@ -74,6 +78,8 @@ namespace Signorini
 
 
 
+  // Pseudonormals at vertices: sums of the triangles' normals, weighted with their angles there
+  // (Baerentzen, Aanaes 2005).
   void
   TriangleSurface::add_vertex_normals()
   {
@@ -89,6 +95,8 @@ namespace Signorini
 
 
 
+  // Pseudonormals at edges: sums of the normals of both triangles. A consistently oriented surface
+  // traverses each edge once in each direction; anything else is an error of the input.
   void
   TriangleSurface::add_edge_normals()
   {
@@ -118,7 +126,8 @@ namespace Signorini
 
 
 
-  /// The regions of Ericson, Real-Time Collision Detection, 5.1.5.
+  // Closest point of a triangle by the regions of its vertices, edges and interior (Ericson,
+  // Real-Time Collision Detection, 5.1.5).
   TriangleSurface::TrianglePoint
   TriangleSurface::foot(const Point<3> &x, const unsigned int triangle) const
   {
@@ -156,13 +165,17 @@ namespace Signorini
 
 
 
+  // Signed distance: the nearest boxes of the tree are examined, four times as many in each round,
+  // until the farthest of them is beyond the closest point found. The sign is that of the
+  // pseudonormal there.
   ObstaclePoint<3>
   TriangleSurface::closest(const Point<3> &x) const
   {
     namespace bgi = boost::geometry::index;
     TrianglePoint best;
     double        smallest = std::numeric_limits<double>::max();
-    // The boxes next to x, more and more, until the others are farther away than the foot.
+    // Examine the boxes nearest to x, more in each round, until the others are farther away than
+    // the closest point.
     for (std::size_t n = 8, seen = 0; seen < tree.size(); n *= 4)
       {
         double             farthest = 0;
@@ -185,7 +198,8 @@ namespace Signorini
     const double sign = arm * best.normal < 0 ? -1 : 1;
     if (best.inside)
       return {arm * best.normal, best.normal};
-    // At the surface itself, rounding makes the direction of the arm.
+    // On the surface itself the direction from the closest point is rounding; the pseudonormal
+    // replaces it.
     const bool touches =
       smallest < 1e-10 * box.get_boundary_points().first.distance(box.get_boundary_points().second);
     return {sign * smallest, touches ? unit(best.normal) : sign * arm / smallest};

@@ -23,13 +23,16 @@ namespace Signorini
   class TriangleSurface
   {
   public:
-    /// Throws SceneError with the place if more than two triangles meet in an edge, or two that
-    /// face to different sides, or if there are no triangles. Triangles without area are left out.
+    /// Throws SceneError with the position if more than two triangles meet in an edge, or two of
+    /// opposite orientation, or if there are no triangles. Triangles without area are left out.
     explicit TriangleSurface(const Triangles &triangles);
 
+    /// The signed distance [length] and the unit normal at the closest point of the surface.
+    /// Curvature is zero.
     ObstaclePoint<3>
     closest(const dealii::Point<3> &x) const;
 
+    /// The bounding box of the surface.
     dealii::BoundingBox<3>
     extent() const
     {

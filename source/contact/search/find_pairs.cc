@@ -19,15 +19,19 @@ namespace Signorini
 
   namespace
   {
-    /// A face of the surface of a body, seen from far.
+    /// A boundary face, by the data that the search for pairs uses. It is sent to all ranks.
     template <int dim>
     struct Face
     {
-      Point<dim>     center;
-      Tensor<1, dim> normal; ///< outward
-      double         size;
-      unsigned int   boundary, body; ///< numbers
+      Point<dim> center;
+      /// Outward unit normal at the center.
+      Tensor<1, dim> normal;
+      /// Diameter of the face [length].
+      double size;
+      /// Numbers of the boundary, in Mesh::boundaries(), and of the body.
+      unsigned int boundary, body;
 
+      /// A box around the face, larger by a margin on all sides.
       BoundingBox<dim>
       box(const double margin) const
       {
@@ -44,6 +48,7 @@ namespace Signorini
       }
     };
 
+    /// The boundary faces of all bodies.
     template <int dim>
     struct Surfaces
     {
@@ -51,11 +56,13 @@ namespace Signorini
       std::vector<std::vector<FacePatch<dim>>> patches;  ///< of this rank, by body
     };
 
+    /// Collect the boundary faces of the mesh. Faces of all ranks are gathered on each of them,
+    /// since pairs are searched once only. Collective.
     template <int dim>
     Surfaces<dim>
     surfaces_of(const Mesh<dim> &mesh)
     {
-      // Of a face with several names, the first counts.
+      // A face that has several names belongs to the boundary that is listed first.
       std::map<types::boundary_id, unsigned int> number_of;
       for (unsigned int i = 0; i < mesh.boundaries().size(); ++i)
         for (const types::boundary_id id : mesh.boundary_ids(mesh.boundaries()[i]))
@@ -83,7 +90,9 @@ namespace Signorini
       return result;
     }
 
-    /// Two faces of different bodies that look at each other along their normals.
+    /// True if two faces belong to different bodies, face each other, and are within a distance of
+    /// each other along the normal of the first one, with a lateral offset of at most their mean
+    /// size.
     template <int dim>
     bool
     may_meet(const Face<dim> &a, const Face<dim> &b, const double distance)
@@ -96,7 +105,7 @@ namespace Signorini
              lateral <= (a.size + b.size) / 2;
     }
 
-    /// True if neither face lies behind the other.
+    /// True if neither face lies behind the plane of the other, up to a small tolerance.
     template <int dim>
     bool
     is_in_front(const Face<dim> &a, const Face<dim> &b)
@@ -106,8 +115,8 @@ namespace Signorini
       return across * a.normal >= -touching && -across * b.normal >= -touching;
     }
 
-    /// The middle of b lies between the middle of a and a plane at that height, seen along a's
-    /// normal.
+    /// True if the center of b lies between the center of a and the height above it along the
+    /// normal of a, and close enough to that line to hide what is beyond.
     template <int dim>
     bool
     covers(const Face<dim> &b, const Face<dim> &a, const double height)
@@ -119,10 +128,12 @@ namespace Signorini
              (across - here * a.normal).norm() <= b.size / 2;
     }
 
+    /// Numbers of two boundaries, the smaller one first.
     using BoundaryPair = std::pair<unsigned int, unsigned int>;
 
-    /// The faces in front of a face that are visible from it: no other ones lie between the middles
-    /// of both.
+    /// The faces in front of a face that are visible from it: of those that may meet it, the ones
+    /// that are not hidden both from its own center and from the point below the other face's
+    /// center.
     template <int dim>
     std::vector<const Face<dim> *>
     visible_from(const Face<dim> &face, const std::vector<const Face<dim> *> &front)
@@ -145,12 +156,15 @@ namespace Signorini
       return result;
     }
 
-    /// A face of this rank and boundaries of another body, parts of which lie behind it.
+    /// For each face of this rank, by number, the boundaries of one other body of which parts lie
+    /// behind the face.
     using BoundariesBehind = std::map<unsigned int, std::set<unsigned int>>;
 
-    /// Add pairs of faces that another body lies behind. What is behind may be on the far side of
-    /// the face's own body, or of the other one: it meets the face if the bodies overlap, or if the
-    /// closest point of that body faces the face. Collective.
+    /// Add the pairs of boundaries of which one lies behind the other although they may be in
+    /// contact: the bodies overlap there, or the closest point of the other body faces the face.
+    /// Otherwise what lies behind is on the far side of a body. Collective.
+    /// @param own faces of this rank
+    /// @param body faces of the other body on this rank
     template <int dim>
     void
     add_overlapping(const std::vector<Face<dim>>      &own,
@@ -179,7 +193,9 @@ namespace Signorini
           }
     }
 
-    /// Pairs of boundaries of different bodies, the same on all ranks. Collective.
+    /// The pairs of boundaries of different bodies that may come into contact, the same on all
+    /// ranks. Each rank examines its own faces against those of all ranks by an R-tree of their
+    /// boxes. Collective.
     template <int dim>
     std::set<BoundaryPair>
     meeting_boundaries(const Surfaces<dim> &surfaces, const double distance, const MPI_Comm comm)
@@ -219,7 +235,7 @@ namespace Signorini
       return all;
     }
 
-    /// The boundaries that may come into contact with an obstacle.
+    /// The boundaries with a face that is within a distance of an obstacle and faces it.
     template <int dim>
     std::set<unsigned int>
     boundaries_at(const std::vector<Face<dim>> &faces,
@@ -237,13 +253,14 @@ namespace Signorini
       return result;
     }
 
-    /// How fine the mesh of a boundary is.
+    /// The mesh size of a boundary.
     struct Fineness
     {
       double       size = 0; ///< mean over its faces
       unsigned int body = 0;
     };
 
+    /// The mean size of the faces of each boundary, and its body.
     template <int dim>
     std::vector<Fineness>
     fineness(const std::vector<Face<dim>> &faces, const unsigned int n_boundaries)
@@ -261,7 +278,8 @@ namespace Signorini
       return result;
     }
 
-    /// A face in two pairs would be in contact twice.
+    /// Throws SceneError if slave boundaries of different names share faces, which would be in
+    /// contact twice.
     template <int dim>
     void
     check_names(const std::vector<ContactPair<dim>> &pairs, const Mesh<dim> &mesh)
@@ -275,6 +293,8 @@ namespace Signorini
                              "boundaries by the key 'Boundaries' of the body");
     }
 
+    /// True if the first of two boundaries should be the slave: the finer one, or the softer one if
+    /// the mesh sizes differ by at most a factor of 1.2.
     bool
     first_is_slave(const Fineness &a, const Fineness &b, const std::vector<double> &moduli)
     {
@@ -295,6 +315,7 @@ namespace Signorini
              const ContactPair<dim>           &pattern,
              const double                      distance)
   {
+    // Pairs between bodies, then those with obstacles, whose slave is always the body.
     const Surfaces<dim>           surfaces = surfaces_of(mesh);
     const auto                   &names    = mesh.boundaries();
     const std::vector<Fineness>   fine     = fineness(surfaces.all, names.size());

@@ -11,19 +11,26 @@
 
 namespace Signorini
 {
-  /// A slave point to be projected, as it is sent to the ranks of the master faces. Copied bit by
-  /// bit.
+  /// A slave point to be projected, as it is sent to the ranks of the master faces; it is copied
+  /// byte by byte.
   template <int dim>
   struct Query
   {
+    /// Position in the current configuration [length], and outward unit normal; a zero normal
+    /// accepts faces of any orientation.
     dealii::Point<dim>     point;
     dealii::Tensor<1, dim> normal;
-    double                 limit;         // farther faces cannot win
-    dealii::Point<dim>     former_center; // of the face that the point is to stay with
-    double                 staying = 0;   // if that is no farther than this beyond the nearest
-    ReferencePoint<dim>    rest;          // where the master says where it was
+    /// Largest distance of a projection that is of interest [length].
+    double limit;
+    /// Center of the master face of an earlier projection, which is to be kept if it is no farther
+    /// than `staying` beyond the nearest one [length]; 0: there is none.
+    dealii::Point<dim> former_center;
+    double             staying = 0;
+    /// The point in the reference configuration, if slave and master are the same surface.
+    ReferencePoint<dim> rest;
 
-    // Demanded by the compiler, not called.
+    // Required by the template that sends objects, but not called for types that are copied byte by
+    // byte.
     template <class Archive>
     void
     serialize(Archive &ar, const unsigned int)
@@ -32,15 +39,19 @@ namespace Signorini
     }
   };
 
-  /// A possible projection: a face that faces the point and is within the limit.
+  /// A possible projection of a point: onto a face that faces the point and is within the limit.
   template <int dim>
   struct Candidate
   {
-    MasterProjection<dim>  master_point;
-    double                 tolerance; // same * diameter of the face; what the point stays for
-    bool                   overhangs; // the point lies beside the face, not above it
-    bool                   is_former; // the point is to stay with it
-    unsigned int           face;      // these two mean something on the rank of the face only
+    MasterProjection<dim> master_point;
+    /// Distances that differ by less count as equal [length].
+    double tolerance;
+    /// True if the point lies beside the face, not above it.
+    bool overhangs;
+    /// True if the face is the one of the earlier projection.
+    bool is_former;
+    /// Number of the face, and parameter on it; valid on the rank of the face only.
+    unsigned int           face;
     dealii::Point<dim - 1> xi;
 
     template <class Archive>
@@ -57,7 +68,8 @@ namespace Signorini
   {
     bool                     empty = true;
     dealii::BoundingBox<dim> box;
-    double                   tolerance = 0; // the largest of the rank
+    /// The largest rounding tolerance of the rank's faces [length].
+    double tolerance = 0;
 
     template <class Archive>
     void

@@ -63,8 +63,9 @@ namespace Signorini
     unsigned int       kind = 0; ///< kind of its face, where the search distinguishes kinds
   };
 
-  /// The second variation of the gap, sum_ij C_ij (T_i.d) (T_j.d') for changes d and d' of the
-  /// degrees of freedom. With n directions v, of which number 0 is the contact normal,
+  /// The second variation of the gap (doc/theory, 5.3 to 5.5), sum_ij C_ij (T_i.d) (T_j.d') for
+  /// increments d and d' of the degrees of freedom. With n directions v, of which number 0 is the
+  /// contact normal,
   ///
   ///   T_i.d     = v_i.(u^S - u^M) + (rigid_i).d,   i < n; no u^M of obstacles
   ///   T_(n+a).d = (rigid_(n+a)).d                  of obstacles
@@ -90,7 +91,8 @@ namespace Signorini
     void
     serialize(Archive &ar, const unsigned int)
     {
-      serialize_bytes(ar, directions); // obstacles' rows do not travel
+      // Rows of obstacles are never sent.
+      serialize_bytes(ar, directions);
       serialize_bytes(ar, factors);
     }
   };

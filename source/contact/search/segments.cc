@@ -14,6 +14,9 @@ namespace Signorini
 
   namespace
   {
+    /// Set the center and the orthonormal axes of the mean plane of a facet (2D: its line). In
+    /// space its normal is that of the cross product of the diagonals, which is the mean normal of
+    /// the bilinear facet.
     template <int dim>
     void
     set_plane(Facet<dim> &facet)
@@ -37,6 +40,7 @@ namespace Signorini
         }
     }
 
+    /// The unit normal of the mean plane of a facet, oriented by its parameters.
     template <int dim>
     Tensor<1, dim>
     normal(const Facet<dim> &facet)
@@ -50,7 +54,8 @@ namespace Signorini
     template <int n>
     using Flat = std::array<Point<n>, (1 << n)>; // a facet in a plane
 
-    // A facet in the plane of another, seen along its normal.
+    /// The corners of a facet projected along the normal of another one, in the coordinates of its
+    /// plane.
     template <int dim>
     Flat<dim - 1>
     project(const Facet<dim> &facet, const Facet<dim> &plane)
@@ -62,8 +67,8 @@ namespace Signorini
       return corners;
     }
 
-    // The parameter of a point of a flat facet, and the Jacobian |dx/ds| there. Newton's method;
-    // one step for parallelograms.
+    /// The parameter of a point of a flat bilinear facet, and the Jacobian |dx/ds| there. Newton's
+    /// method from the middle; one step suffices for parallelograms; ends after at most 30 steps.
     template <int n>
     std::pair<Point<n>, double>
     invert(const Flat<n> &x, const Point<n> &y)
@@ -95,15 +100,17 @@ namespace Signorini
       return {s, std::abs(jacobian)};
     }
 
+    /// The vector product in the plane.
     double
     cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
     {
       return a[0] * b[1] - a[1] * b[0];
     }
 
-    constexpr int none = -1; // no side of the facet that is clipped
+    // The number of a polygon side that is no side of the clipped facet.
+    constexpr int none = -1;
 
-    // Of a polygon, and the side of the facet that leads on from there.
+    /// A corner of a polygon, and the number of the side of the facet that begins there.
     struct Corner
     {
       Point<2> x;
@@ -112,6 +119,7 @@ namespace Signorini
 
     using Polygon = std::vector<Corner>;
 
+    /// The area of a polygon, positive if its corners go around counterclockwise.
     double
     signed_area(const Polygon &p)
     {
@@ -121,7 +129,8 @@ namespace Signorini
       return area;
     }
 
-    // Sides by the parameter that is constant there: 2 d + (0 or 1).
+    /// The corners of a facet as a counterclockwise polygon, with their sides. A side has the
+    /// number 2 d + (0 or 1) if the parameter d is 0 or 1 there.
     Polygon
     counterclockwise(const Flat<2> &x)
     {
@@ -131,7 +140,10 @@ namespace Signorini
       return p;
     }
 
-    // Sutherland and Hodgman: keep what is left of each edge of the convex window in turn.
+    /// Clip a polygon by a convex window with counterclockwise corners (Sutherland, Hodgman 1974):
+    /// for each edge of the window in turn, the part to the left of it is kept. Sides that stem
+    /// from the polygon keep their numbers, those from the window get `none`. The result is convex
+    /// if the polygon is.
     Polygon
     clip(Polygon polygon, const Polygon &window)
     {
@@ -167,6 +179,7 @@ namespace Signorini
       return {{{Point<1>(lower), Point<1>(upper)}}};
     }
 
+    /// True if the bounding boxes of two flat facets are disjoint: a cheap test before clipping.
     bool
     apart(const Flat<2> &a, const Flat<2> &b)
     {
@@ -180,6 +193,7 @@ namespace Signorini
       return false;
     }
 
+    /// The common part as a fan of triangles around its first corner.
     std::vector<std::array<Point<2>, 3>>
     intersection(const Flat<2> &a, const Flat<2> &b)
     {
@@ -192,7 +206,7 @@ namespace Signorini
       return triangles;
     }
 
-    // A piece of a side of a facet: where it is, and which way leads out of the facet.
+    /// A piece of a side of a facet inside of another one, with its outward direction in the plane.
     template <int n>
     struct Piece
     {
@@ -201,7 +215,8 @@ namespace Signorini
       unsigned int                             side;
     };
 
-    // The sides of the second facet on the first one.
+    /// The pieces of the sides of the second facet that lie in the first one, with quadrature
+    /// points (doc/theory, (5.8)).
     std::vector<Piece<1>>
     common_sides(const Flat<1> &a, const Flat<1> &b, const unsigned int /*n_points*/)
     {
@@ -235,7 +250,8 @@ namespace Signorini
       return pieces;
     }
 
-    // Is that side of the facet one of its face?
+    /// True if a side of a facet is also a side of its face.
+    /// @param per_line number of facets in each direction
     template <int dim>
     bool
     ends_face(const Facet<dim> &facet, const unsigned int side, const unsigned int per_line)
@@ -243,6 +259,7 @@ namespace Signorini
       return facet.place[side / 2] == (side % 2 == 0 ? 0 : per_line - 1);
     }
 
+    /// The length of a segment in the line.
     double
     volume(const std::array<Point<1>, 2> &x)
     {
@@ -255,6 +272,7 @@ namespace Signorini
       return cross(x[1] - x[0], x[2] - x[0]);
     }
 
+    /// The point of a simplex with given reference coordinates.
     template <int n>
     Point<n>
     in_simplex(const std::array<Point<n>, n + 1> &x, const Point<n> &s)
@@ -265,7 +283,8 @@ namespace Signorini
       return y;
     }
 
-    // From a facet's parameter to that of its face, without the rounding that leads outside.
+    /// The parameter of a face from that of one of its facets, clamped to the face, since rounding
+    /// may lead outside.
     template <int dim>
     Point<dim - 1>
     of_face(const Facet<dim> &facet, const Point<dim - 1> &s, const unsigned int per_line)
@@ -283,6 +302,7 @@ namespace Signorini
   FacetedFace<dim>::FacetedFace(const FacePatch<dim> &patch)
     : patch(patch)
   {
+    // A face of degree k is divided into k facets in each direction, between neighbouring nodes.
     const unsigned int per_line = patch.get_degree(), n = Utilities::fixed_power<dim - 1>(per_line);
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -307,6 +327,8 @@ namespace Signorini
   BoundingBox<dim>
   FacetedFace<dim>::extruded_box(const double search_radius) const
   {
+    // Extend the box of the face by the corners of the facets, displaced by the radius along their
+    // normals in both directions.
     BoundingBox<dim> box = patch.box();
     for (const Facet<dim> &facet : facets)
       {
@@ -322,7 +344,7 @@ namespace Signorini
 
   namespace
   {
-    /// A facet of the slave and one of the master, in the plane of the former.
+    /// A facet of the slave and one of the master, projected onto the plane of the former.
     template <int dim>
     struct FacetPair
     {
@@ -331,7 +353,9 @@ namespace Signorini
       const unsigned int    n_slave, n_master; ///< facets of their faces along a line
       const Flat<dim - 1>   ours_flat, theirs_flat;
 
-      /// The point at y in the plane, which stands for that much of it.
+      /// The segment point at y in the plane of the slave's facet, with the weight of doc/theory,
+      /// (3.6): the measure of its part of the plane, over the Jacobian of the flat facet, times
+      /// that of the true slave face.
       SegmentPoint<dim>
       at(const Point<dim - 1> &y, const double measure) const
       {
@@ -344,6 +368,7 @@ namespace Signorini
       }
     };
 
+    /// Call visit(pair) for all pairs of facets of two faces.
     template <int dim, typename Visit>
     void
     for_facet_pairs(const FacetedFace<dim> &slave,
@@ -363,6 +388,8 @@ namespace Signorini
 
 
 
+  // Intersect each pair of facets, divide the intersection into simplices, and apply the rule to
+  // each of them. Not collective.
   template <int dim>
   std::vector<SegmentPoint<dim>>
   segment_points(const FacetedFace<dim>    &slave,
@@ -381,6 +408,8 @@ namespace Signorini
 
 
 
+  // The sides of the master's facets inside of the slave's facets, as far as they are sides of the
+  // master face.
   template <int dim>
   std::vector<SegmentEdgePoint<dim>>
   segment_edge_points(const FacetedFace<dim> &slave,

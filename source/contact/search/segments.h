@@ -34,9 +34,10 @@ namespace Signorini
   template <int dim>
   struct Facet
   {
-    static constexpr unsigned int               n_corners = 1 << (dim - 1);
-    std::array<dealii::Point<dim>, n_corners>   corners;
-    std::array<unsigned int, dim - 1>           place; ///< number along each parameter
+    static constexpr unsigned int             n_corners = 1 << (dim - 1);
+    std::array<dealii::Point<dim>, n_corners> corners;
+    /// Number of the facet along each parameter of the face.
+    std::array<unsigned int, dim - 1>           place;
     dealii::Point<dim>                          center;
     std::array<dealii::Tensor<1, dim>, dim - 1> axes; ///< orthonormal, in its mean plane
   };
@@ -68,9 +69,9 @@ namespace Signorini
   /// Jacobian of the true slave face there: if master faces cover the slave face, then the weights
   /// of all segments sum up to its area also where it is curved.
   ///
-  /// @param rule on the reference interval (2D) or triangle (3D)
-  /// @returns nothing where the faces do not overlap; does not ask how far apart they are or
-  /// whether they face each other.
+  /// @param rule quadrature rule on the reference interval (2D) or triangle (3D)
+  /// @return the points of all segments; none where the faces do not overlap. The distance of the
+  /// faces and their orientation are not checked.
   template <int dim>
   std::vector<SegmentPoint<dim>>
   segment_points(const FacetedFace<dim>            &slave,

@@ -10,8 +10,8 @@
 
 namespace Signorini
 {
-  /// The rows of B and S that some points of one slave face contribute to, as dense matrices:
-  /// adding them at once costs a fraction of adding point by point.
+  /// The rows of B and S to which some points of one slave face contribute, as dense matrices:
+  /// adding them at once costs a fraction of adding them point by point.
   struct FaceMatrix
   {
     std::vector<dealii::types::global_dof_index> rows, columns;

@@ -11,24 +11,29 @@
 
 namespace Signorini
 {
-  /// Cauchy's normal stress of a body of large deformation at a place of its boundary, positive in
-  /// compression, and how it changes with the displacement:
+  /// The Cauchy normal stress of a body at finite strain at a point of its boundary, positive in
+  /// compression, and its linearisation (doc/theory, (6.13), (6.14)):
   ///
   ///   sigma = n.(P N - t)/j + p n.m,  j = |cof F N|,
   ///   d sigma = (n.(dP/dF : dF) N + p n.d(j m) - (sigma) dj)/j,
   ///   dj = j (tr(dF F^-1) - m.dF F^-1 m),  n.d(j m) = j (n.m tr(dF F^-1) - m.dF F^-1 n),
   ///
-  /// N being the normal at rest, m the one now, n that of contact, which stays. Of what loads exert
-  /// there, the traction t, by area at rest, and the pressure p, contact bears nothing.
+  /// where N is the normal in the reference configuration, m the current one, and n that of
+  /// contact, which is kept fixed. The traction t of loads, per reference area, and their pressure
+  /// p are subtracted, since contact does not carry them.
   struct CauchyStress
   {
-    double    value = 0, ratio = 0; ///< sigma; j, area now per area at rest
-    double    offset = 0;           ///< sigma - stress.u - volumetric_stress.m there
-    SparseRow stress;               ///< by degrees of freedom, hanging nodes condensed
-    SparseRow volumetric_stress;    ///< by VolumetricStress::coefficients()
-    SparseRow ratio_row;            ///< of j
-    double    ratio_offset = 0;     ///< j - ratio_row.u there
-    double    stiffening   = 1;     ///< N.(dP/dF) along m over what it is at rest; 1 at least
+    /// The normal stress sigma [force/area], and the current area per reference area j.
+    double value = 0, ratio = 0;
+    /// sigma - stress.u - volumetric_stress.m at the present state.
+    double    offset = 0;
+    SparseRow stress;            ///< by degrees of freedom, hanging nodes condensed
+    SparseRow volumetric_stress; ///< by VolumetricStress::coefficients()
+    /// The derivative of j, by degrees of freedom.
+    SparseRow ratio_row;
+    double    ratio_offset = 0; ///< j - ratio_row.u there
+    /// The ratio (6.15) by which the tangent stiffens the bound, at least 1.
+    double stiffening = 1;
   };
 
   /// The stress of a body at its boundary, evaluated in the cell behind a face. Keeps a reference
@@ -44,6 +49,7 @@ namespace Signorini
     /// For cauchy(), in a displaced configuration. Collective.
     NormalStress(const Configuration<dim> &configuration);
 
+    /// Set the cell for the functions below.
     void
     reinit(const Cell &cell);
 
@@ -96,6 +102,8 @@ namespace Signorini
                  const dealii::Tensor<1, dim> &n,
                  const dealii::Tensor<1, dim> &m) const;
 
+    /// The bound of the volumetric stress that is added in displacement-pressure form
+    /// [force/length^3].
     double
     bound_of_volumetric_stress(unsigned int face) const;
 
@@ -109,6 +117,7 @@ namespace Signorini
     std::vector<double>
     product_with_gradient(const dealii::Tensor<2, 3> &V, const dealii::Point<dim> &unit_x) const;
 
+    /// Position and Jacobian matrix of the cell's mapping at a point of the reference cell.
     dealii::Point<dim>
     position(const dealii::Point<dim> &unit_point) const;
 

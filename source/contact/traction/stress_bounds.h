@@ -9,8 +9,9 @@
 
 namespace Signorini
 {
-  /// Bounds of the normal stress on faces, see NormalStress::bound(), computed on demand. Faces of
-  /// one cell share its energy.
+  /// Bounds of the normal stress on faces, see NormalStress::bound(), computed on demand and
+  /// stored. They are multiplied by the number of faces of the boundary that a cell has, since
+  /// these share its strain energy (doc/theory, 2.7).
   template <int dim>
   class StressBounds
   {
@@ -30,7 +31,7 @@ namespace Signorini
     }
 
   private:
-    // They are neighbours in the list.
+    /// The number of faces of the cell of face i; they are neighbours in the list.
     unsigned int
     faces_of_cell(const unsigned int i) const
     {

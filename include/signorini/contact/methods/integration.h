@@ -5,8 +5,8 @@
 
 namespace Signorini
 {
-  /// The functions psi_A, one a slave node, in which methods that sample at nodes expand the
-  /// pressure, and with which they weight the gap.
+  /// The functions psi_A of the slave nodes in which methods that sample at nodes expand the
+  /// pressure, and with which they weight the gap (doc/theory, 3.4).
   enum class Basis
   {
     standard, ///< the trace of the displacement's shape functions phi_A
@@ -25,8 +25,9 @@ namespace Signorini
   /// Where contact integrals are evaluated on a slave face.
   struct Integration
   {
-    Rule         rule     = Rule::segments;
-    unsigned int n_points = 3;               ///< quadrature points a direction; nodes: degree + 1
+    Rule rule = Rule::segments;
+    /// Quadrature points in each direction; degree + 1 for nodes.
+    unsigned int n_points = 3;
     Basis        basis    = Basis::standard; ///< of the weights, for methods that sample at nodes
     unsigned int n_points_of_distorted = 0;  ///< on segments of faces that are no parallelograms by
                                              ///< far; 0: n_points

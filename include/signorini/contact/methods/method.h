@@ -16,20 +16,24 @@ namespace Signorini
   /// Where a method imposes contact.
   enum class Sampling
   {
-    quadrature_points, ///< point-wise
-    nodes              ///< weighted with the pressure's functions of the slave (mortar)
+    /// The law holds at each quadrature point.
+    quadrature_points,
+    /// The law holds for gaps weighted with the multiplier functions of the slave nodes (mortar).
+    nodes
   };
 
   /// The pressure p^ by which the contact law p = max(0, p^ - eps g) is shifted.
   enum class PressureShift
   {
-    none,          ///< p^ = 0
-    multiplier,    ///< the pressure itself, an unknown
-    last_pressure, ///< that of the last solution: one follows the other until the gap is closed
-    normal_stress  ///< that of the bodies at the contact point
+    none,       ///< p^ = 0
+    multiplier, ///< the pressure itself, an unknown
+    /// The pressure of the last solution, updated until the gap is closed (Uzawa).
+    last_pressure,
+    /// The normal stress of the bodies at the contact point (Nitsche).
+    normal_stress
   };
 
-  /// The scales at a contact point that a penalty may be a multiple of.
+  /// The scales of the penalty parameter at a contact point.
   struct PenaltyScale
   {
     double stiffness; ///< E/h of slave and master in series [force/length^3]
@@ -37,9 +41,9 @@ namespace Signorini
     double bound;     ///< of the normal stress, see NormalStress::bound() [force/length^3]
   };
 
-  /// A contact method. It makes the contact law; for all methods without friction that is p =
-  /// max(0, p^ - eps g), see NormalContact, and the method only chooses p^, eps and the points at
-  /// which the law holds. A method is one file pair under contact/methods and one line in the
+  /// A contact method. It makes the contact law; for all frictionless methods that is p = max(0, p^
+  /// - eps g), see NormalContact, so that a method only chooses p^, eps and the points at which the
+  /// law holds (doc/theory, 2.1). A method is a file pair in contact/methods and a line in the
   /// registry.
   class ContactMethod
   {
@@ -50,19 +54,22 @@ namespace Signorini
     virtual void
     declare(Section &section) = 0;
 
+    /// The points at which the law holds.
     virtual Sampling
     sampling() const = 0;
 
+    /// The choice of p^.
     virtual PressureShift
     pressure_shift() const = 0;
 
-    /// True: the pressure is an unknown of its own, and the law an equation for it: g = 0 where
-    /// active if it is its own predictor, else g + p/eps = 0. False: it follows from the law.
+    /// True if the pressure is an independent unknown, for which the law is an equation: g = 0 on
+    /// active points if p^ is the pressure itself, else g + p/eps = 0. False if the pressure
+    /// follows from the law.
     virtual bool
     has_multipliers() const = 0;
 
-    /// eps: a dimensionless number times one of the scales, so that nothing depends on the units of
-    /// the scene.
+    /// The penalty parameter eps [force/length^3]: a dimensionless factor times one of the scales,
+    /// so that nothing depends on the units of the scene, or an absolute value.
     virtual double
     penalty(const PenaltyScale &scale) const = 0;
 
@@ -78,46 +85,50 @@ namespace Signorini
       return false;
     }
 
-    /// True: tractions depend on the load steps before, by internal variables of the law or by the
-    /// slip, which counts from the end of the last one.
+    /// True if tractions depend on earlier load steps, by internal variables of the law or by the
+    /// slip, which is measured from the end of the last load step.
     virtual bool
     is_path_dependent() const
     {
       return uses_slip();
     }
 
-    /// Nitsche's method: weight of the normal stress of virtual displacements.
+    /// The parameter theta of Nitsche's method (doc/theory, (2.14)): 1, 0 or -1; 0 for other
+    /// methods.
     virtual double
     theta() const
     {
       return 0;
     }
 
-    /// True: either surface of a pair is slave to the other, with half the weight.
+    /// True for the unbiased form: each surface of a pair is slave of the other with half of the
+    /// weight.
     virtual bool
     unbiased() const
     {
       return false;
     }
 
-    /// The rule of integration that serves the method best.
+    /// The integration rule that is used if none is given.
     virtual Rule
     usual_integration() const
     {
       return Rule::segments;
     }
 
-    /// Throws SceneError where method and integration do not go together. The method's place in the
-    /// scene file is "Contact method".
+    /// Throws SceneError if the method cannot be combined with the integration; the message begins
+    /// with "Contact method".
+    /// @param degree of the displacement of the slave
     virtual void
     check(const Integration & /*integration*/, unsigned int /*degree*/) const
     {}
 
-    /// `name` is one of method_names().
+    /// Make a method. @param name one of method_names()
     static std::shared_ptr<ContactMethod>
     create(const std::string &name);
   };
 
+  /// The names of all methods, for the key Contact method/Method.
   const std::vector<std::string> &
   method_names();
 } // namespace Signorini

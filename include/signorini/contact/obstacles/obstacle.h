@@ -15,13 +15,14 @@ namespace Signorini
   template <int dim>
   struct ObstaclePoint
   {
-    double                 gap;    ///< positive outside of the obstacle
+    /// Distance from the surface [length], positive outside of the obstacle.
+    double                 gap;
     dealii::Tensor<1, dim> normal; ///< unit, out of the obstacle
     /// Second derivatives of the gap; zero where the surface is flat, or sharp.
     dealii::Tensor<2, dim> curvature{};
   };
 
-  /// A rigid shape that is never meshed: one file under contact/obstacles and one line in the
+  /// The shape of a rigid surface, which has no mesh: a file in contact/obstacles and a line in the
   /// registry.
   template <int dim>
   class ObstacleShape
@@ -29,12 +30,13 @@ namespace Signorini
   public:
     virtual ~ObstacleShape() = default;
 
-    /// The keys of this shape, beside `Shape`, in the obstacle's section.
+    /// Declare the keys of this shape, beside `Shape`, in the obstacle's section.
     virtual void
     declare(Section &section) = 0;
 
-    /// Read what is in a file: after declare(), before all else. Throws SceneError.
-    /// @param folder in which the file is looked for after the present one
+    /// Read the data that is in a file; called after declare() and before any other function.
+    /// Throws SceneError.
+    /// @param folder where the file is searched after the working directory
     virtual void
     read_file([[maybe_unused]] const std::string &folder)
     {}
@@ -64,8 +66,10 @@ namespace Signorini
       return true;
     }
 
-    /// The closest point in any configuration: the gap is the distance, negative inside.
-    /// @param length a length beside which finite differences of formulas are small
+    /// The closest point of the surface in any configuration; the gap is the distance [length],
+    /// negative inside.
+    /// @param x point in the coordinates of the obstacle
+    /// @param length length scale, relative to which steps of finite differences are small
     virtual ObstaclePoint<dim>
     closest_point(const dealii::Point<dim> &x, [[maybe_unused]] double length) const
     {
@@ -80,8 +84,10 @@ namespace Signorini
     std::string                         name;
     std::string                         type = "plane";
     std::shared_ptr<ObstacleShape<dim>> shape;
-    RigidBody<dim>                      body; ///< how it moves
+    /// Motion and loads of the obstacle.
+    RigidBody<dim> body;
 
+    /// Declare the keys of an obstacle in its section.
     void
     declare(Section &section);
   };
